@@ -543,6 +543,7 @@ problem-has-no-answer-name-with-these-inputs-did-you-mean-near = `{ $problem }` 
 problem-has-no-answer-name-with-these-inputs-it-has-known = `{ $problem }` não tem a resposta `{ $name }` com estes dados; tem { $known }
 a-configuration-is-a-table-of-changed-inputs-as-in-configuration-name = uma configuração é uma tabela de dados alterados, como em [configuration.{ $name }]
 linked-file-file-sha-256-digest = arquivo vinculado { $file }, SHA-256 { $digest }
+linked-file-file-as-it-is-open-with-unsaved-changes-sha-256-digest = arquivo vinculado { $file } como está aberto, com alterações não salvas, SHA-256 { $digest }
 linked-problems-are-solved-one-by-one = problemas vinculados são resolvidos um a um
 more-than-most-files-are-linked-behind-one-another = há mais de { $most } arquivos vinculados em sequência
 problem-name-a-table-with-an-analysis-is-needed-as-in-problem-name = problem.{ $name }: é necessária uma tabela com uma análise, como em [problem.{ $name }]

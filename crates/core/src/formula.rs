@@ -15,6 +15,7 @@ use std::ops::Range;
 
 use dalembert_units::Quantity;
 
+pub use self::names::same_name;
 pub(crate) use self::{
     evaluate::{Operand, evaluate, unit_of},
     names::normalised,

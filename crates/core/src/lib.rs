@@ -69,6 +69,7 @@ pub use crate::{
         Level, Mark, Over, Plot, Point, Point3, Scale, Scene, Series, Shape3, TableExhibit, Viewpoint3,
     },
     field::{ChildList, Field, FieldLimit, Fields, Measure, Shape, Variant},
+    formula::same_name,
     input::{FieldError, Inputs, Lift, MeasuredQuantity, Reference},
     linked::LinkedProblem,
     path::{is_within, nearest},

@@ -163,7 +163,7 @@ impl Bench {
 
     /// The name of the problem among others: its analysis, and its file or its title.
     pub fn name_among(&self, locale: &Locale) -> String {
-        let title = Text::from(self.problem.entry.about.title).render(locale);
+        let title = Text::from(self.problem.entry().about.title).render(locale);
         let document = &self.problem.document;
         let own = match document.file.as_ref().and_then(|file| file.path.file_name()) {
             Some(file) => file.to_string_lossy().into_owned(),

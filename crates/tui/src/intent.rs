@@ -52,6 +52,15 @@ pub enum Intent {
     /// The problem has another title.
     Rename(String),
 
+    /// A part of the file is shown, by the place of its tab.
+    ShowPart(usize),
+    /// A linked problem is begun: its name, and an analysis or words that it is found by.
+    BeginProblem(String),
+    /// A problem of an analysis is linked under a name.
+    LinkProblem(String, &'static Entry),
+    /// A configuration is begun.
+    BeginConfiguration(String),
+
     /// A pane is shown.
     Turn(Tab),
     /// The text of a cell is complete.

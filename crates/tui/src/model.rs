@@ -262,7 +262,7 @@ impl Model {
 
     /// Makes the open problem the context of translations.
     pub fn translate_for_bench(&mut self) {
-        self.locale.place = self.bench.as_ref().map_or("", |bench| bench.problem.entry.about.id);
+        self.locale.place = self.bench.as_ref().map_or("", |bench| bench.problem.entry().about.id);
     }
 
     /// Place of the key map in which keys are looked up.

@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use dalembert_core::{
-    Axis, Draft, Entry, Exhibit, FieldError, Plot, Record, Solution, SolveError, TableExhibit, Text,
-    UnitSetting,
+    Axis, Draft, Entry, Exhibit, FieldError, LinkedProblem, Plot, Record, Solution, SolveError, TableExhibit,
+    Text, UnitSetting,
     cases::Case,
-    file,
+    file, linked,
     study::StudyResult,
     vary::{self, VariedInput},
 };
@@ -25,8 +25,6 @@ use crate::{
 pub struct Problem {
     /// The number among the open problems; those that were opened later have larger ones.
     pub number: u64,
-    /// The analysis.
-    pub entry: &'static Entry,
     /// Title, file, and the way answers are shown.
     pub document: Document,
     /// The inputs.
@@ -35,6 +33,8 @@ pub struct Problem {
     pub found: ProblemResults,
     /// Published cases of the analysis.
     pub cases: Vec<CheckedCase>,
+    /// The analysis that they are of, and the names of answers that are shown in units of their own.
+    known: &'static Entry,
     /// The case that is chosen among them.
     pub case: usize,
     /// True if they are compared with what was printed, or about to be.
@@ -129,7 +129,6 @@ impl Problem {
     pub fn new(entry: &'static Entry, title: String, draft: Draft, cases: Vec<CheckedCase>) -> Self {
         Self {
             number: 0,
-            entry,
             document: Document {
                 saved: (title.clone(), draft.clone()),
                 title,
@@ -149,8 +148,54 @@ impl Problem {
             },
             found: ProblemResults::default(),
             cases,
+            known: entry,
             case: 0,
             checking: false,
+        }
+    }
+
+    /// The analysis, or the linked problems.
+    pub fn entry(&self) -> &'static Entry {
+        self.inputs.form.entry()
+    }
+
+    /// Follows the inputs where they are of another entry now: a problem that has a name or has none any more, whose
+    /// answers are called otherwise, and which has other published cases.
+    pub fn follow_entry(&mut self, cases: Vec<CheckedCase>) {
+        let now = self.entry();
+        let before = std::mem::replace(&mut self.known, now);
+        if std::ptr::eq(before, self.known) {
+            return;
+        }
+        (self.cases, self.case, self.checking) = (cases, 0, false);
+        let name_in = |of: &'static Entry, entry: &Entry| {
+            let is_it =
+                |problem: &&LinkedProblem| problem.entry.about.id == entry.about.id && problem.file.is_none();
+            of.linked().iter().find(is_it).map(|problem| problem.name)
+        };
+        let answers = self.document.show.iter_mut().map(|(answer, _)| answer);
+        match (linked::unnamed(before), linked::unnamed(self.known)) {
+            (Some(main), None) => {
+                let Some(name) = name_in(self.known, main) else { return };
+                let is_named = |answer: &str| {
+                    before
+                        .linked()
+                        .iter()
+                        .any(|other| answer.starts_with(other.name) && !other.name.is_empty())
+                };
+                answers
+                    .filter(|answer| !is_named(answer))
+                    .for_each(|answer| *answer = format!("{name}.{answer}"));
+            }
+            (None, Some(main)) => {
+                let Some(name) = name_in(before, main) else { return };
+                for answer in answers {
+                    if let Some(rest) = answer.strip_prefix(name).and_then(|rest| rest.strip_prefix('.')) {
+                        *answer = rest.to_owned();
+                    }
+                }
+            }
+            _ => {}
         }
     }
 
@@ -185,7 +230,7 @@ impl Problem {
             _ => self.document.title.clone(),
         };
         file::ProblemFile {
-            entry: self.entry,
+            entry: self.entry(),
             title,
             draft: draft.clone(),
             units: self.document.units,
@@ -197,12 +242,12 @@ impl Problem {
 
     /// The values of the inputs; `None` while they cannot be read.
     pub fn record(&self) -> Option<Record> {
-        self.inputs.form.draft.read(&self.entry.shape()).ok()
+        self.inputs.form.draft.read(&self.entry().shape()).ok()
     }
 
     /// A solution of the problem in the units that the problem is shown in: its system, then those chosen for answers.
     pub fn in_its_units(&self, solution: Solution) -> Solution {
-        let (draft, shape) = (&self.inputs.form.draft, self.entry.shape());
+        let (draft, shape) = (&self.inputs.form.draft, self.entry().shape());
         let mut solution = solution.in_units_of(self.document.units, draft, &shape);
         // What a file asks for and cannot be is shown as it would be without.
         let _ = show_answers_in(&mut solution, &self.document.show);
@@ -316,7 +361,7 @@ impl Problem {
     }
 
     fn is_empty(&self, error: &FieldError) -> bool {
-        let place = self.inputs.form.draft.at(&self.entry.shape(), &error.path);
+        let place = self.inputs.form.draft.at(&self.entry().shape(), &error.path);
         match place {
             Ok((Draft::Leaf(text), _)) => text.trim().is_empty(),
             // Of a choice, none is made.

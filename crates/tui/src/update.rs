@@ -13,6 +13,7 @@ mod files;
 mod form;
 mod mouse;
 mod pane;
+mod parts;
 mod picker;
 mod problems;
 mod settings;
@@ -101,6 +102,10 @@ fn carry_out(model: &mut Model, intents: Vec<Intent>) -> Vec<Effect> {
             Intent::TakeTable(path, text) => form::take_table(model, &path, text),
             Intent::Import(typed) => form::import(model, &typed),
             Intent::Rename(title) => bench::rename(model, &title),
+            Intent::ShowPart(at) => parts::show(model, at),
+            Intent::BeginProblem(words) => parts::begin_problem(model, &words),
+            Intent::LinkProblem(name, entry) => parts::link_problem(model, &name, entry),
+            Intent::BeginConfiguration(name) => parts::begin_configuration(model, &name),
             Intent::Turn(tab) => bench::show_tab(model, tab),
             Intent::EndEdit => cells::end_edit(model),
             Intent::GoToPart(part) => pane::go_to_part(model, part),
@@ -166,7 +171,7 @@ fn take(model: &mut Model, msg: Msg) -> Vec<Intent> {
             if let Some(listing) = model.listings.iter_mut().find(|listing| listing.entry.about.id == id) {
                 listing.checked = Some(checked.clone());
             }
-            for bench in model.problems_mut().filter(|bench| bench.problem.entry.about.id == id) {
+            for bench in model.problems_mut().filter(|bench| bench.problem.entry().about.id == id) {
                 bench.problem.cases.clone_from(&checked);
             }
         }
@@ -219,6 +224,9 @@ fn press(model: &mut Model, key: KeyEvent) -> Vec<Intent> {
 fn begin_number(model: &mut Model, character: char, sign: Option<Sign>) -> Vec<Intent> {
     let decimal = model.locale.style.decimal;
     let Some(bench) = &mut model.bench else { return Vec::new() };
+    if let Some(why) = bench.problem.inputs.form.hindrance() {
+        return Intent::say(why);
+    }
     if bench.problem.inputs.form.begin_number(character, sign, decimal) {
         vec![Intent::Changed]
     } else {
@@ -303,7 +311,7 @@ fn open_case(model: &Model, entry: &'static Entry, case: usize) -> Vec<Intent> {
 /// Opens a problem of an analysis with every input empty: in place of one of it that nothing was done to, or else
 /// beside what is open.
 fn open_blank(model: &Model, entry: &'static Entry) -> Vec<Intent> {
-    let shown = model.shown_bench().filter(|bench| bench.problem.entry.about.id == entry.about.id);
+    let shown = model.shown_bench().filter(|bench| bench.problem.entry().about.id == entry.about.id);
     let in_place = shown.is_some_and(gives_way);
     let problem = Problem::new(entry, String::new(), Draft::blank(&entry.shape()), model.cases_of(entry));
     let problem = Box::new(problem);
@@ -314,15 +322,18 @@ fn open_blank(model: &Model, entry: &'static Entry) -> Vec<Intent> {
 /// The inputs are others now: they are read, and solved or found wrong; nothing older counts any more.
 fn changed(model: &mut Model) -> Vec<Intent> {
     let generation = model.next_generation();
+    let entry = model.bench.as_ref().map(|bench| bench.problem.entry());
+    let cases = entry.map(|entry| model.cases_of(entry)).unwrap_or_default();
     let Some(bench) = &mut model.bench else { return Vec::new() };
     bench.forget();
     let problem = &mut bench.problem;
+    problem.follow_entry(cases);
     problem.found.failure = None;
-    match problem.inputs.form.draft.read(&problem.entry.shape()) {
+    match problem.inputs.form.draft.read(&problem.entry().shape()) {
         Ok(record) => {
             problem.find_wrong(Vec::new());
             problem.found.state = Freshness::Solving(generation);
-            let work = Work::Solve(problem.entry, record);
+            let work = Work::Solve(problem.entry(), record);
             vec![Intent::Do(Effect::Solve(Job { generation, work })), Intent::Keep]
         }
         Err(errors) => {

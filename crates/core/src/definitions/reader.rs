@@ -49,11 +49,12 @@ impl Reader {
         }
         for (n, row) in changes.iter().enumerate() {
             match self.change([scope, n], row, record) {
-                Ok(input) if plan.inputs.iter().any(|other| other.path == input.path) => {
+                Ok(None) => {}
+                Ok(Some(input)) if plan.inputs.iter().any(|other| other.path == input.path) => {
                     let why = Text::new("`{name}` is changed twice: keep one of the two");
                     self.errors.push(FieldError::new(&input.error_path, why.with("name", &input.path)));
                 }
-                Ok(input) => {
+                Ok(Some(input)) => {
                     self.names.add(input.clone());
                     plan.inputs.push(input);
                 }
@@ -157,13 +158,13 @@ impl Reader {
         Some(Question { scope, label: label.to_owned(), key, symbol, unit, formula })
     }
 
-    /// The input that a row of a configuration changes, with its formula.
+    /// The input that a row of a configuration changes, with its formula; none where it changes nothing yet.
     fn change(
         &self,
         [scope, n]: [usize; 2],
         row: &Value,
         record: &mut Record,
-    ) -> Result<PlannedInput, FieldError> {
+    ) -> Result<Option<PlannedInput>, FieldError> {
         let of = &self.names.scopes[scope];
         let path = |part: &str| of.outside(&format!("configuration[{}].{part}", n + 1));
         let [name, inner, text] = ["name", "input", "formula"].map(|field| text_of(row, field));
@@ -175,6 +176,9 @@ impl Reader {
         if self.names.is_input_name(scope, name) {
             let why = Text::new("`{name}` is the name of an input: choose another");
             return fail("name", why.with("name", name));
+        }
+        if inner.is_empty() && text.is_empty() {
+            return Ok(None);
         }
         let named = self.names.with_symbol(scope, inner);
         let inner = match &named[..] {
@@ -222,7 +226,7 @@ impl Reader {
         let field =
             input.as_ref().map_or_else(|| field_at(record, &base), |input| Some((input.label, input.symbol)));
         let (label, symbol) = field.unwrap_or((intern(&inner), Symbol::from("")));
-        Ok(PlannedInput {
+        Ok(Some(PlannedInput {
             scope: at,
             path: self.names.scopes[at].outside(&inner),
             inner,
@@ -233,7 +237,7 @@ impl Reader {
             unit,
             value: Number::Scalar(si),
             formula: Some(formula),
-        })
+        }))
     }
 
     fn formula(&mut self, scope: usize, path: &str, text: &str) -> Option<Formula> {

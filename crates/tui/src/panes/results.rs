@@ -61,6 +61,11 @@ impl Pane for Results {
         page.behind(lines)
     }
 
+    fn first_part_of(&self, problem: &Problem, name: &str) -> Option<usize> {
+        let solution = problem.found.solution.as_ref().filter(|_| !problem.hides_numbers())?;
+        solution.answers.iter().position(|answer| answer.problem == name)
+    }
+
     fn about(&self, _: &Problem, ui: &Ui<'_>) -> Vec<Text> {
         let text = match self.chosen {
             Some(_) => {

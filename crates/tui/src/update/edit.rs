@@ -151,7 +151,7 @@ fn reload(
         model.say("no changes");
         return Vec::new();
     }
-    let intent = if read.entry.about.id == bench.problem.entry.about.id {
+    let intent = if read.entry.about.id == bench.problem.entry().about.id {
         take(model, read);
         if let Some(bench) = &mut model.bench {
             bench.problem.document.file = Some(OpenFile {
@@ -180,7 +180,7 @@ fn take_copy(model: &mut Model, read: ProblemFile, text: String) -> Vec<Intent> 
         return Vec::new();
     }
     let file = bench.problem.document.file.clone().map(|file| OpenFile { text: text.clone(), ..file });
-    let intent = if read.entry.about.id == bench.problem.entry.about.id {
+    let intent = if read.entry.about.id == bench.problem.entry().about.id {
         take(model, read);
         if let Some(bench) = &mut model.bench {
             (bench.problem.document.file, bench.problem.document.commented) = (file, text);
@@ -202,6 +202,6 @@ fn take(model: &mut Model, read: ProblemFile) {
         let document = &mut bench.problem.document;
         (document.title, document.origin) = (read.document.title, read.document.origin);
         (document.units, document.show) = (read.document.units, read.document.show);
-        bench.problem.inputs.form.replace(read.inputs.form.draft);
+        bench.problem.inputs.form.replace(read.inputs.form.entry(), read.inputs.form.draft);
     }
 }

@@ -56,7 +56,7 @@ pub(super) fn ask_path(model: &mut Model) -> Vec<Intent> {
     let Some(bench) = &model.bench else { return Vec::new() };
     let proposed = match &bench.problem.document.file {
         Some(file) => file.path.display().to_string(),
-        None => format!("{}.toml", bench.problem.entry.about.id.rsplit('/').next().unwrap_or("problem")),
+        None => format!("{}.toml", bench.problem.entry().about.id.rsplit('/').next().unwrap_or("problem")),
     };
     vec![Intent::Show(Dialog::prompt(Purpose::SaveAs, proposed))]
 }

@@ -23,7 +23,7 @@ pub(super) fn open(model: &mut Model, mut problem: Problem) -> Vec<Intent> {
     };
     problem.number = model.next_generation();
     put_aside(model);
-    let id = problem.entry.about.id.to_owned();
+    let id = problem.entry().about.id.to_owned();
     show(model, problem);
     intents.extend([
         Intent::Changed,
@@ -85,7 +85,7 @@ pub(super) fn reach(model: &Model, progress: Progress) -> Vec<Intent> {
     let Some(case) = origin.filter(|case| case.draft == problem.inputs.form.draft) else {
         return Vec::new();
     };
-    let (analysis, case) = (problem.entry.about.id.to_owned(), case.name.clone());
+    let (analysis, case) = (problem.entry().about.id.to_owned(), case.name.clone());
     let progress = progress.max(model.remembered.progress(&analysis, &case));
     vec![Intent::Remember(HistoryChange::Reach { analysis, case, progress })]
 }

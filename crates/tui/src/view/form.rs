@@ -5,7 +5,7 @@ use std::{
     ops::Range,
 };
 
-use dalembert_core::{Draft, FieldError, Shape, Text, Value, describe, draft};
+use dalembert_core::{Draft, FieldError, Shape, Text, Value, describe, draft, within_problem};
 use dalembert_units::write_quantity;
 use ratatui::{
     buffer::Buffer,
@@ -108,6 +108,11 @@ pub(super) fn draw(model: &Model, bench: &Bench, area: Rect, buffer: &mut Buffer
     let focused = bench.focus == Focus::Form;
     let mut title =
         vec![Span::styled(format!(" {} ", word("Inputs", model)), look.border(focused).patch(look.title()))];
+    if let Some(analysis) = bench.problem.inputs.form.analysis() {
+        let analysis = Text::from(analysis).render(&model.locale);
+        let room = usize::from(area.width).saturating_sub(width(&title[0].content) + 20);
+        title.push(Span::styled(format!("{} ", fit(&analysis, room, look)), look.dim()));
+    }
     if let Some(to_do) = bench.problem.to_do() {
         let to_do = to_do.render(&model.locale);
         title.push(if bench.problem.wrong().next().is_some() {
@@ -251,13 +256,15 @@ fn draw_line(
     let look = &model.look;
     let focused = under_cursor && bench.focus == Focus::Form;
     let folded = bench.problem.inputs.form.is_folded(&line.path);
-    let (wrong, needed) = faults.at(&line.path, folded);
+    let (wrong, needed) = faults.at(line.changed.as_deref().unwrap_or(&line.path), folded);
     let pointer = match (under_cursor, wrong) {
-        (true, _) => Span::styled(format!("{} ", look.glyph(Glyph::Pointer)), look.border(focused)),
-        (false, true) => Span::styled(format!("{} ", look.glyph(Glyph::Bad)), look.error()),
-        (false, false) => Span::raw("  "),
+        (true, _) => Span::styled(look.glyph(Glyph::Pointer), look.border(focused)),
+        (false, true) => Span::styled(look.glyph(Glyph::Bad), look.error()),
+        (false, false) => Span::raw(" "),
     };
-    let mut shown = Shown::from(vec![pointer]);
+    let is_changed = line.changed.is_some();
+    let mark = if is_changed { Span::styled(look.glyph(Glyph::Full), look.key()) } else { Span::raw(" ") };
+    let mut shown = Shown::from(vec![pointer, mark]);
     let spaces = " ".repeat(indent(line));
     let name = format!("{spaces}{}", label(model, line));
     let room = columns.label + columns.symbol + usize::from(columns.symbol > 0) + 1 + columns.value;
@@ -436,15 +443,19 @@ fn computed(model: &Model, line: &FormLine) -> Option<String> {
     // A problem that is solved by hand keeps its numbers covered.
     let shows = !problem.is_stale() && problem.found.revealed.is_none();
     let solution = problem.found.solution.as_ref().filter(|_| shows)?;
-    let definition = line.path.strip_suffix(".formula").filter(|row| row.starts_with("let["));
+    let shape = problem.entry().shape();
+    let (of, inner) = within_problem(shape.fields(None), &line.path);
+    let definition = inner.strip_suffix(".formula").filter(|row| row.starts_with("let["));
     let name = definition.and_then(|row| {
-        let shape = problem.entry.shape();
+        let row = if of.is_empty() { row.to_owned() } else { format!("{of}.{row}") };
         match problem.inputs.form.draft.at(&shape, &format!("{row}.name")) {
-            Ok((Draft::Leaf(name), _)) => Some(name.trim().to_owned()),
+            Ok((Draft::Leaf(name), _)) if of.is_empty() => Some(name.trim().to_owned()),
+            Ok((Draft::Leaf(name), _)) => Some(format!("{of}.{}", name.trim())),
             _ => None,
         }
     });
-    let (si, unit) = solution.computed_input(name.as_deref().unwrap_or(&line.path))?;
+    let name = name.unwrap_or_else(|| problem.inputs.form.name_of(line));
+    let (si, unit) = solution.computed_input(&name)?;
     Some(write_quantity(si, unit, model.locale.style))
 }
 
@@ -476,7 +487,8 @@ fn draw_errors(
     let most = if under_cursor { LONG_ERROR } else { SHORT_ERROR };
     let before = (indent(line) + POINTER).min(room / 4);
     let mut shown = Vec::new();
-    for error in faults.wrong.get(line.path.as_str()).into_iter().flatten() {
+    let path = line.changed.as_deref().unwrap_or(&line.path);
+    for error in faults.wrong.get(path).into_iter().flatten() {
         let text = filter_untrusted(&error.why.render(&model.locale)).into_owned();
         let room = room.saturating_sub(before);
         let lines = shortened(wrapped(&text, room), most, room, look);
