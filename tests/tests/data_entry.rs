@@ -13,7 +13,8 @@ fn before(mut person: Person, words: &str, path: &str) -> Person {
     let bench = person.model.bench.as_mut().expect("a problem is open");
     let cases = cases::cases(bench.problem.entry()).expect("the cases can be read");
     let case = cases.into_iter().find(|case| case.name.contains(words)).expect("there is such a case");
-    bench.problem.inputs.form.replace(case.draft);
+    let entry = bench.problem.entry();
+    bench.problem.inputs.form.replace(entry, case.draft);
     bench.problem.inputs.form.go_to(path);
     person
 }

@@ -197,7 +197,7 @@ impl Harness {
         let edited = text.map(|text| (self.editor)(&text)).and_then(|text| match &file {
             Editing::Own(path) => {
                 let fingerprint = files::save(path, &text, Before::Whatever)?;
-                Ok(Opened { text, fingerprint, linked: files::LinkedTexts::default() })
+                Ok(Opened { linked: files::LinkedTexts::of(path, &text), text, fingerprint })
             }
             _ => Ok(Opened {
                 fingerprint: Fingerprint::of(text.as_bytes()),

@@ -109,6 +109,8 @@ pub enum Intent {
     AskPath(Purpose),
     /// An export is written.
     Export(Purpose, PathBuf, Before),
+    /// Linked files that are open, or were, are read as they are now.
+    ReadLinked,
     /// A file was read: it becomes a problem.
     Opened(PathBuf, Opened),
     /// The work of crashed sessions is taken up.

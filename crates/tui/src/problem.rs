@@ -6,7 +6,8 @@ use dalembert_core::{
     Axis, Draft, Entry, Exhibit, FieldError, LinkedProblem, Plot, Record, Solution, SolveError, TableExhibit,
     Text, UnitSetting,
     cases::Case,
-    file, linked,
+    file::{self, LinkedFile},
+    linked,
     study::StudyResult,
     vary::{self, VariedInput},
 };
@@ -14,7 +15,7 @@ use dalembert_core::{
 use dalembert_report::show_answers_in;
 
 use crate::{
-    files::Fingerprint,
+    files::{Fingerprint, LinkedTexts},
     form::Form,
     solver::{CheckedCase, JobFailure},
     typed::Typed,
@@ -71,10 +72,14 @@ pub struct Document {
     pub show_changed: bool,
     /// The file.
     pub file: Option<OpenFile>,
+    /// The files that it links to, as they were read.
+    pub linked: Vec<LinkedFile>,
+    /// Texts of those files on disk.
+    pub links: LinkedTexts,
     /// The text that was edited of a problem without a file: a save keeps its comments.
     pub commented: String,
     /// Title and inputs as they are in the file, or as the case has them.
-    saved: (String, Draft),
+    saved: (String, &'static Entry, Draft),
 }
 
 /// The file of a problem.
@@ -130,13 +135,15 @@ impl Problem {
         Self {
             number: 0,
             document: Document {
-                saved: (title.clone(), draft.clone()),
+                saved: (title.clone(), entry, draft.clone()),
                 title,
                 origin: None,
                 units: UnitSetting::default(),
                 show: Vec::new(),
                 show_changed: false,
                 file: None,
+                linked: Vec::new(),
+                links: LinkedTexts::default(),
                 commented: String::new(),
             },
             inputs: Inputs {
@@ -159,14 +166,16 @@ impl Problem {
         self.inputs.form.entry()
     }
 
-    /// Follows the inputs where they are of another entry now: a problem that has a name or has none any more, whose
+    /// The entry that the inputs are of, where it is another one than before.
+    pub fn other_entry(&self) -> Option<&'static Entry> {
+        Some(self.entry()).filter(|entry| !std::ptr::eq(*entry, self.known))
+    }
+
+    /// Follows the inputs to another entry: a problem that has a name or has none any more, whose
     /// answers are called otherwise, and which has other published cases.
     pub fn follow_entry(&mut self, cases: Vec<CheckedCase>) {
         let now = self.entry();
         let before = std::mem::replace(&mut self.known, now);
-        if std::ptr::eq(before, self.known) {
-            return;
-        }
         (self.cases, self.case, self.checking) = (cases, 0, false);
         let name_in = |of: &'static Entry, entry: &Entry| {
             let is_it =
@@ -203,18 +212,31 @@ impl Problem {
     pub fn is_unsaved(&self) -> bool {
         self.document.show_changed
             || (&self.document.title, &self.inputs.form.draft)
-                != (&self.document.saved.0, &self.document.saved.1)
+                != (&self.document.saved.0, &self.document.saved.2)
     }
 
     /// Marks what is on the screen as saved.
     pub fn mark_saved(&mut self) {
         self.document.show_changed = false;
-        self.document.saved = (self.document.title.clone(), self.inputs.form.draft.clone());
+        self.document.saved = (self.document.title.clone(), self.entry(), self.inputs.form.draft.clone());
     }
 
     /// Marks what is on the screen as in no file: it comes from a crashed session.
     pub fn mark_unsaved(&mut self) {
-        self.document.saved.1 = Draft::Absent;
+        self.document.saved.2 = Draft::Absent;
+    }
+
+    /// Takes the linked files as they were read again: that is no change of the problem itself.
+    pub fn take_files(&mut self, read: file::ProblemFile) {
+        self.inputs.form.take_files((read.entry, &read.draft));
+        let (_, entry, draft) = &mut self.document.saved;
+        (*entry, *draft) = linked::with_files(entry, draft, (read.entry, &read.draft));
+        (self.inputs.notes, self.document.linked) = (read.notes, read.files);
+    }
+
+    /// The text that a save writes.
+    pub fn as_text(&self) -> String {
+        file::write(&self.as_file(), self.text())
     }
 
     /// The text that a save is written over, for its comments and its order.
@@ -236,7 +258,7 @@ impl Problem {
             units: self.document.units,
             show: self.document.show.clone(),
             notes: self.inputs.notes.clone(),
-            files: Vec::new(),
+            files: self.document.linked.clone(),
         }
     }
 

@@ -20,7 +20,7 @@ mod settings;
 
 use std::path::PathBuf;
 
-use dalembert_core::{Draft, Entry, Language, Text, file};
+use dalembert_core::{Draft, Entry, Language, Text};
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use tui_input::{Input, InputRequest};
 
@@ -130,6 +130,7 @@ fn carry_out(model: &mut Model, intents: Vec<Intent>) -> Vec<Effect> {
             Intent::AskPath(Purpose::SaveAs) => files::ask_path(model),
             Intent::AskPath(purpose) => export::ask_path(model, purpose),
             Intent::Export(purpose, path, before) => export::write(model, purpose, path, before),
+            Intent::ReadLinked => files::read_linked(model),
             Intent::Opened(path, opened) => files::opened(model, path, Ok(opened)),
             Intent::Restore(sessions) => files::restore(model, sessions),
             Intent::EditOutside => edit::begin(model),
@@ -322,12 +323,14 @@ fn open_blank(model: &Model, entry: &'static Entry) -> Vec<Intent> {
 /// The inputs are others now: they are read, and solved or found wrong; nothing older counts any more.
 fn changed(model: &mut Model) -> Vec<Intent> {
     let generation = model.next_generation();
-    let entry = model.bench.as_ref().map(|bench| bench.problem.entry());
-    let cases = entry.map(|entry| model.cases_of(entry)).unwrap_or_default();
+    let other = model.bench.as_ref().and_then(|bench| bench.problem.other_entry());
+    let cases = other.map(|entry| model.cases_of(entry));
     let Some(bench) = &mut model.bench else { return Vec::new() };
     bench.forget();
     let problem = &mut bench.problem;
-    problem.follow_entry(cases);
+    if let Some(cases) = cases {
+        problem.follow_entry(cases);
+    }
     problem.found.failure = None;
     match problem.inputs.form.draft.read(&problem.entry().shape()) {
         Ok(record) => {
@@ -354,7 +357,7 @@ fn keep(model: &Model) -> Vec<Intent> {
     vec![Intent::Do(Effect::Keep {
         problem: problem.number,
         original: problem.document.file.as_ref().map(|file| file.path.clone()),
-        text: file::write(&problem.as_file(), problem.text()),
+        text: problem.as_text(),
     })]
 }
 

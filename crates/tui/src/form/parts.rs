@@ -3,7 +3,9 @@
 //! There is one draft of all. A configuration is seen as the inputs of its problem with its own texts in place of some; what
 //! is typed there goes to its list.
 
-use dalembert_core::{COMMON_LISTS, Draft, Field, Shape, Text, is_within, linked, same_name, within_problem};
+use dalembert_core::{
+    COMMON_LISTS, Draft, Entry, Field, Shape, Text, is_within, linked, same_name, within_problem,
+};
 
 use super::{
     Change, Form, FormLine, Role,
@@ -226,16 +228,18 @@ impl Form {
         all.swap_remove(at.unwrap_or(0))
     }
 
-    /// Returns true if a path is of a part: of a configuration, that of one of its rows.
+    /// Returns true if what is said of a path is said on the tab of a part.
     pub fn is_of(&self, part: &FilePart, path: &str) -> bool {
-        match &part.role {
-            PartRole::Configuration(configuration) => {
-                let list = part.outside("configuration");
-                let rows = rows(&self.shape, &self.draft, &list).iter().enumerate();
-                let mut own = rows.filter(|(_, row)| cells(row)[0] == configuration.as_str());
-                own.any(|(n, _)| is_within(path, &format!("{list}[{}]", n + 1)))
+        let changes = |part: &FilePart| {
+            matches!(part.role, PartRole::Configuration(_))
+                && self.lines_of(part).iter().any(|line| line.changed.as_deref() == Some(path))
+        };
+        match part.role {
+            PartRole::Configuration(_) => changes(part),
+            _ => {
+                within_problem(self.shape.fields(None), path).0 == part.problem
+                    && !self.parts().iter().any(changes)
             }
-            _ => within_problem(self.shape.fields(None), path).0 == part.problem,
         }
     }
 
@@ -291,13 +295,13 @@ impl Form {
         })
     }
 
-    /// Title of the analysis of the part that is shown, where there are several.
-    pub fn analysis(&self) -> Option<&'static str> {
+    /// Analysis of the part that is shown, among linked problems.
+    pub fn analysis(&self) -> Option<&'static Entry> {
         let part = self.part();
         if self.entry.linked().is_empty() || part.role == PartRole::Shared {
             return None;
         }
-        self.entry.linked().iter().find(|of| of.name == part.problem).map(|of| of.entry.about.title)
+        self.entry.linked().iter().find(|of| of.name == part.problem).map(|of| of.entry)
     }
 
     /// Reason for which nothing is changed on the line of the cursor.

@@ -78,11 +78,17 @@ pub(super) fn saved(
             let Some(bench) = &mut model.bench else { return vec![Intent::SaveThen(after)] };
             let problem = &mut bench.problem;
             problem.document.file =
-                Some(OpenFile { path: path.to_owned(), text, fingerprint: Some(fingerprint) });
+                Some(OpenFile { path: path.to_owned(), text: text.clone(), fingerprint: Some(fingerprint) });
             problem.mark_saved();
+            let number = problem.number;
+            for problem in model.problems_mut().map(|bench| &mut bench.problem) {
+                if let Some(file) = &problem.document.file {
+                    problem.document.links.take(&file.path, path, &text);
+                }
+            }
             vec![
                 Intent::Say(Text::new("saved as {file}").with("file", shown(path))),
-                Intent::Do(Effect::Forget(problem.number)),
+                Intent::Do(Effect::Forget(number)),
                 Intent::SaveThen(after),
             ]
         }
@@ -122,7 +128,7 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
             return vec![Intent::Show(again), Intent::Preview];
         }
     };
-    let read = match opened.problem() {
+    let read = match model.parse(Some(&path), &opened.text, &opened.linked) {
         Ok(read) => read,
         Err(errors) => {
             let title = Text::new("{file} cannot be opened as a problem").with("file", shown(&path));
@@ -134,6 +140,7 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
     let of_file = |problem: &Problem| problem.document.file.as_ref().is_some_and(|file| file.path == path);
     let open = model.problems().into_iter().map(|bench| &bench.problem).find(|problem| of_file(problem));
     let open = open.map(|problem| (problem.number, problem.is_unsaved()));
+    problem.document.links = opened.linked;
     problem.document.file = Some(OpenFile { path, text: opened.text, fingerprint: Some(opened.fingerprint) });
     match open {
         None => {
@@ -157,6 +164,30 @@ fn read_otherwise(notes: &[Text]) -> Option<Text> {
     }
     let said = Text::new("{note}; and {more} more of this kind").with_text("note", note.clone());
     Some(said.with("more", more.len()))
+}
+
+/// Reads the linked files of the shown problem again, where they are not as they were read: one that is open was changed
+/// there, or closed.
+pub(super) fn read_linked(model: &mut Model) -> Vec<Intent> {
+    let Some(problem) = model.bench.as_ref().map(|bench| &bench.problem) else { return Vec::new() };
+    let document = &problem.document;
+    if document.links.is_empty() {
+        return Vec::new();
+    }
+    let path = document.file.as_ref().map(|file| file.path.as_path());
+    match model.parse(path, &problem.as_text(), &document.links) {
+        Ok(read) if read.files == document.linked => Vec::new(),
+        Ok(read) => {
+            if let Some(bench) = &mut model.bench {
+                bench.problem.take_files(read);
+            }
+            vec![Intent::Changed]
+        }
+        Err(errors) => {
+            let why = errors.into_iter().next().map_or_else(Text::default, |error| error.why);
+            Intent::report_error(why)
+        }
+    }
 }
 
 /// Asks what becomes of the work of sessions that ended without saving.
@@ -198,11 +229,14 @@ pub(super) fn restore(model: &Model, sessions: Vec<Crashed>) -> Vec<Intent> {
     let (mut restored, mut unread) = (0, false);
     let room = model.room();
     for crashed in sessions.into_iter().rev() {
-        let Ok(read) = file::parse(&crashed.text) else {
+        // Where a linked file is gone, its place says so.
+        let read = model.parse(crashed.original.as_deref(), &crashed.text, &crashed.linked);
+        let Ok(read) = read.or_else(|_| file::parse_unlinked(&crashed.text)) else {
             unread = true;
             continue;
         };
         let mut problem = model.problem_of(read);
+        problem.document.links = crashed.linked.clone();
         // What the file holds now is not known: saving asks before it writes over it.
         problem.document.file = crashed.original.clone().map(|path| OpenFile {
             path,
@@ -235,7 +269,7 @@ pub(super) fn restore(model: &Model, sessions: Vec<Crashed>) -> Vec<Intent> {
 
 /// Name of recovered work: its file, or its title and its analysis.
 fn name_of(model: &Model, crashed: &Crashed) -> String {
-    match (&crashed.original, file::parse(&crashed.text)) {
+    match (&crashed.original, file::parse_unlinked(&crashed.text)) {
         (Some(path), _) => shown(Path::new(path.file_name().unwrap_or(path.as_os_str()))),
         (None, Ok(problem)) => {
             let analysis = Text::from(problem.entry.about.title).render(&model.locale);
@@ -256,7 +290,7 @@ fn write(model: &mut Model, path: PathBuf, before: Before) -> Vec<Intent> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     let problem = &mut bench.problem;
     problem.inputs.form.keep();
-    let text = file::write(&problem.as_file(), problem.text());
+    let text = problem.as_text();
     vec![Intent::Do(Effect::Save { path, text, before })]
 }
 

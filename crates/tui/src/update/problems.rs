@@ -59,10 +59,10 @@ pub(super) fn bring(model: &mut Model, number: u64) -> Vec<Intent> {
     // Only the newest job is worked on: what this one waited for may never come.
     let Some(bench) = &mut model.bench else { return Vec::new() };
     if matches!(bench.problem.found.state, Freshness::Solving(_)) {
-        return vec![Intent::Changed];
+        return vec![Intent::ReadLinked, Intent::Changed];
     }
     bench.pending = None;
-    vec![Intent::Turn(bench.tab)]
+    vec![Intent::ReadLinked, Intent::Turn(bench.tab)]
 }
 
 /// Shows the problem that was opened after this one; after the last, the first. From the list, back to this one.

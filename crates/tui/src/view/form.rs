@@ -108,13 +108,14 @@ pub(super) fn draw(model: &Model, bench: &Bench, area: Rect, buffer: &mut Buffer
     let focused = bench.focus == Focus::Form;
     let mut title =
         vec![Span::styled(format!(" {} ", word("Inputs", model)), look.border(focused).patch(look.title()))];
+    let to_do = bench.problem.to_do().map(|to_do| to_do.render(&model.locale));
     if let Some(analysis) = bench.problem.inputs.form.analysis() {
-        let analysis = Text::from(analysis).render(&model.locale);
-        let room = usize::from(area.width).saturating_sub(width(&title[0].content) + 20);
+        let analysis = Text::from(analysis.about.title).render(&model.locale);
+        let taken = width(&title[0].content) + to_do.as_deref().map_or(0, |to_do| width(to_do) + 3) + 5;
+        let room = usize::from(area.width).saturating_sub(taken);
         title.push(Span::styled(format!("{} ", fit(&analysis, room, look)), look.dim()));
     }
-    if let Some(to_do) = bench.problem.to_do() {
-        let to_do = to_do.render(&model.locale);
+    if let Some(to_do) = to_do {
         title.push(if bench.problem.wrong().next().is_some() {
             Span::styled(format!("{} {to_do} ", look.glyph(Glyph::Bad)), look.error())
         } else {
