@@ -175,7 +175,7 @@ pub const PROBLEM: &[Binding] = &[
     bind(Action::PreviousTab, &[typed('[')], "previous tab", ""),
     bind(Action::NextFilePart, &[typed('}')], "next problem or configuration of the file", "problems"),
     bind(Action::PreviousFilePart, &[typed('{')], "previous problem or configuration of the file", ""),
-    bind(Action::BeginProblem, &[], "link a problem to this one: problem NAME ANALYSIS", ""),
+    bind(Action::BeginProblem, &[], "link another problem: problem NAME ANALYSIS", ""),
     bind(Action::BeginConfiguration, &[], "begin a configuration: configuration NAME", ""),
     bind(Action::Undo, &[typed('z')], "undo", "undo"),
     bind(Action::Redo, &[typed('Z')], "redo", ""),

@@ -229,7 +229,7 @@ pub(super) fn restore(model: &Model, sessions: Vec<Crashed>) -> Vec<Intent> {
     let (mut restored, mut unread) = (0, false);
     let room = model.room();
     for crashed in sessions.into_iter().rev() {
-        // Where a linked file is gone, its place says so.
+        // Where a linked file is gone, the error is that of the input.
         let read = model.parse(crashed.original.as_deref(), &crashed.text, &crashed.linked);
         let Ok(read) = read.or_else(|_| file::parse_unlinked(&crashed.text)) else {
             unread = true;

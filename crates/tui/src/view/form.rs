@@ -258,14 +258,16 @@ fn draw_line(
     let focused = under_cursor && bench.focus == Focus::Form;
     let folded = bench.problem.inputs.form.is_folded(&line.path);
     let (wrong, needed) = faults.at(line.changed.as_deref().unwrap_or(&line.path), folded);
+    let behind = if line.changed.is_some() { "" } else { " " };
     let pointer = match (under_cursor, wrong) {
-        (true, _) => Span::styled(look.glyph(Glyph::Pointer), look.border(focused)),
-        (false, true) => Span::styled(look.glyph(Glyph::Bad), look.error()),
-        (false, false) => Span::raw(" "),
+        (true, _) => Span::styled(format!("{}{behind}", look.glyph(Glyph::Pointer)), look.border(focused)),
+        (false, true) => Span::styled(format!("{}{behind}", look.glyph(Glyph::Bad)), look.error()),
+        (false, false) => Span::raw(format!(" {behind}")),
     };
-    let is_changed = line.changed.is_some();
-    let mark = if is_changed { Span::styled(look.glyph(Glyph::Full), look.key()) } else { Span::raw(" ") };
-    let mut shown = Shown::from(vec![pointer, mark]);
+    let mut shown = Shown::from(vec![pointer]);
+    if line.changed.is_some() {
+        shown.push_span(Span::styled(look.glyph(Glyph::Full), look.key()));
+    }
     let spaces = " ".repeat(indent(line));
     let name = format!("{spaces}{}", label(model, line));
     let room = columns.label + columns.symbol + usize::from(columns.symbol > 0) + 1 + columns.value;

@@ -26,14 +26,14 @@ pub(super) struct Bar<T> {
 }
 
 impl<T: Copy> Bar<T> {
-    /// These tabs, one of them chosen; where there is no room for all, those around it.
-    fn of(tabs: &[(T, String)], chosen: usize, style: Style, look: &Appearance, room: usize) -> Self {
+    /// These tabs, of which one may be chosen; where there is no room for all, those around it.
+    fn of(tabs: &[(T, String)], chosen: Option<usize>, style: Style, look: &Appearance, room: usize) -> Self {
         let cells =
             |range: Range<usize>| tabs[range].iter().map(|(_, name)| width(name) + 1).sum::<usize>() + 1;
-        let (mut first, mut end) = (0, tabs.len());
+        let (mut first, mut end, middle) = (0, tabs.len(), chosen.unwrap_or(0));
         // Where not all fit, the far ones go first, and arrows report it.
         while cells(first..end) + 2 * usize::from(first > 0 || end < tabs.len()) > room && end - first > 1 {
-            if end - 1 > chosen && (end - 1 - chosen >= chosen - first) {
+            if end - 1 > middle && (end - 1 - middle >= middle - first) {
                 end -= 1;
             } else {
                 first += 1;
@@ -45,7 +45,7 @@ impl<T: Copy> Bar<T> {
             bar.push(Some(tabs[first - 1].0), format!("{} ", look.glyph(Glyph::Left)), look.dim());
         }
         for (n, (tab, name)) in tabs.iter().enumerate().take(end).skip(first) {
-            bar.push(Some(*tab), name.clone(), if n == chosen { style } else { look.dim() });
+            bar.push(Some(*tab), name.clone(), if Some(n) == chosen { style } else { look.dim() });
             bar.push(None, " ".into(), Style::new());
         }
         if end < tabs.len() {
@@ -78,7 +78,7 @@ pub(super) fn bar(model: &Model, bench: &Bench, tabs: &[Tab], columns: u16) -> B
         None => word(bench.pane(*tab).name(), model),
     };
     let names: Vec<(Tab, String)> = tabs.iter().map(|tab| (*tab, name(tab))).collect();
-    let chosen = tabs.iter().position(|tab| *tab == bench.tab).unwrap_or(0);
+    let chosen = tabs.iter().position(|tab| *tab == bench.tab);
     let look = &model.look;
     let style = if bench.focus == Focus::Pane {
         look.border(true).patch(look.title()).add_modifier(Modifier::REVERSED)
@@ -98,7 +98,7 @@ pub(super) fn of_parts(model: &Model, bench: &Bench, columns: u16) -> Bar<usize>
         if wrong { format!("{}{title}", look.glyph(Glyph::Bad)) } else { title }
     };
     let names: Vec<(usize, String)> = parts.iter().map(name).enumerate().collect();
-    let chosen = parts.iter().position(|part| *part == shown).unwrap_or(0);
+    let chosen = parts.iter().position(|part| *part == shown);
     let style = look.title().add_modifier(Modifier::UNDERLINED);
     Bar::of(&names, chosen, style, look, columns.into())
 }
