@@ -36,6 +36,7 @@ fn tabs(person: &mut Person) -> String {
 fn problems_and_configurations_are_tabs_that_change_each_other() {
     let folder = tempfile::tempdir().expect("a folder");
     for (columns, rows) in [(80, 24), (160, 45), (60, 20)] {
+        let is_wide = columns > 140;
         let mut person = with_fan_on_bracket(folder.path(), columns, rows);
         for tab in ["bracket", "fan", "fan.weighted", "All problems"] {
             assert!(tabs(&mut person).contains(tab), "{}", person.sees());
@@ -66,6 +67,10 @@ fn problems_and_configurations_are_tabs_that_change_each_other() {
         let form = &person.model.bench.as_ref().expect("open").problem;
         let found = form.found.solution.as_ref().expect("solved");
         assert_eq!(found.computed_input("fan.weighted.mass").map(|(si, _)| si), Some(52.0));
+        if is_wide {
+            // The pictures are those of the part as well.
+            assert!(person.sees().contains("fan.weighted: "), "{}", person.sees());
+        }
         if columns > 60 {
             // ωₙ = √(25.2 kN/m/52 kg) stands in the results, which begin with the shown part.
             assert!(person.sees().contains("22.014"), "{}", person.sees());
@@ -411,4 +416,53 @@ fn unsaved_work_is_recovered_with_its_links() {
     let mut next = recovered(folder.path());
     let screen = next.sees();
     assert!(screen.contains("50 kg") && screen.contains("the linked file is not read yet"), "{screen}");
+}
+
+#[test]
+fn names_of_rows_are_followed_within_a_linked_problem() {
+    let mut person = Person::at(100, 40).opens("vibration/spring-network");
+    let text = |person: &Person, path: &str| {
+        let problem = &person.model.bench.as_ref().expect("a problem is open").problem;
+        match problem.inputs.form.draft.at(&problem.entry().shape(), path) {
+            Ok((dalembert_core::Draft::Leaf(text), _)) => text.clone(),
+            _ => panic!("{path} is no text"),
+        }
+    };
+    person.types(":problem net<enter>");
+    assert_eq!(text(&person, "net.loaded"), text(&person, "net.nodes[1].name"));
+    enter(&mut person, "net.nodes[1].name", "cart");
+    assert_eq!(text(&person, "net.loaded"), "cart");
+    assert!(person.model.bench.as_ref().is_some_and(|bench| bench.problem.wrong().next().is_none()));
+    // The names are offered for a reference.
+    move_to(&mut person, "net.loaded");
+    person.types("<enter>");
+    assert!(person.sees().contains("Choose one") && person.sees().contains("cart"), "{}", person.sees());
+}
+
+#[test]
+fn a_link_that_is_typed_is_read() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = with_beam(folder.path());
+    fs::write(&path, ON_BEAM.replace("@parts/beam.toml:stiffness", "400 kN/m")).expect("written");
+    let mut person = Person::at(120, 40).opens_file(&path);
+    near(answer(&person, "natural_frequency"), 100.0);
+    enter(&mut person, "support.stiffness.stiffness", "@parts/beam.toml:stiffness");
+    near(answer(&person, "natural_frequency"), on_the_bar(40.0));
+    assert!(tabs(&mut person).contains("Base problem @parts/beam.toml"), "{}", person.sees());
+    person.types("z");
+    near(answer(&person, "natural_frequency"), 100.0);
+    person.types("Zs");
+    assert_eq!(fs::read_to_string(&path).expect("the file"), ON_BEAM);
+    // One that is not there is named.
+    enter(&mut person, "support.stiffness.stiffness", "@parts/bar.toml:stiffness");
+    assert!(person.sees().contains("bar.toml not found"), "{}", person.sees());
+    // A problem without a file is saved first.
+    let mut person = Person::at(120, 40).opens(FAN);
+    choose(&mut person, "support", "Stiffness given");
+    enter(&mut person, "mass", "40 kg");
+    enter(&mut person, "support.stiffness.stiffness", "@parts/beam.toml:stiffness");
+    assert!(person.sees().contains("the linked file is not read yet"), "{}", person.sees());
+    let path = folder.path().join("other.toml");
+    person.types("S<c-u>").types(path.to_str().expect("readable")).types("<enter>");
+    near(answer(&person, "natural_frequency"), on_the_bar(40.0));
 }

@@ -572,5 +572,5 @@ file-note = { $file }: { $note }
 a-configuration-and-an-input-are-needed-as-in-weighted-mass = são necessários uma configuração e um dado, como em carregado.mass
 name-is-the-name-of-an-input-give-the-linked-problem-another-name = `{ $name }` é o nome de um dado: dê outro nome ao problema vinculado
 two-linked-problems-are-called-name-give-one-of-them-another-name = dois problemas vinculados se chamam `{ $name }`: dê outro nome a um deles
-the-linked-file-is-not-read-yet-save-this-problem-beside-it-and-open-it-again = o arquivo vinculado ainda não foi lido: salve este problema ao lado dele e abra-o de novo
+the-linked-file-is-not-read-yet-save-this-problem-beside-it = o arquivo vinculado ainda não foi lido: salve este problema ao lado dele
 all-problems = Todos os problemas

@@ -103,28 +103,48 @@ pub fn with_problem(
     (self::entry(&problems), Draft::Group(all))
 }
 
-/// The same problems with those of linked files as another reading of them has them.
+/// The same problems with linked files as another reading of them has them: those that are there, or with `all` every one
+/// that was read.
 pub fn with_files(
     entry: &'static Entry,
     draft: &Draft,
     (read, read_draft): (&'static Entry, &Draft),
+    all: bool,
 ) -> (&'static Entry, Draft) {
-    let Draft::Group(all) = draft else { return (entry, draft.clone()) };
-    let (mut problems, mut all) = (entry.linked().to_vec(), all.clone());
-    let main = problems.iter().find(|problem| problem.name.is_empty());
-    let before = main.map_or(0, |main| main.entry.inputs().fields(None).len());
-    let own = problems.iter().filter(|problem| !problem.name.is_empty()).count();
-    let first = problems.len() - own;
-    for (n, problem) in problems[first..].iter_mut().enumerate().filter(|(_, problem)| problem.file.is_some())
-    {
-        let same =
-            read.linked().iter().find(|other| (other.name, other.file) == (problem.name, problem.file));
-        if let (Some(same), Ok((draft, _))) = (same, read_draft.at(&read.shape(), problem.name)) {
-            *problem = *same;
-            all[before + n] = draft.clone();
+    let Draft::Group(parts) = draft else { return (entry, draft.clone()) };
+    let is_file = |problem: &&LinkedProblem| problem.file.is_some();
+    let part_of =
+        |of: &Entry, draft: &Draft, name: &str| draft.at(&of.shape(), name).map(|(part, _)| part.clone());
+    let main = unnamed(entry);
+    let inputs = main.map_or(0, |main| main.inputs().fields(None).len());
+    let lists = parts.len().saturating_sub(COMMON_LISTS.len());
+    let own = entry.linked().iter().filter(|problem| problem.file.is_none() && !problem.name.is_empty());
+    let own = own.filter_map(|problem| Some((*problem, part_of(entry, draft, problem.name).ok()?)));
+    let read_files = || {
+        let files = read.linked().iter().filter(is_file);
+        files.filter_map(|problem| Some((*problem, part_of(read, read_draft, problem.name).ok()?)))
+    };
+    let files: Vec<(LinkedProblem, Draft)> = if all {
+        read_files().collect()
+    } else {
+        let known = entry.linked().iter().filter(is_file);
+        let renewed = |problem: &LinkedProblem| {
+            let same =
+                read_files().find(|(other, _)| (other.name, other.file) == (problem.name, problem.file));
+            same.or_else(|| Some((*problem, part_of(entry, draft, problem.name).ok()?)))
+        };
+        known.filter_map(renewed).collect()
+    };
+    let (problems, drafts): (Vec<LinkedProblem>, Vec<Draft>) = own.chain(files).unzip();
+    let parts = parts[..inputs.min(lists)].iter().chain(&drafts).chain(&parts[lists..]).cloned();
+    let draft = Draft::Group(parts.collect());
+    match main {
+        Some(main) if problems.is_empty() => (main, draft),
+        main => {
+            let main = main.map(|main| LinkedProblem::new("", main, None));
+            (self::entry(&main.into_iter().chain(problems).collect::<Vec<_>>()), draft)
         }
     }
-    (self::entry(&problems), Draft::Group(all))
 }
 
 /// The entry of linked problems; one for each list, made when it is first asked for.

@@ -212,14 +212,14 @@ impl Form {
 
     /// Takes the problems of linked files as they were read again, now and in what can be taken back.
     pub fn take_files(&mut self, read: (&'static Entry, &Draft)) {
-        let taken = |snapshot: &Snapshot| {
-            let (entry, draft) = linked::with_files(snapshot.entry, &snapshot.draft, read);
+        let taken = |snapshot: &Snapshot, all: bool| {
+            let (entry, draft) = linked::with_files(snapshot.entry, &snapshot.draft, read, all);
             Snapshot { entry, draft }
         };
         for snapshot in self.undo.iter_mut().chain(&mut self.redo) {
-            *snapshot = taken(snapshot);
+            *snapshot = taken(snapshot, false);
         }
-        let now = taken(&Snapshot { entry: self.entry, draft: self.draft.clone() });
+        let now = taken(&Snapshot { entry: self.entry, draft: self.draft.clone() }, true);
         self.exchange(now);
         self.step(0);
     }

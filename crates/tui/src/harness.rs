@@ -146,6 +146,9 @@ impl Harness {
                     let result = files::read(&path);
                     Msg::Opened { path, result }
                 }
+                Effect::ReadLinked { problem, path, text } => {
+                    Msg::LinkedRead(problem, files::LinkedTexts::of(&path, &text))
+                }
                 // A harness stands in no folder: what is there is not part of a session.
                 Effect::List(folder) => {
                     let names = if folder.is_absolute() { files::list(&folder) } else { Vec::new() };

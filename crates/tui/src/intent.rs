@@ -109,6 +109,8 @@ pub enum Intent {
     AskPath(Purpose),
     /// An export is written.
     Export(Purpose, PathBuf, Before),
+    /// Files that an input links to by now are read.
+    FollowLinks,
     /// Linked files that are open, or were, are read as they are now.
     ReadLinked,
     /// A file was read: it becomes a problem.

@@ -162,6 +162,8 @@ pub enum Msg {
         /// Content of the file, or the error.
         result: Result<Opened, FileError>,
     },
+    /// The files that the problem of this number links to were read, as far as they could be.
+    LinkedRead(u64, LinkedTexts),
     /// Contents of a folder, in order; folders end in `/`.
     Listed(PathBuf, Vec<String>),
     /// The file of a table was read, or not.
@@ -370,7 +372,9 @@ impl Model {
             let not_read = || Err("this file is not read yet: save and open again".into());
             linked.text(name).cloned().unwrap_or_else(not_read)
         })?;
-        unsaved.iter().for_each(|name| read.mark_unsaved(name));
+        for name in &unsaved {
+            read.mark_unsaved(name);
+        }
         Ok(read)
     }
 

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use dalembert_core::{
-    Axis, Draft, Entry, Exhibit, FieldError, LinkedProblem, Plot, Record, Solution, SolveError, TableExhibit,
-    Text, UnitSetting,
+    Axis, Draft, Entry, Exhibit, FieldError, LinkedProblem, Plot, ProblemSteps, Record, Solution, SolveError,
+    TableExhibit, Text, UnitSetting,
     cases::Case,
     file::{self, LinkedFile},
     linked,
@@ -230,7 +230,7 @@ impl Problem {
     pub fn take_files(&mut self, read: file::ProblemFile) {
         self.inputs.form.take_files((read.entry, &read.draft));
         let (_, entry, draft) = &mut self.document.saved;
-        (*entry, *draft) = linked::with_files(entry, draft, (read.entry, &read.draft));
+        (*entry, *draft) = linked::with_files(entry, draft, (read.entry, &read.draft), false);
         (self.inputs.notes, self.document.linked) = (read.notes, read.files);
     }
 
@@ -337,6 +337,16 @@ impl Problem {
             (1, _) => Some(Text::new("1 error")),
             (wrong, _) => Some(Text::new("{count} errors").with("count", wrong)),
         }
+    }
+
+    /// Place of the first exhibit of a problem or configuration among those that a pane shows; `None` where it has none.
+    pub fn first_of(&self, name: &str, is_shown: impl Fn(&Exhibit) -> bool) -> Option<usize> {
+        let solution = self.found.solution.as_ref()?;
+        let of = |of: &&ProblemSteps| {
+            of.name == name && solution.exhibits[of.exhibits.clone()].iter().any(&is_shown)
+        };
+        let start = solution.problems.iter().find(of)?.exhibits.start;
+        Some(solution.exhibits[..start].iter().filter(|exhibit| is_shown(exhibit)).count())
     }
 
     /// The plots of the newest solution, and that of the study.

@@ -2,12 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use dalembert_core::{Text, file};
+use dalembert_core::{Draft, FieldError, Text, file};
 
 use crate::{
     dialog::{Answer, Dialog, Purpose},
     effect::Effect,
-    files::{Before, Crashed, FileError, Fingerprint, Opened, faults, holds_data, shown},
+    files::{self, Before, Crashed, Fingerprint, LinkedTexts, Opened, faults, holds_data, shown},
     intent::Intent,
     keys::{Action, KeyContext},
     model::Model,
@@ -66,7 +66,7 @@ pub(super) fn saved(
     model: &mut Model,
     path: &Path,
     text: String,
-    result: Result<Fingerprint, FileError>,
+    result: Result<Fingerprint, files::FileError>,
 ) -> Vec<Intent> {
     let changed = "{file} was changed by another program since it was opened.";
     let overwrite = ("overwrite", Answer::Overwrite(path.to_owned()));
@@ -75,28 +75,30 @@ pub(super) fn saved(
     match result {
         Ok(fingerprint) => {
             let after = std::mem::take(&mut model.after_save);
+            for document in model.problems_mut().map(|bench| &mut bench.problem.document) {
+                if let Some(file) = &document.file {
+                    document.links.take(&file.path, path, &text);
+                }
+            }
             let Some(bench) = &mut model.bench else { return vec![Intent::SaveThen(after)] };
             let problem = &mut bench.problem;
             problem.document.file =
-                Some(OpenFile { path: path.to_owned(), text: text.clone(), fingerprint: Some(fingerprint) });
+                Some(OpenFile { path: path.to_owned(), text, fingerprint: Some(fingerprint) });
             problem.mark_saved();
-            let number = problem.number;
-            for problem in model.problems_mut().map(|bench| &mut bench.problem) {
-                if let Some(file) = &problem.document.file {
-                    problem.document.links.take(&file.path, path, &text);
-                }
-            }
             vec![
                 Intent::Say(Text::new("saved as {file}").with("file", shown(path))),
-                Intent::Do(Effect::Forget(number)),
+                Intent::Do(Effect::Forget(problem.number)),
+                Intent::FollowLinks,
                 Intent::SaveThen(after),
             ]
         }
-        Err(FileError::Changed(_) | FileError::Removed(_)) => {
+        Err(files::FileError::Changed(_) | files::FileError::Removed(_)) => {
             let lose = "reload the file and lose the changes made here";
             ask(changed, path, vec![rename, (lose, Answer::Reload(path.to_owned())), overwrite, stay])
         }
-        Err(FileError::Exists(_)) => ask("{file} already exists.", path, vec![rename, overwrite, stay]),
+        Err(files::FileError::Exists(_)) => {
+            ask("{file} already exists.", path, vec![rename, overwrite, stay])
+        }
         Err(error) => {
             let typed = path.display().to_string();
             vec![Intent::Show(Dialog::prompt_again(Purpose::SaveAs, typed, error.text()))]
@@ -105,9 +107,13 @@ pub(super) fn saved(
 }
 
 /// Opens what was read as a problem, or says why it is none.
-pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, FileError>) -> Vec<Intent> {
+pub(super) fn opened(
+    model: &mut Model,
+    path: PathBuf,
+    result: Result<Opened, files::FileError>,
+) -> Vec<Intent> {
     let reloading = model.reloading.take().is_some_and(|reloaded| reloaded == path);
-    let is_there = !matches!(result, Err(FileError::Missing(_) | FileError::Folder(_)));
+    let is_there = !matches!(result, Err(files::FileError::Missing(_) | files::FileError::Folder(_)));
     if holds_data(&path) && is_there {
         let title = Text::new("{file} holds data, not a problem").with("file", shown(&path));
         let how =
@@ -119,7 +125,7 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
     let opened = match result {
         Ok(opened) => opened,
         // A save writes the ending that is not typed.
-        Err(FileError::Missing(_)) if path.extension().is_none() => {
+        Err(files::FileError::Missing(_)) if path.extension().is_none() => {
             return vec![Intent::Do(Effect::Open(path.with_extension(ENDING)))];
         }
         Err(error) => {
@@ -164,6 +170,32 @@ fn read_otherwise(notes: &[Text]) -> Option<Text> {
     }
     let said = Text::new("{note}; and {more} more of this kind").with_text("note", note.clone());
     Some(said.with("more", more.len()))
+}
+
+/// Has the files read that the problem links to, where an input links to one that is not read yet.
+pub(super) fn follow_links(model: &Model) -> Vec<Intent> {
+    let Some(problem) = model.bench.as_ref().map(|bench| &bench.problem) else { return Vec::new() };
+    let (form, shape) = (&problem.inputs.form, problem.entry().shape());
+    let is_link = |error: &FieldError| match form.draft.at(&shape, &error.path) {
+        Ok((Draft::Leaf(text), _)) => text.contains('@'),
+        _ => false,
+    };
+    match &problem.document.file {
+        Some(file) if problem.wrong().any(is_link) => {
+            let (path, text) = (file.path.clone(), problem.as_text());
+            vec![Intent::Do(Effect::ReadLinked { problem: problem.number, path, text })]
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Takes the texts of the files that a problem links to.
+pub(super) fn linked_read(model: &mut Model, number: u64, links: LinkedTexts) -> Vec<Intent> {
+    match model.bench.as_mut().map(|bench| &mut bench.problem) {
+        Some(problem) if problem.number == number => problem.document.links = links,
+        _ => return Vec::new(),
+    }
+    read_linked(model)
 }
 
 /// Reads the linked files of the shown problem again, where they are not as they were read: one that is open was changed

@@ -90,18 +90,25 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
 /// Meaning of a key that would change what is not of the part that is shown; `None` where it has its own.
 fn in_part(problem: &Problem, action: Action) -> Option<Vec<Intent>> {
     let form = &problem.inputs.form;
-    let changes = match action {
+    let of_problem = matches!(action, Action::Define | Action::Ask);
+    let changes = matches!(
+        action,
         Action::Enter
-        | Action::Clear
-        | Action::Left
-        | Action::Right
-        | Action::Nudge(_)
-        | Action::NextUnit => true,
-        Action::Toggle | Action::Import | Action::Unknown | Action::AddRow | Action::DuplicateRow => true,
-        Action::DeleteRow | Action::MoveRowUp | Action::MoveRowDown | Action::Configure => true,
-        Action::Define | Action::Ask => matches!(form.part().role, PartRole::File(_)),
-        _ => false,
-    };
+            | Action::Clear
+            | Action::Left
+            | Action::Right
+            | Action::Nudge(_)
+            | Action::NextUnit
+            | Action::Toggle
+            | Action::Import
+            | Action::Unknown
+            | Action::AddRow
+            | Action::DuplicateRow
+            | Action::DeleteRow
+            | Action::MoveRowUp
+            | Action::MoveRowDown
+            | Action::Configure
+    ) || (of_problem && matches!(form.part().role, PartRole::File(_)));
     let why = form.hindrance().filter(|_| changes);
     match (form.part().role, action) {
         (PartRole::File(file), Action::Enter) => {
@@ -180,7 +187,10 @@ fn enter(model: &mut Model) -> Vec<Intent> {
 pub(super) fn act_in_field(model: &mut Model, action: Action) -> Vec<Intent> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     match action {
-        Action::Enter => bench.problem.inputs.form.keep(),
+        Action::Enter => {
+            bench.problem.inputs.form.keep();
+            return vec![Intent::FollowLinks];
+        }
         Action::Back => {
             bench.problem.inputs.form.drop_edit();
             return vec![Intent::Changed];
@@ -188,6 +198,7 @@ pub(super) fn act_in_field(model: &mut Model, action: Action) -> Vec<Intent> {
         Action::Down | Action::Up => {
             bench.problem.inputs.form.keep();
             bench.problem.inputs.form.step(if action == Action::Down { 1 } else { -1 });
+            return vec![Intent::FollowLinks];
         }
         _ => {}
     }

@@ -40,10 +40,13 @@ pub(super) fn show(model: &mut Model, at: usize) -> Vec<Intent> {
     vec![Intent::EndEdit]
 }
 
-/// Scrolls results and working to what they say of the part that is shown.
+/// Shows what the panes have of the part that is shown; results and working are scrolled to it.
 fn bring_results(model: &mut Model) {
-    let Some(bench) = &model.bench else { return };
+    let Some(bench) = &mut model.bench else { return };
     let (shown, name) = (bench.tab, bench.problem.inputs.form.part().name);
+    for pane in &mut bench.panes {
+        pane.turn_to(&bench.problem, &name);
+    }
     for tab in bench.in_column(Column::Shared) {
         let Some(bench) = &mut model.bench else { return };
         let Some(part) = bench.pane(tab).first_part_of(&bench.problem, &name) else { continue };

@@ -113,7 +113,9 @@ pub(super) fn draw(model: &Model, bench: &Bench, area: Rect, buffer: &mut Buffer
         let analysis = Text::from(analysis.about.title).render(&model.locale);
         let taken = width(&title[0].content) + to_do.as_deref().map_or(0, |to_do| width(to_do) + 3) + 5;
         let room = usize::from(area.width).saturating_sub(taken);
-        title.push(Span::styled(format!("{} ", fit(&analysis, room, look)), look.dim()));
+        if room >= LEAST_LABEL {
+            title.push(Span::styled(format!("{} ", fit(&analysis, room, look)), look.dim()));
+        }
     }
     if let Some(to_do) = to_do {
         title.push(if bench.problem.wrong().next().is_some() {
@@ -206,7 +208,10 @@ impl Laid {
 fn columns(model: &Model, lines: &[FormLine], room: usize) -> Columns {
     let room = room.saturating_sub(POINTER);
     let leaves = || lines.iter().filter(|line| matches!(line.role, Role::Leaf { .. } | Role::Table { .. }));
-    let label = leaves().map(|line| indent(line) + width(&label(model, line))).max().unwrap_or(0);
+    let cells = |line: &FormLine| indent(line) + width(&label(model, line));
+    // Where nothing is typed yet, choices have the whole of it.
+    let all = || lines.iter().map(cells).max().unwrap_or(0);
+    let label = leaves().map(cells).max().unwrap_or_else(all);
     // The names of Greek letters are longer than they are.
     let look = &model.look;
     let most = if look.ascii { 10 } else { 6 };
