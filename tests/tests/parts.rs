@@ -84,6 +84,15 @@ fn problems_and_configurations_are_tabs_that_change_each_other() {
         assert!(person.sees().contains("share"), "{}", person.sees());
         person.types("}");
         assert_eq!(shown(&person), "bracket");
+        // What names an input of a configuration leads to its tab.
+        let form = &mut person.model.bench.as_mut().expect("open").problem.inputs.form;
+        form.go_to_nearest("fan.weighted.mass");
+        assert_eq!(
+            (form.line().expect("a line").path, shown(&person)),
+            ("fan.mass".into(), "fan.weighted".into())
+        );
+        person.types("}}");
+        assert_eq!(shown(&person), "bracket");
         // Tabs are clicked.
         person.clicks("fan.weighted");
         assert_eq!(shown(&person), "fan.weighted");
@@ -453,6 +462,14 @@ fn a_link_that_is_typed_is_read() {
     near(answer(&person, "natural_frequency"), 100.0);
     person.types("Zs");
     assert_eq!(fs::read_to_string(&path).expect("the file"), ON_BEAM);
+    // Saved in another folder, it links to what lies there.
+    let other = folder.path().join("other");
+    fs::create_dir_all(other.join("parts")).expect("a folder");
+    fs::write(other.join("parts/beam.toml"), BEAM.replace("10 mm", "20 mm")).expect("written");
+    person.types("S<c-u>").types(other.join("fan.toml").to_str().expect("readable")).types("<enter>");
+    near(answer(&person, "natural_frequency"), 8.0f64.sqrt() * on_the_bar(40.0));
+    person.types("S<c-u>").types(path.to_str().expect("readable")).types("<enter><down><enter>");
+    near(answer(&person, "natural_frequency"), on_the_bar(40.0));
     // One that is not there is named.
     enter(&mut person, "support.stiffness.stiffness", "@parts/bar.toml:stiffness");
     assert!(person.sees().contains("bar.toml not found"), "{}", person.sees());

@@ -3,6 +3,8 @@
 //! There is one draft of all. A configuration is seen as the inputs of its problem with its own texts in place of some; what
 //! is typed there goes to its list.
 
+use std::collections::HashSet;
+
 use dalembert_core::{
     COMMON_LISTS, Draft, Entry, Field, Shape, Text, is_within, linked, same_name, within_problem,
 };
@@ -228,19 +230,30 @@ impl Form {
         all.swap_remove(at.unwrap_or(0))
     }
 
-    /// Returns true if what is said of a path is said on the tab of a part.
-    pub fn is_of(&self, part: &FilePart, path: &str) -> bool {
-        let changes = |part: &FilePart| {
-            matches!(part.role, PartRole::Configuration(_))
-                && self.lines_of(part).iter().any(|line| line.changed.as_deref() == Some(path))
+    /// The parts, each with whether something is said on its tab of one of these paths.
+    pub fn parts_at<'p>(&self, paths: impl Iterator<Item = &'p str>) -> Vec<(FilePart, bool)> {
+        let mut parts: Vec<(FilePart, bool)> = self.parts().into_iter().map(|part| (part, false)).collect();
+        let changes = |(part, _): &(FilePart, bool)| -> HashSet<String> {
+            match part.role {
+                PartRole::Configuration(_) => {
+                    self.lines_of(part).into_iter().filter_map(|line| line.changed).collect()
+                }
+                _ => HashSet::new(),
+            }
         };
-        match part.role {
-            PartRole::Configuration(_) => changes(part),
-            _ => {
-                within_problem(self.shape.fields(None), path).0 == part.problem
-                    && !self.parts().iter().any(changes)
+        let mut changed: Option<Vec<HashSet<String>>> = None;
+        for path in paths {
+            let changed = changed.get_or_insert_with(|| parts.iter().map(changes).collect());
+            let problem = within_problem(self.shape.fields(None), path).0;
+            let at = changed.iter().position(|paths| paths.contains(path));
+            if let Some((_, is_said)) = match at {
+                Some(at) => parts.get_mut(at),
+                None => parts.iter_mut().find(|(part, _)| part.problem == problem),
+            } {
+                *is_said = true;
             }
         }
+        parts
     }
 
     /// Shows a part. The cursor stays on the same input, or goes to where it was left.

@@ -7,7 +7,9 @@ use dalembert_core::{Draft, FieldError, Text, file};
 use crate::{
     dialog::{Answer, Dialog, Purpose},
     effect::Effect,
-    files::{self, Before, Crashed, Fingerprint, LinkedTexts, Opened, faults, holds_data, shown},
+    files::{
+        self, Before, Crashed, Fingerprint, LinkedTexts, Opened, faults, holds_data, is_same_file, shown,
+    },
     intent::Intent,
     keys::{Action, KeyContext},
     model::Model,
@@ -82,6 +84,11 @@ pub(super) fn saved(
             }
             let Some(bench) = &mut model.bench else { return vec![Intent::SaveThen(after)] };
             let problem = &mut bench.problem;
+            let before = problem.document.file.as_ref().and_then(|file| file.path.parent());
+            if before != path.parent() {
+                // What it links to lies beside it.
+                problem.document.links = LinkedTexts::default();
+            }
             problem.document.file =
                 Some(OpenFile { path: path.to_owned(), text, fingerprint: Some(fingerprint) });
             problem.mark_saved();
@@ -143,7 +150,9 @@ pub(super) fn opened(
         }
     };
     let mut problem = model.problem_of(read);
-    let of_file = |problem: &Problem| problem.document.file.as_ref().is_some_and(|file| file.path == path);
+    let of_file = |problem: &Problem| {
+        problem.document.file.as_ref().is_some_and(|file| is_same_file(&file.path, &path))
+    };
     let open = model.problems().into_iter().map(|bench| &bench.problem).find(|problem| of_file(problem));
     let open = open.map(|problem| (problem.number, problem.is_unsaved()));
     problem.document.links = opened.linked;
@@ -172,7 +181,8 @@ fn read_otherwise(notes: &[Text]) -> Option<Text> {
     Some(said.with("more", more.len()))
 }
 
-/// Has the files read that the problem links to, where an input links to one that is not read yet.
+/// Has the files read that the problem links to, where an input links to one that is not read, or none is from where the
+/// problem is now.
 pub(super) fn follow_links(model: &Model) -> Vec<Intent> {
     let Some(problem) = model.bench.as_ref().map(|bench| &bench.problem) else { return Vec::new() };
     let (form, shape) = (&problem.inputs.form, problem.entry().shape());
@@ -180,8 +190,10 @@ pub(super) fn follow_links(model: &Model) -> Vec<Intent> {
         Ok((Draft::Leaf(text), _)) => text.contains('@'),
         _ => false,
     };
+    let has_files = problem.entry().linked().iter().any(|linked| linked.file.is_some());
+    let is_unread = has_files && problem.document.links.is_empty();
     match &problem.document.file {
-        Some(file) if problem.wrong().any(is_link) => {
+        Some(file) if is_unread || problem.wrong().any(is_link) => {
             let (path, text) = (file.path.clone(), problem.as_text());
             vec![Intent::Do(Effect::ReadLinked { problem: problem.number, path, text })]
         }

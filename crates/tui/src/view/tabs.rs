@@ -91,14 +91,13 @@ pub(super) fn bar(model: &Model, bench: &Bench, tabs: &[Tab], columns: u16) -> B
 /// The names of the problems and configurations of a file, by their places; those with an error are marked.
 pub(super) fn of_parts(model: &Model, bench: &Bench, columns: u16) -> Bar<usize> {
     let (form, look) = (&bench.problem.inputs.form, &model.look);
-    let (parts, shown) = (form.parts(), form.part());
-    let name = |part: &FilePart| {
+    let (parts, shown) = (form.parts_at(bench.problem.wrong().map(|error| error.path.as_str())), form.part());
+    let name = |(part, is_wrong): &(FilePart, bool)| {
         let title = filter_untrusted(&part.title().render(&model.locale)).replace('\n', " ");
-        let wrong = bench.problem.wrong().any(|error| form.is_of(part, &error.path));
-        if wrong { format!("{}{title}", look.glyph(Glyph::Bad)) } else { title }
+        if *is_wrong { format!("{}{title}", look.glyph(Glyph::Bad)) } else { title }
     };
     let names: Vec<(usize, String)> = parts.iter().map(name).enumerate().collect();
-    let chosen = parts.iter().position(|part| *part == shown);
+    let chosen = parts.iter().position(|(part, _)| *part == shown);
     let style = look.title().add_modifier(Modifier::UNDERLINED);
     Bar::of(&names, chosen, style, look, columns.into())
 }
