@@ -34,6 +34,8 @@ pub struct Bench {
     pub marker: Marker,
     /// The cell of the shown pane that is being typed in.
     pub edit: Option<Input>,
+    /// The part of the file that the panes were last turned to, by its name.
+    pub turned_to: String,
     /// The number of the job that a pane waits for, and which.
     pub pending: Option<(u64, Tab)>,
 }
@@ -51,6 +53,7 @@ impl Bench {
             expanded: false,
             marker,
             edit: None,
+            turned_to: String::new(),
             pending: None,
         }
     }

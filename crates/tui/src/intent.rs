@@ -54,6 +54,8 @@ pub enum Intent {
 
     /// A part of the file is shown, by the place of its tab.
     ShowPart(usize),
+    /// The panes show what they have of the part that is shown.
+    BringResults,
     /// A linked problem is begun: its name, and an analysis or words that it is found by.
     BeginProblem(String),
     /// A problem of an analysis is linked under a name.

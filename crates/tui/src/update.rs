@@ -103,6 +103,7 @@ fn carry_out(model: &mut Model, intents: Vec<Intent>) -> Vec<Effect> {
             Intent::Import(typed) => form::import(model, &typed),
             Intent::Rename(title) => bench::rename(model, &title),
             Intent::ShowPart(at) => parts::show(model, at),
+            Intent::BringResults => parts::bring_results(model),
             Intent::BeginProblem(words) => parts::begin_problem(model, &words),
             Intent::LinkProblem(name, entry) => parts::link_problem(model, &name, entry),
             Intent::BeginConfiguration(name) => parts::begin_configuration(model, &name),
@@ -393,6 +394,9 @@ fn solved(model: &mut Model, outcome: JobOutcome) -> Vec<Intent> {
     if !bench.tabs().contains(&bench.tab) {
         bench.tab = Tab::default();
     }
+    // Of a part that is new there is something to see now.
+    let is_new =
+        bench.problem.found.solution.is_some() && bench.problem.inputs.form.part().name != bench.turned_to;
     // A new warning is reported where the results, the first pane, are not on the screen.
     let before = before.filter(|_| !view::shows(model, Tab::default()));
     let shown = model.shown_bench().map(|bench| &bench.problem).filter(|problem| problem.number == number);
@@ -400,7 +404,8 @@ fn solved(model: &mut Model, outcome: JobOutcome) -> Vec<Intent> {
     let warnings = found.and_then(|found| found.solution.as_ref()).map_or(&[][..], |found| &found.warnings);
     let new = before.and_then(|before| warnings.iter().find(|warning| !before.contains(warning)).cloned());
     let said = |warning| Intent::Complain(Text::new("new warning: {warning}").with_text("warning", warning));
-    new.map(said).into_iter().collect()
+    let bring = (is_new && shown.is_some()).then_some(Intent::BringResults);
+    new.map(said).into_iter().chain(bring).collect()
 }
 
 fn paste(model: &mut Model, text: &str) -> Vec<Intent> {

@@ -20,8 +20,7 @@ const MOST_ANALYSES: usize = 12;
 pub(super) fn turn(model: &mut Model, by: isize) -> Vec<Intent> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     if bench.problem.inputs.form.turn_part(by) {
-        bring_results(model);
-        return Vec::new();
+        return vec![Intent::BringResults];
     }
     let key = model.key(KeyContext::Form, Action::Palette);
     let said = "one problem without configurations; {key}problem NAME ANALYSIS links another, {key}configuration NAME begins one";
@@ -36,19 +35,19 @@ pub(super) fn show(model: &mut Model, at: usize) -> Vec<Intent> {
     if let Some(part) = form.parts().get(at) {
         form.show_part(part);
     }
-    bring_results(model);
-    vec![Intent::EndEdit]
+    vec![Intent::EndEdit, Intent::BringResults]
 }
 
 /// Shows what the panes have of the part that is shown; results and working are scrolled to it.
-fn bring_results(model: &mut Model) {
-    let Some(bench) = &mut model.bench else { return };
+pub(super) fn bring_results(model: &mut Model) -> Vec<Intent> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
     let (shown, name) = (bench.tab, bench.problem.inputs.form.part().name);
+    bench.turned_to.clone_from(&name);
     for pane in &mut bench.panes {
         pane.turn_to(&bench.problem, &name);
     }
     for tab in bench.in_column(Column::Shared) {
-        let Some(bench) = &mut model.bench else { return };
+        let Some(bench) = &mut model.bench else { break };
         let Some(part) = bench.pane(tab).first_part_of(&bench.problem, &name) else { continue };
         bench.tab = tab;
         let Some((area, bench)) = view::area_of_shown(model).zip(model.bench.as_ref()) else { continue };
@@ -62,6 +61,7 @@ fn bring_results(model: &mut Model) {
     if let Some(bench) = &mut model.bench {
         bench.tab = shown;
     }
+    Vec::new()
 }
 
 /// Begins a linked problem: of the analysis that the words behind its name name or lead to. A name alone is for the open
