@@ -211,7 +211,7 @@ impl Plan {
             }
             Err(formula) if mentions(&text, scope, names) => Err(field_error(&path, formula)),
             Ok(_) if text.contains('@') => {
-                let why = "the linked file is not read yet: save this problem beside it, and open it again";
+                let why = "the linked file is not read yet: save this problem beside it";
                 Err(FieldError::new(&path, why))
             }
             Ok(formula) => {

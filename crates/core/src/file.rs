@@ -66,6 +66,19 @@ pub struct ProblemFile {
     pub files: Vec<LinkedFile>,
 }
 
+impl ProblemFile {
+    /// States that the text of a linked file is that of a problem as it is open, with changes that are not saved.
+    pub fn mark_unsaved(&mut self, path: &str) {
+        for file in self.files.iter_mut().filter(|file| file.path == path) {
+            let before = file.note();
+            file.unsaved = true;
+            for note in self.notes.iter_mut().filter(|note| **note == before) {
+                *note = file.note();
+            }
+        }
+    }
+}
+
 /// The errors and notes of reading a file of a format.
 pub(crate) struct FileNotes {
     pub(crate) format: Format,
@@ -92,7 +105,13 @@ pub fn parse(text: &str) -> Result<ProblemFile, Vec<FileError>> {
 
 /// Reads a problem file and those that it links to, whose texts `read` gives by their paths from its folder.
 pub fn parse_with(text: &str, read: &mut ReadFile<'_>) -> Result<ProblemFile, Vec<FileError>> {
-    parse_open(text, &mut linked::Links { read, open: Vec::new(), files: Vec::new() })
+    parse_open(text, &mut linked::Links { read, are_followed: true, open: Vec::new(), files: Vec::new() })
+}
+
+/// Reads a problem file alone: links to others stay as they are typed, and are errors of their inputs.
+pub fn parse_unlinked(text: &str) -> Result<ProblemFile, Vec<FileError>> {
+    let read: &mut ReadFile<'_> = &mut |_| Err("no other file can be read here".into());
+    parse_open(text, &mut linked::Links { read, are_followed: false, open: Vec::new(), files: Vec::new() })
 }
 
 fn parse_open(text: &str, links: &mut linked::Links<'_, '_>) -> Result<ProblemFile, Vec<FileError>> {
@@ -349,7 +368,7 @@ pub(crate) fn exam_problems(root: &Table) -> Result<Vec<LinkedProblem>, Text> {
 /// Draft of an exam question: linked problems alone, which link to no file.
 pub(crate) fn exam_of(root: &Table, reading: &mut FileNotes) -> Draft {
     let read: &mut ReadFile<'_> = &mut |_| Err("no other file can be read here".into());
-    let mut links = linked::Links { read, open: Vec::new(), files: Vec::new() };
+    let mut links = linked::Links { read, are_followed: true, open: Vec::new(), files: Vec::new() };
     problem_of(root, None, &mut Vec::new(), &mut links, reading).1
 }
 

@@ -5,7 +5,9 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use crate::{About, Entry, Field, Fields, Shape, definitions::with_common, intern::intern};
+use crate::{
+    About, COMMON_LISTS, Draft, Entry, Field, Fields, Shape, Text, definitions::with_common, intern::intern,
+};
 
 /// One of several linked problems.
 #[derive(Clone, Copy, Debug)]
@@ -30,6 +32,118 @@ impl LinkedProblem {
     /// A problem among linked ones.
     pub(crate) fn new(name: &str, entry: &'static Entry, file: Option<&str>) -> Self {
         Self { name: intern(name), entry, file: file.map(intern) }
+    }
+}
+
+/// Returns true if a word may be the name of one of several problems.
+pub fn is_problem_name(name: &str) -> bool {
+    name.chars().next().is_some_and(char::is_alphabetic)
+        && name.chars().all(|c| c.is_alphanumeric() || c == '_')
+        && !COMMON_LISTS.contains(&name)
+        && name != "inputs"
+}
+
+/// Reason for which a problem cannot be added under a name to those of an entry.
+///
+/// # Errors
+/// A word that is no name, or that of another problem.
+pub fn check_name(entry: &Entry, name: &str) -> Result<(), Text> {
+    if !is_problem_name(name) {
+        let why = "`{name}` is no name of a problem: write letters, digits and _, a letter first";
+        return Err(Text::new(why).with("name", name));
+    }
+    if entry.linked().iter().any(|problem| problem.name == name) {
+        let why = "two linked problems are called `{name}`: give one of them another name";
+        return Err(Text::new(why).with("name", name));
+    }
+    Ok(())
+}
+
+/// A name for a problem of an analysis, from its id: `rotating_unbalance`.
+pub fn usual_name(entry: &Entry) -> String {
+    let id = entry.about.id;
+    id.rsplit('/').next().unwrap_or(id).replace('-', "_")
+}
+
+/// The problem of an entry that has no name, `None` where each has one.
+pub fn unnamed(entry: &'static Entry) -> Option<&'static Entry> {
+    match entry.linked() {
+        [] => Some(entry),
+        linked => linked.iter().find(|problem| problem.name.is_empty()).map(|problem| problem.entry),
+    }
+}
+
+/// The same problems with a name for the one that has none: its inputs and lists are those of `[problem.NAME]` then.
+pub fn named(entry: &'static Entry, draft: &Draft, name: &str) -> (&'static Entry, Draft) {
+    let (Some(main), Draft::Group(all)) = (unnamed(entry), draft) else { return (entry, draft.clone()) };
+    let own = main.inputs().fields(None).len();
+    let lists = all.len().saturating_sub(COMMON_LISTS.len());
+    let (inputs, others) = all[..lists].split_at(own.min(lists));
+    let main_draft = Draft::Group(inputs.iter().chain(&all[lists..]).cloned().collect());
+    let linked = entry.linked().iter().filter(|problem| !problem.name.is_empty()).copied();
+    let problems: Vec<LinkedProblem> =
+        [LinkedProblem::new(name, main, None)].into_iter().chain(linked).collect();
+    let no_lists = vec![Draft::Rows(Vec::new()); COMMON_LISTS.len()];
+    let drafts = [main_draft].into_iter().chain(others.iter().cloned()).chain(no_lists);
+    (self::entry(&problems), Draft::Group(drafts.collect()))
+}
+
+/// The same named problems with a blank one more, behind those of the file itself.
+pub fn with_problem(
+    entry: &'static Entry,
+    draft: &Draft,
+    name: &str,
+    of: &'static Entry,
+) -> (&'static Entry, Draft) {
+    let Draft::Group(all) = draft else { return (entry, draft.clone()) };
+    let (mut problems, mut all) = (entry.linked().to_vec(), all.clone());
+    let at = problems.iter().position(|problem| problem.file.is_some()).unwrap_or(problems.len());
+    problems.insert(at, LinkedProblem::new(name, of, None));
+    all.insert(at, Draft::blank(&of.shape()));
+    (self::entry(&problems), Draft::Group(all))
+}
+
+/// The same problems with linked files as another reading of them has them: those that are there, or with `all` every one
+/// that was read.
+pub fn with_files(
+    entry: &'static Entry,
+    draft: &Draft,
+    (read, read_draft): (&'static Entry, &Draft),
+    all: bool,
+) -> (&'static Entry, Draft) {
+    let Draft::Group(parts) = draft else { return (entry, draft.clone()) };
+    let is_file = |problem: &&LinkedProblem| problem.file.is_some();
+    let part_of =
+        |of: &Entry, draft: &Draft, name: &str| draft.at(&of.shape(), name).map(|(part, _)| part.clone());
+    let main = unnamed(entry);
+    let inputs = main.map_or(0, |main| main.inputs().fields(None).len());
+    let lists = parts.len().saturating_sub(COMMON_LISTS.len());
+    let own = entry.linked().iter().filter(|problem| problem.file.is_none() && !problem.name.is_empty());
+    let own = own.filter_map(|problem| Some((*problem, part_of(entry, draft, problem.name).ok()?)));
+    let read_files = || {
+        let files = read.linked().iter().filter(is_file);
+        files.filter_map(|problem| Some((*problem, part_of(read, read_draft, problem.name).ok()?)))
+    };
+    let files: Vec<(LinkedProblem, Draft)> = if all {
+        read_files().collect()
+    } else {
+        let known = entry.linked().iter().filter(is_file);
+        let renewed = |problem: &LinkedProblem| {
+            let same =
+                read_files().find(|(other, _)| (other.name, other.file) == (problem.name, problem.file));
+            same.or_else(|| Some((*problem, part_of(entry, draft, problem.name).ok()?)))
+        };
+        known.filter_map(renewed).collect()
+    };
+    let (problems, drafts): (Vec<LinkedProblem>, Vec<Draft>) = own.chain(files).unzip();
+    let parts = parts[..inputs.min(lists)].iter().chain(&drafts).chain(&parts[lists..]).cloned();
+    let draft = Draft::Group(parts.collect());
+    match main {
+        Some(main) if problems.is_empty() => (main, draft),
+        main => {
+            let main = main.map(|main| LinkedProblem::new("", main, None));
+            (self::entry(&main.into_iter().chain(problems).collect::<Vec<_>>()), draft)
+        }
     }
 }
 

@@ -3,12 +3,19 @@
 use crate::{
     Draft, FieldError, Shape,
     path::{Segment, segments},
+    within_problem,
 };
 
 impl Draft {
     /// Writes the text of a leaf. Where it is the name of a row that others refer to, they follow: to the new name, or to
     /// the number of the row where it has none any more. `shape` is that of the whole problem.
     pub fn write(&mut self, shape: &Shape, path: &str, text: String) -> Result<(), FieldError> {
+        let (problem, inner) = within_problem(shape.fields(None), path);
+        if !problem.is_empty() {
+            // The names of a linked problem are its own.
+            let (draft, shape) = self.at_mut(shape, problem)?;
+            return draft.write(&shape, inner, text);
+        }
         if let Some((list, row)) = named_row(path)
             && let Some(old) = self.name_that_is_one_row_s_alone(shape, &list, path)
         {

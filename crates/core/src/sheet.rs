@@ -514,7 +514,9 @@ impl<'a> Sheet<'a> {
     pub(crate) fn add_problem_steps(&self, more: ProblemSteps) {
         let problems = &mut self.solution.borrow_mut().problems;
         match problems.last_mut() {
-            Some(last) if last.name == more.name => last.steps.end = more.steps.end,
+            Some(last) if last.name == more.name => {
+                (last.steps.end, last.exhibits.end) = (more.steps.end, more.exhibits.end);
+            }
             _ if more.steps.is_empty() => {}
             _ => problems.push(more),
         }

@@ -57,6 +57,8 @@ pub struct ProblemSteps {
     pub name: &'static str,
     /// Places of the steps in the solution.
     pub steps: Range<usize>,
+    /// Places of its plots, tables and drawings in the solution.
+    pub exhibits: Range<usize>,
 }
 
 /// An answer.

@@ -399,6 +399,9 @@ impl Runtime {
                     let result = files::read(&path);
                     Msg::Opened { path, result }
                 }
+                Effect::ReadLinked { problem, path, text } => {
+                    Msg::LinkedRead(problem, files::LinkedTexts::of(&path, &text))
+                }
                 Effect::List(folder) => {
                     let names = files::list(&at_home(folder.clone()));
                     Msg::Listed(folder, names)

@@ -34,6 +34,8 @@ pub struct Bench {
     pub marker: Marker,
     /// The cell of the shown pane that is being typed in.
     pub edit: Option<Input>,
+    /// The part of the file that the panes were last turned to, by its name.
+    pub turned_to: String,
     /// The number of the job that a pane waits for, and which.
     pub pending: Option<(u64, Tab)>,
 }
@@ -51,6 +53,7 @@ impl Bench {
             expanded: false,
             marker,
             edit: None,
+            turned_to: String::new(),
             pending: None,
         }
     }
@@ -163,7 +166,7 @@ impl Bench {
 
     /// The name of the problem among others: its analysis, and its file or its title.
     pub fn name_among(&self, locale: &Locale) -> String {
-        let title = Text::from(self.problem.entry.about.title).render(locale);
+        let title = Text::from(self.problem.entry().about.title).render(locale);
         let document = &self.problem.document;
         let own = match document.file.as_ref().and_then(|file| file.path.file_name()) {
             Some(file) => file.to_string_lossy().into_owned(),

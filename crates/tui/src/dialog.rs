@@ -4,7 +4,7 @@ mod names;
 
 use std::path::PathBuf;
 
-use dalembert_core::{Text, suggestions::Suggestion};
+use dalembert_core::{Entry, Text, suggestions::Suggestion};
 use tui_input::Input;
 
 pub use names::Names;
@@ -90,6 +90,8 @@ pub enum Chosen {
     Question(Box<Suggestion>),
     /// A question of the user's own.
     OwnQuestion,
+    /// An analysis, for a linked problem of that name.
+    Analysis(String, &'static Entry),
 }
 
 /// Purpose of a text.
@@ -103,6 +105,10 @@ pub enum Purpose {
     Open,
     /// The title of the problem.
     Title,
+    /// Name and analysis of a linked problem.
+    LinkedProblem,
+    /// Name of a configuration.
+    Configuration,
     /// The path of the plot or drawing that is seen.
     ExportSeen,
     /// The path of the file that is read into the table under the cursor.
@@ -112,7 +118,7 @@ pub enum Purpose {
 impl Purpose {
     /// Returns true if the text is a file path.
     pub fn is_path(self) -> bool {
-        self != Purpose::Title
+        !matches!(self, Purpose::Title | Purpose::LinkedProblem | Purpose::Configuration)
     }
 }
 

@@ -41,6 +41,15 @@ pub enum Effect {
     },
     /// Read a file; [`Msg::Opened`](crate::Msg).
     Open(PathBuf),
+    /// Read the files that a problem links to; [`Msg::LinkedRead`](crate::Msg).
+    ReadLinked {
+        /// The number of the problem.
+        problem: u64,
+        /// The file it belongs to.
+        path: PathBuf,
+        /// The problem, as its file would say it.
+        text: String,
+    },
     /// Look into a folder; [`Msg::Listed`](crate::Msg).
     List(PathBuf),
     /// Read the file of a table; [`Msg::TableRead`](crate::Msg).

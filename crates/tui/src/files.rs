@@ -17,7 +17,7 @@ use std::{
     hash::{DefaultHasher, Hash, Hasher},
     io::{self, Read},
     os::unix::fs::{FileTypeExt, OpenOptionsExt},
-    path::{Path, PathBuf},
+    path::{Component, Path, PathBuf},
 };
 
 pub use autosave::{Autosave, Crashed, autosave_path};
@@ -223,35 +223,50 @@ impl LinkedTexts {
         Self(found)
     }
 
-    /// The problem of a text that links to these files.
-    ///
-    /// # Errors
-    /// Everything that is wrong with the text, and with the linked files.
-    pub fn parse(&self, text: &str) -> Result<file::ProblemFile, Vec<file::FileError>> {
-        file::parse_with(text, &mut |linked| {
-            let known = self.0.iter().find(|(path, _)| path == linked);
-            known.map_or_else(
-                || Err("this file is not read yet: save and open again".into()),
-                |(_, read)| read.clone(),
-            )
-        })
+    /// The text of the file at a path, or why it was not read; `None` of a file that nothing linked to.
+    pub fn text(&self, path: &str) -> Option<&Result<String, Text>> {
+        self.0.iter().find(|(known, _)| known == path).map(|(_, text)| text)
+    }
+
+    /// Takes the text that a file has now, where it is one of these. `beside` is the path of the file that links to them.
+    pub fn take(&mut self, beside: &Path, path: &Path, text: &str) {
+        for (linked, known) in &mut self.0 {
+            if is_same_file(&beside_file(Some(beside), linked), path) {
+                *known = Ok(text.to_owned());
+            }
+        }
+    }
+
+    /// Returns true if nothing is linked.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
     }
 }
 
-impl Opened {
-    /// The problem of the file.
-    ///
-    /// # Errors
-    /// Everything that is wrong with the text, and with the linked files.
-    pub fn problem(&self) -> Result<file::ProblemFile, Vec<file::FileError>> {
-        self.linked.parse(&self.text)
-    }
+/// Path of a file that the one at `beside` links to.
+pub fn beside_file(beside: Option<&Path>, linked: &str) -> PathBuf {
+    beside.and_then(Path::parent).unwrap_or(Path::new("")).join(linked)
+}
+
+/// Returns true if two paths are written for the same place, whether from the present folder or from the root.
+pub fn is_same_file(one: &Path, other: &Path) -> bool {
+    let whole = |path: &Path| {
+        let mut parts = Vec::new();
+        for part in std::path::absolute(path).as_deref().unwrap_or(path).components() {
+            match part {
+                Component::CurDir => {}
+                Component::ParentDir => drop(parts.pop()),
+                part => parts.push(part.as_os_str().to_owned()),
+            }
+        }
+        parts
+    };
+    whole(one) == whole(other)
 }
 
 /// Text of a problem file that the file at `beside` links to, by its path from there.
 pub fn read_linked(beside: &Path, linked: &str) -> Result<String, Text> {
-    let folder = beside.parent().unwrap_or(Path::new(""));
-    let bytes = read_bytes(&folder.join(linked)).map_err(|error| error.text())?;
+    let bytes = read_bytes(&beside_file(Some(beside), linked)).map_err(|error| error.text())?;
     opened(Path::new(linked), bytes).map(|opened| opened.text).map_err(|error| error.text())
 }
 

@@ -5,6 +5,7 @@ mod edit;
 mod fold;
 mod lines;
 mod nudge;
+mod parts;
 mod paste;
 mod questions;
 mod units;
@@ -14,12 +15,13 @@ use std::{
     ops::Range,
 };
 
-use dalembert_core::{Draft, Entry, Shape, Value, ascii, draft, gravity, within_problem};
+use dalembert_core::{Draft, Entry, Shape, Value, ascii, draft, gravity, linked, within_problem};
 use dalembert_units::{Decimal, Style, thousands, with_point, write_quantity, write_vector};
 
 pub use edit::{Edit, Sign};
 pub use lines::{BETWEEN, FormLine, Role, lines};
 pub use nudge::{digit_at, nudged};
+pub use parts::{FilePart, PartRole};
 pub use paste::Filled;
 
 use self::units::{in_next_unit, with_unit, written_unit};
@@ -41,9 +43,10 @@ pub struct Form {
     pub edit: Option<Edit>,
     /// The sign that was the last key.
     pub sign: Option<Sign>,
+    entry: &'static Entry,
     shape: Shape,
-    undo: Vec<Draft>,
-    redo: Vec<Draft>,
+    undo: Vec<Snapshot>,
+    redo: Vec<Snapshot>,
     /// Last change, so that a run of similar changes is undone together.
     last: Option<Change>,
     /// The field whose unit was changed last: from what text, and to what.
@@ -54,6 +57,17 @@ pub struct Form {
     left: HashMap<(String, usize), Draft>,
     /// The paths of rows of which the heading alone is shown.
     folded: BTreeSet<String>,
+    /// The part of the file that is shown; `None` or one that is gone stands for the first.
+    part: Option<FilePart>,
+    /// The paths that the cursor was left at, by the names of parts.
+    left_at: HashMap<String, String>,
+}
+
+/// A draft as it was, and the problems that it is of.
+#[derive(Clone, Debug)]
+struct Snapshot {
+    entry: &'static Entry,
+    draft: Draft,
 }
 
 /// A text in another unit than it was typed in: the quantity is that of the text as it was typed, however often its
@@ -89,12 +103,13 @@ impl Form {
     }
 
     /// A form for an analysis, filled in.
-    pub fn new(entry: &Entry, draft: Draft) -> Self {
+    pub fn new(entry: &'static Entry, draft: Draft) -> Self {
         Self {
             draft,
             cursor: 0,
             edit: None,
             sign: None,
+            entry,
             shape: entry.shape(),
             undo: Vec::new(),
             redo: Vec::new(),
@@ -103,7 +118,14 @@ impl Form {
             aim: None,
             left: HashMap::new(),
             folded: BTreeSet::new(),
+            part: None,
+            left_at: HashMap::new(),
         }
+    }
+
+    /// The analysis, or the linked problems.
+    pub fn entry(&self) -> &'static Entry {
+        self.entry
     }
 
     /// Lines, without those of collapsed rows.
@@ -126,47 +148,49 @@ impl Form {
 
     /// The cursor at the line of a path.
     pub fn go_to(&mut self, path: &str) {
+        let path = &self.show_line(path).unwrap_or_else(|| path.to_owned());
         self.reveal(path);
-        if let Some(at) = self.lines().iter().position(|line| line.path == path) {
+        if let Some(at) = self.lines().iter().position(|line| line.path == *path) {
             self.cursor = at;
         }
     }
 
     /// The cursor at the line of a path, or of the innermost part of it that has one.
     pub fn go_to_nearest(&mut self, path: &str) {
-        self.reveal(path);
-        let lines = self.lines();
-        let mut path = path;
-        loop {
-            if let Some(at) = lines.iter().position(|line| line.path == path) {
-                self.cursor = at;
-                return;
-            }
-            let Some(end) = path.rfind(['.', '[']) else { return };
-            path = &path[..end];
+        let ends = path.rmatch_indices(['.', '[']).map(|(at, _)| at);
+        let found = [path.len()].into_iter().chain(ends).find_map(|end| self.show_line(&path[..end]));
+        if let Some(path) = found {
+            self.go_to(&path);
         }
     }
 
     /// Puts a text of a language in place of that of a field; a number alone keeps the unit that is there.
     pub fn set(&mut self, path: &str, text: String, decimal: Decimal) -> bool {
-        let text = match self.draft.at(&self.shape, path) {
-            Ok((Draft::Leaf(old), shape)) => {
+        let line = self.lines_of(&self.part()).into_iter().find(|line| line.path == path);
+        let text = match line.map(|line| line.role) {
+            Some(Role::Leaf { text: old, shape }) => {
                 let shape = shape.present();
-                let unit = written_unit(old, &shape);
+                let unit = written_unit(&old, &shape);
                 with_unit(settled(text, &shape, decimal), unit.as_ref(), &shape)
             }
             _ => text,
         };
-        self.change(Change::Other, |draft, shape| draft.write(shape, path, text).ok())
+        self.write(Change::Other, path, text)
+    }
+
+    /// Writes the text of the line at a path.
+    fn write(&mut self, what: Change, path: &str, text: String) -> bool {
+        let target = self.target(path);
+        self.change(what, |draft, shape| target.write(draft, shape, text))
     }
 
     /// Makes the quantity of the cursor unknown, of a vector its first component: it is found from given answers.
     pub fn make_unknown(&mut self) -> bool {
-        let Some(FormLine { role: Role::Leaf { shape, .. }, path, .. }) = self.line() else { return false };
+        let Some(line) = self.line() else { return false };
+        let Role::Leaf { shape, .. } = &line.role else { return false };
+        let path = &line.path;
         match shape.present() {
-            Shape::Quantity(_) => {
-                self.change(Change::Other, |draft, shape| draft.write(shape, &path, "?".into()).ok())
-            }
+            Shape::Quantity(_) => self.write(Change::Other, path, "?".into()),
             Shape::Vector(..) => {
                 self.change(Change::Other, |draft, shape| draft.set(shape, &format!("{path}.x"), "?").ok())
             }
@@ -183,14 +207,37 @@ impl Form {
     }
 
     /// Puts a whole draft in place of this one.
-    pub fn replace(&mut self, with: Draft) -> bool {
+    pub fn replace(&mut self, entry: &'static Entry, with: Draft) -> bool {
         self.edit = None;
-        let changed = self.change(Change::Other, |draft, _| {
-            *draft = with;
-            Some(())
-        });
+        let before = self.exchange(Snapshot { entry, draft: with });
+        let changed = before.draft != self.draft || !std::ptr::eq(before.entry, self.entry);
+        if changed {
+            self.remember(before, Change::Other);
+        }
         self.step(0);
         changed
+    }
+
+    /// Takes the problems of linked files as they were read again, now and in what can be taken back.
+    pub fn take_files(&mut self, read: (&'static Entry, &Draft)) {
+        let taken = |snapshot: &Snapshot, all: bool| {
+            let (entry, draft) = linked::with_files(snapshot.entry, &snapshot.draft, read, all);
+            Snapshot { entry, draft }
+        };
+        for snapshot in self.undo.iter_mut().chain(&mut self.redo) {
+            *snapshot = taken(snapshot, false);
+        }
+        let now = taken(&Snapshot { entry: self.entry, draft: self.draft.clone() }, true);
+        self.exchange(now);
+        self.step(0);
+    }
+
+    /// Puts another draft in place of this one, and answers this one.
+    fn exchange(&mut self, with: Snapshot) -> Snapshot {
+        let draft = std::mem::replace(&mut self.draft, with.draft);
+        let entry = std::mem::replace(&mut self.entry, with.entry);
+        self.shape = self.entry.shape();
+        Snapshot { entry, draft }
     }
 
     /// Takes the last change back.
@@ -281,7 +328,8 @@ impl Form {
 
     /// The names of the rows that a reference may name; their numbers where they have none.
     pub fn names(&self, list: &str) -> Vec<String> {
-        let Ok((Draft::Rows(rows), shape)) = self.draft.at(&self.shape, list) else { return Vec::new() };
+        let list = self.part().outside(list);
+        let Ok((Draft::Rows(rows), shape)) = self.draft.at(&self.shape, &list) else { return Vec::new() };
         let Shape::Rows { item, .. } = shape.present() else { return Vec::new() };
         let fields = item().fields(None);
         let named = fields.iter().position(|field| field.name == "name");
@@ -336,7 +384,7 @@ impl Form {
 
     /// The path of a list of the problem of the cursor, and that of the input of the cursor within it.
     fn within_problem(&self, list: &str) -> (String, String) {
-        let path = self.line().map_or_else(String::new, |line| line.path);
+        let path = self.line().map_or_else(|| self.part().problem + ".", |line| line.path);
         match within_problem(self.shape.fields(None), &path) {
             ("", input) => (list.to_owned(), input.to_owned()),
             (problem, input) => (format!("{problem}.{list}"), input.to_owned()),
@@ -440,7 +488,7 @@ impl Form {
         let Some(text) = by.and_then(|by| nudged(&text, by)) else { return false };
         // One more of 0,999 kg would be read in two ways.
         let text = if thousands(&text, ',').is_some() { with_point(&text).into_owned() } else { text };
-        self.put(Change::Nudge(path.clone()), &path, Draft::Leaf(text))
+        self.write(Change::Nudge(path.clone()), &path, text)
     }
 
     /// Chooses the digit at the left of the one that nudges change, or at its right; whether the field under the cursor
@@ -486,7 +534,7 @@ impl Form {
         };
         let Some(shown) = in_next_unit(&typed, &text, &shape) else { return false };
         self.converted = Some(Converted { path: path.clone(), typed, shown: shown.clone() });
-        self.put(Change::Unit(path.clone()), &path, Draft::Leaf(shown))
+        self.write(Change::Unit(path.clone()), &path, shown)
     }
 
     fn leave_out(&mut self, path: &str) -> bool {
@@ -508,11 +556,11 @@ impl Form {
             return false;
         }
         self.draft.keep_first(&before, &self.shape);
-        self.remember(before, what);
+        self.remember(Snapshot { entry: self.entry, draft: before }, what);
         true
     }
 
-    fn remember(&mut self, before: Draft, what: Change) {
+    fn remember(&mut self, before: Snapshot, what: Change) {
         self.redo.clear();
         if what == Change::Other || self.last.as_ref() != Some(&what) {
             if self.undo.len() == MOST_UNDO {
@@ -523,14 +571,31 @@ impl Form {
         self.last = Some(what);
     }
 
-    /// Puts the cursor where the two drafts differ first.
-    fn swap(&mut self, with: Draft) -> Draft {
+    /// Puts the cursor where the two drafts differ first, of the part that is shown where it differs.
+    fn swap(&mut self, with: Snapshot) -> Snapshot {
         self.edit = None;
         self.last = None;
-        let old = std::mem::replace(&mut self.draft, with);
-        let (before, after) = (lines(&self.shape, &old), self.all_lines());
-        if let Some((_, line)) = before.iter().zip(&after).find(|(before, after)| before != after) {
-            self.go_to(&line.path);
+        let (parts, shown) = (self.parts(), self.part());
+        let lines = |form: &Self, part: &FilePart| form.lines_of(part);
+        let before: Vec<_> = parts.iter().map(|part| lines(self, part)).collect();
+        let old = self.exchange(with);
+        let of = |part: &FilePart| parts.iter().position(|other| other == part).map(|at| &before[at]);
+        let after = self.parts();
+        let all =
+            after.iter().filter(|part| **part == shown).chain(after.iter().filter(|part| **part != shown));
+        let differs = |part: &FilePart| {
+            let after = lines(self, part);
+            let before = of(part).map_or(&[][..], Vec::as_slice);
+            let at = after.iter().zip(before).position(|(after, before)| after != before);
+            let at = at.or_else(|| (after.len() != before.len()).then(|| after.len().min(before.len())));
+            at.map(|at| (part.clone(), after.get(at).map(|line| line.path.clone())))
+        };
+        let first = all.into_iter().find_map(differs);
+        if let Some((part, path)) = first {
+            self.show_part(&part);
+            if let Some(path) = path {
+                self.go_to(&path);
+            }
         }
         self.step(0);
         old

@@ -146,6 +146,9 @@ impl Harness {
                     let result = files::read(&path);
                     Msg::Opened { path, result }
                 }
+                Effect::ReadLinked { problem, path, text } => {
+                    Msg::LinkedRead(problem, files::LinkedTexts::of(&path, &text))
+                }
                 // A harness stands in no folder: what is there is not part of a session.
                 Effect::List(folder) => {
                     let names = if folder.is_absolute() { files::list(&folder) } else { Vec::new() };
@@ -197,7 +200,7 @@ impl Harness {
         let edited = text.map(|text| (self.editor)(&text)).and_then(|text| match &file {
             Editing::Own(path) => {
                 let fingerprint = files::save(path, &text, Before::Whatever)?;
-                Ok(Opened { text, fingerprint, linked: files::LinkedTexts::default() })
+                Ok(Opened { linked: files::LinkedTexts::of(path, &text), text, fingerprint })
             }
             _ => Ok(Opened {
                 fingerprint: Fingerprint::of(text.as_bytes()),

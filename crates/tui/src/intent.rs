@@ -52,6 +52,17 @@ pub enum Intent {
     /// The problem has another title.
     Rename(String),
 
+    /// A part of the file is shown, by the place of its tab.
+    ShowPart(usize),
+    /// The panes show what they have of the part that is shown.
+    BringResults,
+    /// A linked problem is begun: its name, and an analysis or words that it is found by.
+    BeginProblem(String),
+    /// A problem of an analysis is linked under a name.
+    LinkProblem(String, &'static Entry),
+    /// A configuration is begun.
+    BeginConfiguration(String),
+
     /// A pane is shown.
     Turn(Tab),
     /// The text of a cell is complete.
@@ -100,6 +111,10 @@ pub enum Intent {
     AskPath(Purpose),
     /// An export is written.
     Export(Purpose, PathBuf, Before),
+    /// Files that an input links to by now are read.
+    FollowLinks,
+    /// Linked files that are open, or were, are read as they are now.
+    ReadLinked,
     /// A file was read: it becomes a problem.
     Opened(PathBuf, Opened),
     /// The work of crashed sessions is taken up.

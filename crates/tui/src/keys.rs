@@ -49,6 +49,14 @@ pub enum Action {
     NextTab,
     /// The tab before.
     PreviousTab,
+    /// The next problem or configuration of the file.
+    NextFilePart,
+    /// The problem or configuration before.
+    PreviousFilePart,
+    /// A linked problem more.
+    BeginProblem,
+    /// A configuration more, which changes nothing yet.
+    BeginConfiguration,
     /// The next plot, drawing or table of the tab.
     NextExhibit,
     /// Another way to draw curves.

@@ -10,6 +10,8 @@ const TWO_COLUMNS: u16 = 64;
 const ROOMY: u16 = 12;
 /// Rows of a plot that may stand beside others.
 const ROOMY_PLOT: u16 = 18;
+/// Rows below the tabs of problems and configurations at least.
+const BELOW_PARTS: u16 = 3;
 /// Columns of the narrowest column of inputs.
 const FORM: u16 = 38;
 
@@ -28,6 +30,8 @@ pub enum Focus {
 pub struct Areas {
     /// The line at the top.
     pub title: Rect,
+    /// The tabs of problems and configurations; empty where there is one problem alone.
+    pub parts: Rect,
     /// The inputs, where they are shown.
     pub form: Option<Rect>,
     /// Results, where they are shown.
@@ -53,10 +57,13 @@ pub fn frame(area: Rect) -> [Rect; 4] {
     .areas(area)
 }
 
-/// The parts of the screen of a problem; what has the focus takes the whole of it where it is `expanded`.
-pub fn bench(area: Rect, focus: Focus, expanded: bool) -> Areas {
+/// The parts of the screen of a problem, which may have several with tabs; what has the focus takes the whole of it where
+/// it is `expanded`.
+pub fn bench(area: Rect, focus: Focus, expanded: bool, has_parts: bool) -> Areas {
     let [title, body, help, footer] = frame(area);
-    let areas = Areas { title, form: None, pane: None, picture: None, help, footer };
+    let rows = u16::from(has_parts && body.height > BELOW_PARTS);
+    let [parts, body] = Layout::vertical([Constraint::Length(rows), Constraint::Min(0)]).areas(body);
+    let areas = Areas { title, parts, form: None, pane: None, picture: None, help, footer };
     if body.width >= THREE_COLUMNS && !expanded {
         let form = (body.width * 5 / 16).clamp(44, 60);
         let [form, pane, picture] =

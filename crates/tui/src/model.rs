@@ -1,6 +1,6 @@
 //! Everything the workbench knows, what can happen to it, and what it asks to be done.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use dalembert_core::{
     Entry, Language, Locale, Text, cases,
@@ -16,7 +16,7 @@ use ratatui::{
 use crate::{
     bench::Bench,
     dialog::{After, Dialog, Editing},
-    files::{Crashed, FileError, Fingerprint, Opened},
+    files::{Crashed, FileError, Fingerprint, LinkedTexts, Opened, beside_file, is_same_file},
     keys::{Action, KeyContext, KeyMap},
     layout::Focus,
     look::Appearance,
@@ -166,6 +166,8 @@ pub enum Msg {
         /// Content of the file, or the error.
         result: Result<Opened, FileError>,
     },
+    /// The files that the problem of this number links to were read, as far as they could be.
+    LinkedRead(u64, LinkedTexts),
     /// Contents of a folder, in order; folders end in `/`.
     Listed(PathBuf, Vec<String>),
     /// The file of a table was read, or not.
@@ -267,7 +269,9 @@ impl Model {
 
     /// Makes the open problem the context of translations.
     pub fn translate_for_bench(&mut self) {
-        self.locale.place = self.bench.as_ref().map_or("", |bench| bench.problem.entry.about.id);
+        let of =
+            |bench: &Bench| bench.problem.inputs.form.analysis().unwrap_or(bench.problem.entry()).about.id;
+        self.locale.place = self.bench.as_ref().map_or("", of);
     }
 
     /// Place of the key map in which keys are looked up.
@@ -341,8 +345,42 @@ impl Model {
         let mut problem = Problem::new(read.entry, title, read.draft, cases);
         (problem.document.origin, problem.document.units, problem.document.show) =
             (origin, read.units, read.show);
-        problem.inputs.notes = read.notes;
+        (problem.inputs.notes, problem.document.linked) = (read.notes, read.files);
         problem
+    }
+
+    /// The problem of a text at a path. Files that it links to and that are open are read as they are there, with what is not
+    /// saved; of the others `linked` has the texts.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the text, and with the linked files.
+    pub fn parse(
+        &self,
+        path: Option<&Path>,
+        text: &str,
+        linked: &LinkedTexts,
+    ) -> Result<file::ProblemFile, Vec<file::FileError>> {
+        let all = self.problems();
+        let mut unsaved = Vec::new();
+        let mut read = file::parse_with(text, &mut |name| {
+            let path = beside_file(path, name);
+            let is_it = |problem: &&Problem| {
+                problem.document.file.as_ref().is_some_and(|file| is_same_file(&file.path, &path))
+            };
+            if let Some(open) = all.iter().map(|bench| &bench.problem).find(is_it) {
+                if open.is_unsaved() {
+                    unsaved.push(name.to_owned());
+                    return Ok(open.as_text());
+                }
+                return Ok(open.text().to_owned());
+            }
+            let not_read = || Err("this file is not read yet: save and open again".into());
+            linked.text(name).cloned().unwrap_or_else(not_read)
+        })?;
+        for name in &unsaved {
+            read.mark_unsaved(name);
+        }
+        Ok(read)
     }
 
     /// Number of problems that can still be opened: one that is a published case and nothing else gives way.

@@ -7,9 +7,20 @@ use nucleo_matcher::{
 };
 
 use crate::{
-    keys::{Bound, KeyContext},
+    keys::{Action, Bound, KeyContext},
     model::{Model, Screen},
 };
+
+/// A command with words of its own: what it does, and the words.
+pub(crate) fn command(typed: &str) -> Option<(Action, &str)> {
+    let (first, words) = typed.trim().split_once(char::is_whitespace)?;
+    let action = match first.to_lowercase().as_str() {
+        "problem" | "problema" => Action::BeginProblem,
+        "configuration" | "configuração" | "configuracao" => Action::BeginConfiguration,
+        _ => return None,
+    };
+    Some((action, words.trim()))
+}
 
 /// The bindings that the palette offers for what is typed, the best first, and the place each belongs to.
 pub(crate) fn matching_actions<'m>(model: &'m Model, typed: &str) -> Vec<(KeyContext, &'m Bound)> {
@@ -31,6 +42,10 @@ pub(crate) fn matching_actions<'m>(model: &'m Model, typed: &str) -> Vec<(KeyCon
                 all.push((place, bound));
             }
         }
+    }
+    if let Some((action, _)) = command(typed) {
+        all.retain(|(_, bound)| bound.binding.action == action);
+        return all;
     }
     let typed = typed.trim();
     if typed.is_empty() {

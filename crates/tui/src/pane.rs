@@ -144,6 +144,14 @@ pub trait Pane: Any + Debug {
         None
     }
 
+    /// Shows what it has of the problem or configuration of a name.
+    fn turn_to(&mut self, _problem: &Problem, _name: &str) {}
+
+    /// The first part of its page about the problem or configuration of a name.
+    fn first_part_of(&self, _problem: &Problem, _name: &str) -> Option<usize> {
+        None
+    }
+
     /// The part of its page under the cursor, where it has one: a case, an answer, a cell.
     fn cursor<'a>(&'a mut self, _problem: &'a mut Problem) -> Option<&'a mut usize> {
         None

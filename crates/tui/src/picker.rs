@@ -132,7 +132,7 @@ impl Listing {
         Text::from(self.entry.about.title).render(&locale.at(self.entry.about.id))
     }
 
-    fn index(&self) -> &Index {
+    pub(crate) fn index(&self) -> &Index {
         self.index.get_or_init(|| Index::of(self.entry, self.cases()))
     }
 

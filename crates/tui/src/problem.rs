@@ -3,10 +3,11 @@
 use std::path::PathBuf;
 
 use dalembert_core::{
-    Axis, Draft, Entry, Exhibit, FieldError, Plot, Record, Solution, SolveError, TableExhibit, Text,
-    UnitSetting,
+    Axis, Draft, Entry, Exhibit, FieldError, LinkedProblem, Plot, ProblemSteps, Record, Solution, SolveError,
+    TableExhibit, Text, UnitSetting,
     cases::Case,
-    file,
+    file::{self, LinkedFile},
+    linked,
     study::StudyResult,
     vary::{self, VariedInput},
 };
@@ -14,7 +15,7 @@ use dalembert_core::{
 use dalembert_report::show_answers_in;
 
 use crate::{
-    files::Fingerprint,
+    files::{Fingerprint, LinkedTexts},
     form::Form,
     solver::{CheckedCase, JobFailure},
     typed::Typed,
@@ -25,8 +26,6 @@ use crate::{
 pub struct Problem {
     /// The number among the open problems; those that were opened later have larger ones.
     pub number: u64,
-    /// The analysis.
-    pub entry: &'static Entry,
     /// Title, file, and the way answers are shown.
     pub document: Document,
     /// The inputs.
@@ -35,6 +34,8 @@ pub struct Problem {
     pub found: ProblemResults,
     /// Published cases of the analysis.
     pub cases: Vec<CheckedCase>,
+    /// The analysis that they are of, and the names of answers that are shown in units of their own.
+    known: &'static Entry,
     /// The case that is chosen among them.
     pub case: usize,
     /// True if they are compared with what was printed, or about to be.
@@ -71,10 +72,14 @@ pub struct Document {
     pub show_changed: bool,
     /// The file.
     pub file: Option<OpenFile>,
+    /// The files that it links to, as they were read.
+    pub linked: Vec<LinkedFile>,
+    /// Texts of those files on disk.
+    pub links: LinkedTexts,
     /// The text that was edited of a problem without a file: a save keeps its comments.
     pub commented: String,
     /// Title and inputs as they are in the file, or as the case has them.
-    saved: (String, Draft),
+    saved: (String, &'static Entry, Draft),
 }
 
 /// The file of a problem.
@@ -129,15 +134,16 @@ impl Problem {
     pub fn new(entry: &'static Entry, title: String, draft: Draft, cases: Vec<CheckedCase>) -> Self {
         Self {
             number: 0,
-            entry,
             document: Document {
-                saved: (title.clone(), draft.clone()),
+                saved: (title.clone(), entry, draft.clone()),
                 title,
                 origin: None,
                 units: UnitSetting::default(),
                 show: Vec::new(),
                 show_changed: false,
                 file: None,
+                linked: Vec::new(),
+                links: LinkedTexts::default(),
                 commented: String::new(),
             },
             inputs: Inputs {
@@ -149,8 +155,56 @@ impl Problem {
             },
             found: ProblemResults::default(),
             cases,
+            known: entry,
             case: 0,
             checking: false,
+        }
+    }
+
+    /// The analysis, or the linked problems.
+    pub fn entry(&self) -> &'static Entry {
+        self.inputs.form.entry()
+    }
+
+    /// The entry that the inputs are of, where it is another one than before.
+    pub fn other_entry(&self) -> Option<&'static Entry> {
+        Some(self.entry()).filter(|entry| !std::ptr::eq(*entry, self.known))
+    }
+
+    /// Follows the inputs to another entry: a problem that has a name or has none any more, whose
+    /// answers are called otherwise, and which has other published cases.
+    pub fn follow_entry(&mut self, cases: Vec<CheckedCase>) {
+        let now = self.entry();
+        let before = std::mem::replace(&mut self.known, now);
+        (self.cases, self.case, self.checking) = (cases, 0, false);
+        let name_in = |of: &'static Entry, entry: &Entry| {
+            let is_it =
+                |problem: &&LinkedProblem| problem.entry.about.id == entry.about.id && problem.file.is_none();
+            of.linked().iter().find(is_it).map(|problem| problem.name)
+        };
+        let answers = self.document.show.iter_mut().map(|(answer, _)| answer);
+        match (linked::unnamed(before), linked::unnamed(self.known)) {
+            (Some(main), None) => {
+                let Some(name) = name_in(self.known, main) else { return };
+                let is_named = |answer: &str| {
+                    before
+                        .linked()
+                        .iter()
+                        .any(|other| answer.starts_with(other.name) && !other.name.is_empty())
+                };
+                answers
+                    .filter(|answer| !is_named(answer))
+                    .for_each(|answer| *answer = format!("{name}.{answer}"));
+            }
+            (None, Some(main)) => {
+                let Some(name) = name_in(before, main) else { return };
+                for answer in answers {
+                    if let Some(rest) = answer.strip_prefix(name).and_then(|rest| rest.strip_prefix('.')) {
+                        *answer = rest.to_owned();
+                    }
+                }
+            }
+            _ => {}
         }
     }
 
@@ -158,18 +212,31 @@ impl Problem {
     pub fn is_unsaved(&self) -> bool {
         self.document.show_changed
             || (&self.document.title, &self.inputs.form.draft)
-                != (&self.document.saved.0, &self.document.saved.1)
+                != (&self.document.saved.0, &self.document.saved.2)
     }
 
     /// Marks what is on the screen as saved.
     pub fn mark_saved(&mut self) {
         self.document.show_changed = false;
-        self.document.saved = (self.document.title.clone(), self.inputs.form.draft.clone());
+        self.document.saved = (self.document.title.clone(), self.entry(), self.inputs.form.draft.clone());
     }
 
     /// Marks what is on the screen as in no file: it comes from a crashed session.
     pub fn mark_unsaved(&mut self) {
-        self.document.saved.1 = Draft::Absent;
+        self.document.saved.2 = Draft::Absent;
+    }
+
+    /// Takes the linked files as they were read again: that is no change of the problem itself.
+    pub fn take_files(&mut self, read: file::ProblemFile) {
+        self.inputs.form.take_files((read.entry, &read.draft));
+        let (_, entry, draft) = &mut self.document.saved;
+        (*entry, *draft) = linked::with_files(entry, draft, (read.entry, &read.draft), false);
+        (self.inputs.notes, self.document.linked) = (read.notes, read.files);
+    }
+
+    /// The text that a save writes.
+    pub fn as_text(&self) -> String {
+        file::write(&self.as_file(), self.text())
     }
 
     /// The text that a save is written over, for its comments and its order.
@@ -185,24 +252,24 @@ impl Problem {
             _ => self.document.title.clone(),
         };
         file::ProblemFile {
-            entry: self.entry,
+            entry: self.entry(),
             title,
             draft: draft.clone(),
             units: self.document.units,
             show: self.document.show.clone(),
             notes: self.inputs.notes.clone(),
-            files: Vec::new(),
+            files: self.document.linked.clone(),
         }
     }
 
     /// The values of the inputs; `None` while they cannot be read.
     pub fn record(&self) -> Option<Record> {
-        self.inputs.form.draft.read(&self.entry.shape()).ok()
+        self.inputs.form.draft.read(&self.entry().shape()).ok()
     }
 
     /// A solution of the problem in the units that the problem is shown in: its system, then those chosen for answers.
     pub fn in_its_units(&self, solution: Solution) -> Solution {
-        let (draft, shape) = (&self.inputs.form.draft, self.entry.shape());
+        let (draft, shape) = (&self.inputs.form.draft, self.entry().shape());
         let mut solution = solution.in_units_of(self.document.units, draft, &shape);
         // What a file asks for and cannot be is shown as it would be without.
         let _ = show_answers_in(&mut solution, &self.document.show);
@@ -272,6 +339,16 @@ impl Problem {
         }
     }
 
+    /// Place of the first exhibit of a problem or configuration among those that a pane shows; `None` where it has none.
+    pub fn first_of(&self, name: &str, is_shown: impl Fn(&Exhibit) -> bool) -> Option<usize> {
+        let solution = self.found.solution.as_ref()?;
+        let of = |of: &&ProblemSteps| {
+            of.name == name && solution.exhibits[of.exhibits.clone()].iter().any(&is_shown)
+        };
+        let start = solution.problems.iter().find(of)?.exhibits.start;
+        Some(solution.exhibits[..start].iter().filter(|exhibit| is_shown(exhibit)).count())
+    }
+
     /// The plots of the newest solution, and that of the study.
     pub fn plots(&self) -> impl Iterator<Item = &Plot> {
         plots_of(self.found.solution.iter()).chain(self.studied())
@@ -316,7 +393,7 @@ impl Problem {
     }
 
     fn is_empty(&self, error: &FieldError) -> bool {
-        let place = self.inputs.form.draft.at(&self.entry.shape(), &error.path);
+        let place = self.inputs.form.draft.at(&self.entry().shape(), &error.path);
         match place {
             Ok((Draft::Leaf(text), _)) => text.trim().is_empty(),
             // Of a choice, none is made.

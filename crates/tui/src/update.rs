@@ -13,13 +13,14 @@ mod files;
 mod form;
 mod mouse;
 mod pane;
+mod parts;
 mod picker;
 mod problems;
 mod settings;
 
 use std::path::PathBuf;
 
-use dalembert_core::{Draft, Entry, Language, Text, file};
+use dalembert_core::{Draft, Entry, Language, Text};
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use tui_input::{Input, InputRequest};
 
@@ -101,6 +102,11 @@ fn carry_out(model: &mut Model, intents: Vec<Intent>) -> Vec<Effect> {
             Intent::TakeTable(path, text) => form::take_table(model, &path, text),
             Intent::Import(typed) => form::import(model, &typed),
             Intent::Rename(title) => bench::rename(model, &title),
+            Intent::ShowPart(at) => parts::show(model, at),
+            Intent::BringResults => parts::bring_results(model),
+            Intent::BeginProblem(words) => parts::begin_problem(model, &words),
+            Intent::LinkProblem(name, entry) => parts::link_problem(model, &name, entry),
+            Intent::BeginConfiguration(name) => parts::begin_configuration(model, &name),
             Intent::Turn(tab) => bench::show_tab(model, tab),
             Intent::EndEdit => cells::end_edit(model),
             Intent::GoToPart(part) => pane::go_to_part(model, part),
@@ -125,6 +131,8 @@ fn carry_out(model: &mut Model, intents: Vec<Intent>) -> Vec<Effect> {
             Intent::AskPath(Purpose::SaveAs) => files::ask_path(model),
             Intent::AskPath(purpose) => export::ask_path(model, purpose),
             Intent::Export(purpose, path, before) => export::write(model, purpose, path, before),
+            Intent::ReadLinked => files::read_linked(model),
+            Intent::FollowLinks => files::follow_links(model),
             Intent::Opened(path, opened) => files::opened(model, path, Ok(opened)),
             Intent::Restore(sessions) => files::restore(model, sessions),
             Intent::EditOutside => edit::begin(model),
@@ -158,6 +166,7 @@ fn take(model: &mut Model, msg: Msg) -> Vec<Intent> {
         Msg::Saved { path, text, result } => return files::saved(model, &path, text, result),
         Msg::Exported { path, result } => return export::written(&path, result),
         Msg::Opened { path, result } => return files::opened(model, path, result),
+        Msg::LinkedRead(problem, links) => return files::linked_read(model, problem, links),
         Msg::TableRead { field, result } => return form::table_read(model, &field, result),
         Msg::Crashed(sessions) => return files::crashed(model, sessions),
         Msg::Faulty(files) => settings::faulty(model, &files),
@@ -167,7 +176,7 @@ fn take(model: &mut Model, msg: Msg) -> Vec<Intent> {
             if let Some(listing) = model.listings.iter_mut().find(|listing| listing.entry.about.id == id) {
                 listing.checked = Some(checked.clone());
             }
-            for bench in model.problems_mut().filter(|bench| bench.problem.entry.about.id == id) {
+            for bench in model.problems_mut().filter(|bench| bench.problem.entry().about.id == id) {
                 bench.problem.cases.clone_from(&checked);
             }
         }
@@ -220,6 +229,9 @@ fn press(model: &mut Model, key: KeyEvent) -> Vec<Intent> {
 fn begin_number(model: &mut Model, character: char, sign: Option<Sign>) -> Vec<Intent> {
     let decimal = model.locale.style.decimal;
     let Some(bench) = &mut model.bench else { return Vec::new() };
+    if let Some(why) = bench.problem.inputs.form.hindrance() {
+        return Intent::say(why);
+    }
     if bench.problem.inputs.form.begin_number(character, sign, decimal) {
         vec![Intent::Changed]
     } else {
@@ -304,7 +316,7 @@ fn open_case(model: &Model, entry: &'static Entry, case: usize) -> Vec<Intent> {
 /// Opens a problem of an analysis with every input empty: in place of one of it that nothing was done to, or else
 /// beside what is open.
 fn open_blank(model: &Model, entry: &'static Entry) -> Vec<Intent> {
-    let shown = model.shown_bench().filter(|bench| bench.problem.entry.about.id == entry.about.id);
+    let shown = model.shown_bench().filter(|bench| bench.problem.entry().about.id == entry.about.id);
     let in_place = shown.is_some_and(gives_way);
     let problem = Problem::new(entry, String::new(), Draft::blank(&entry.shape()), model.cases_of(entry));
     let problem = Box::new(problem);
@@ -315,15 +327,20 @@ fn open_blank(model: &Model, entry: &'static Entry) -> Vec<Intent> {
 /// The inputs are others now: they are read, and solved or found wrong; nothing older counts any more.
 fn changed(model: &mut Model) -> Vec<Intent> {
     let generation = model.next_generation();
+    let other = model.bench.as_ref().and_then(|bench| bench.problem.other_entry());
+    let cases = other.map(|entry| model.cases_of(entry));
     let Some(bench) = &mut model.bench else { return Vec::new() };
     bench.forget();
     let problem = &mut bench.problem;
+    if let Some(cases) = cases {
+        problem.follow_entry(cases);
+    }
     problem.found.failure = None;
-    match problem.inputs.form.draft.read(&problem.entry.shape()) {
+    match problem.inputs.form.draft.read(&problem.entry().shape()) {
         Ok(record) => {
             problem.find_wrong(Vec::new());
             problem.found.state = Freshness::Solving(generation);
-            let work = Work::Solve(problem.entry, record);
+            let work = Work::Solve(problem.entry(), record);
             vec![Intent::Do(Effect::Solve(Job { generation, work })), Intent::Keep]
         }
         Err(errors) => {
@@ -344,7 +361,7 @@ fn keep(model: &Model) -> Vec<Intent> {
     vec![Intent::Do(Effect::Keep {
         problem: problem.number,
         original: problem.document.file.as_ref().map(|file| file.path.clone()),
-        text: file::write(&problem.as_file(), problem.text()),
+        text: problem.as_text(),
     })]
 }
 
@@ -378,6 +395,9 @@ fn solved(model: &mut Model, outcome: JobOutcome) -> Vec<Intent> {
     if !bench.tabs().contains(&bench.tab) {
         bench.tab = Tab::default();
     }
+    // Of a part that is new there is something to see now.
+    let is_new =
+        bench.problem.found.solution.is_some() && bench.problem.inputs.form.part().name != bench.turned_to;
     // A new warning is reported where the results, the first pane, are not on the screen.
     let before = before.filter(|_| !view::shows(model, Tab::default()));
     let shown = model.shown_bench().map(|bench| &bench.problem).filter(|problem| problem.number == number);
@@ -385,7 +405,8 @@ fn solved(model: &mut Model, outcome: JobOutcome) -> Vec<Intent> {
     let warnings = found.and_then(|found| found.solution.as_ref()).map_or(&[][..], |found| &found.warnings);
     let new = before.and_then(|before| warnings.iter().find(|warning| !before.contains(warning)).cloned());
     let said = |warning| Intent::Complain(Text::new("new warning: {warning}").with_text("warning", warning));
-    new.map(said).into_iter().collect()
+    let bring = (is_new && shown.is_some()).then_some(Intent::BringResults);
+    new.map(said).into_iter().chain(bring).collect()
 }
 
 fn paste(model: &mut Model, text: &str) -> Vec<Intent> {

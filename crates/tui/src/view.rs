@@ -48,8 +48,12 @@ pub fn view(model: &Model, frame: &mut Frame<'_>) {
     }
     let mut cursor = match model.shown_bench() {
         Some(bench) => {
-            let areas = layout::bench(area, bench.focus, bench.expanded || model.look.basic);
+            let areas = areas_in(area, model, bench, bench.focus);
             bars::title(model, areas.title, buffer);
+            if !areas.parts.is_empty() {
+                let bar = tabs::of_parts(model, bench, areas.parts.width);
+                buffer.set_line(areas.parts.x, areas.parts.y, &bar.line, areas.parts.width);
+            }
             let cursor = areas.form.and_then(|area| form::draw(model, bench, area, buffer));
             draw_panes(model, bench, &areas, buffer);
             bars::help(model, areas.help, buffer);
@@ -124,8 +128,12 @@ pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
 
 /// The parts of the screen of a problem.
 pub(crate) fn areas_of(model: &Model, bench: &Bench, focus: Focus) -> Areas {
-    let screen = Rect::new(0, 0, model.size.0, model.size.1);
-    layout::bench(screen, focus, bench.expanded || model.look.basic)
+    areas_in(Rect::new(0, 0, model.size.0, model.size.1), model, bench, focus)
+}
+
+fn areas_in(screen: Rect, model: &Model, bench: &Bench, focus: Focus) -> Areas {
+    let has_parts = bench.problem.inputs.form.parts().len() > 1;
+    layout::bench(screen, focus, bench.expanded || model.look.basic, has_parts)
 }
 
 /// The panes that are seen: what each shows, where, and the tabs that are named above it.
@@ -167,16 +175,9 @@ fn pictures_in(bench: &Bench, panes: &[Tab], picture: Rect) -> [Rect; 3] {
 fn pane_at(model: &Model, bench: &Bench, areas: &Areas, at: Position) -> Option<(Tab, Rect, Option<Tab>)> {
     let (tab, area, named) = panes(model, bench, areas).into_iter().find(|(_, area, _)| area.contains(at))?;
     let title = title_of(area);
-    let named = named.filter(|_| title.contains(at)).and_then(|named| {
-        let mut offset = usize::from(at.x - title.x);
-        for (tab, cells) in tabs::bar(model, bench, &named, area.width).cells {
-            match offset.checked_sub(cells) {
-                Some(rest) => offset = rest,
-                None => return tab,
-            }
-        }
-        None
-    });
+    let named = named
+        .filter(|_| title.contains(at))
+        .and_then(|named| tabs::bar(model, bench, &named, area.width).at(usize::from(at.x - title.x)));
     Some((tab, layout::inside(area), named))
 }
 

@@ -231,6 +231,18 @@ fn every_exam_question_comes_out() {
 }
 
 #[test]
+fn an_empty_configuration_is_the_problem_itself() {
+    let text = FAN.replace("mass = \"m + 2 kg\"\n", "");
+    assert!(text.contains("[problem.fan.configuration.weighted]\n\n"), "{text}");
+    let solution = solved(&text);
+    near(number(&solution, "drop"), 1.0);
+    let problem = parse(&text, &[]).expect("it is read");
+    assert_eq!(file::write(&problem, &text), text);
+    let again = parse(&file::write(&problem, ""), &[]).expect("what is written is read");
+    assert_eq!(again.draft, problem.draft);
+}
+
+#[test]
 fn a_file_is_written_as_it_was_read() {
     for text in [FAN, WEIGHED] {
         let problem = parse(text, &[]).expect("it is read");

@@ -11,9 +11,10 @@ const PARTS: &str = "measurement.complex.response.accelerance-parts.points";
 /// A user before the form of a case whose name holds these words, on the line of a path.
 fn before(mut person: Person, words: &str, path: &str) -> Person {
     let bench = person.model.bench.as_mut().expect("a problem is open");
-    let cases = cases::cases(bench.problem.entry).expect("the cases can be read");
+    let cases = cases::cases(bench.problem.entry()).expect("the cases can be read");
     let case = cases.into_iter().find(|case| case.name.contains(words)).expect("there is such a case");
-    bench.problem.inputs.form.replace(case.draft);
+    let entry = bench.problem.entry();
+    bench.problem.inputs.form.replace(entry, case.draft);
     bench.problem.inputs.form.go_to(path);
     person
 }
@@ -21,7 +22,7 @@ fn before(mut person: Person, words: &str, path: &str) -> Person {
 /// The text of a field.
 fn text(person: &Person, path: &str) -> String {
     let bench = person.model.bench.as_ref().expect("a problem is open");
-    match bench.problem.inputs.form.draft.at(&bench.problem.entry.shape(), path) {
+    match bench.problem.inputs.form.draft.at(&bench.problem.entry().shape(), path) {
         Ok((Draft::Leaf(text), _)) => text.clone(),
         other => panic!("{path}: {other:?}"),
     }
@@ -149,7 +150,7 @@ fn move_to(person: &mut Person, path: &str) {
 
 fn rows(person: &Person, path: &str) -> usize {
     let bench = person.model.bench.as_ref().expect("a problem is open");
-    match bench.problem.inputs.form.draft.at(&bench.problem.entry.shape(), path) {
+    match bench.problem.inputs.form.draft.at(&bench.problem.entry().shape(), path) {
         Ok((Draft::Rows(rows), _)) => rows.len(),
         other => panic!("{path}: {other:?}"),
     }
@@ -330,7 +331,7 @@ fn a_read_only_start_and_doubtful_thousands_are_reported() {
 /// Text of the draft at a path.
 fn typed_at(person: &Person, path: &str) -> String {
     let bench = person.model.bench.as_ref().expect("a problem is open");
-    match bench.problem.inputs.form.draft.at(&bench.problem.entry.shape(), path) {
+    match bench.problem.inputs.form.draft.at(&bench.problem.entry().shape(), path) {
         Ok((Draft::Leaf(text), _)) => text.clone(),
         other => panic!("{path}: {other:?}"),
     }

@@ -5,6 +5,7 @@ mod data_entry;
 mod mouse;
 mod new_files;
 mod panes;
+mod parts;
 mod picker;
 mod problem_files;
 mod screens;

@@ -850,13 +850,14 @@ fn a_table_is_read_from_the_file_it_names() {
     let mut person = Person::at(100, 30).opens("vibration/frequency-response-identification");
     let path = "measurement.complex.response.accelerance-parts.points";
     let bench = person.model.bench.as_mut().unwrap();
-    let cases = dalembert_core::cases::cases(bench.problem.entry).unwrap();
+    let cases = dalembert_core::cases::cases(bench.problem.entry()).unwrap();
     let case = cases.into_iter().find(|case| case.name.contains("accelerance")).unwrap();
-    bench.problem.inputs.form.replace(case.draft);
+    let entry = bench.problem.entry();
+    bench.problem.inputs.form.replace(entry, case.draft);
     bench.problem.inputs.form.go_to(path);
     let text = |person: &Person| {
         let bench = person.model.bench.as_ref().unwrap();
-        match bench.problem.inputs.form.draft.at(&bench.problem.entry.shape(), path) {
+        match bench.problem.inputs.form.draft.at(&bench.problem.entry().shape(), path) {
             Ok((dalembert_core::Draft::Leaf(text), _)) => text.clone(),
             other => panic!("{other:?}"),
         }

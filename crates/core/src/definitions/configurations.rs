@@ -98,6 +98,10 @@ impl Reader {
             let why = Text::new("`{name}` is the name of an input: choose another");
             return fail("name", why.with("name", name));
         }
+        // A configuration that changes nothing yet.
+        if inner.is_empty() && text.is_empty() {
+            return Ok(None);
+        }
         let named = self.names.with_symbol(scope, inner);
         let inner = match &named[..] {
             [only] => only.inner.clone(),

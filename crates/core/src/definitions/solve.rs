@@ -28,12 +28,14 @@ impl Plan {
         let plan = self.clone();
         let mut working = Working { sheet, entry, record: record.clone(), nodes: BTreeMap::new(), plan };
         for at in 0..self.order.len() {
-            let (place, start) = (self.order[at], sheet.solution().steps.len());
+            let ends = || (sheet.solution().steps.len(), sheet.solution().exhibits.len());
+            let (place, start) = (self.order[at], ends());
             working.place(place)?;
             if scopes > 1 {
                 let name = self.names.scopes[self.scope_of(place)].name;
-                let end = sheet.solution().steps.len();
-                sheet.add_problem_steps(ProblemSteps { name, steps: start..end });
+                let end = ends();
+                let exhibits = start.1..end.1;
+                sheet.add_problem_steps(ProblemSteps { name, steps: start.0..end.0, exhibits });
             }
         }
         Ok(())

@@ -113,6 +113,10 @@ fn configurations(root: &dyn TableLike, reading: &mut FileNotes) -> Vec<Draft> {
     let mut rows = Vec::new();
     for (name, item) in table.iter() {
         match item.as_table_like() {
+            // No input is changed yet.
+            Some(inputs) if inputs.is_empty() => {
+                rows.push(Draft::Group([name, "", ""].map(|text| Draft::Leaf(text.to_owned())).to_vec()));
+            }
             Some(inputs) => changes(name, "", inputs, &mut rows, reading),
             None => reading.errors.push(FileError {
                 why: Text::new("a configuration is a table of changed inputs, as in [configuration.{name}]")
@@ -178,6 +182,7 @@ fn write_configurations(root: &mut Table, rows: &[Draft]) {
         let Some(table) = all.get_mut(name).and_then(Item::as_table_like_mut) else { continue };
         let own: Vec<(&str, &str)> =
             rows.iter().filter(|row| leaf(row, 0) == name).map(|row| (leaf(row, 1), leaf(row, 2))).collect();
+        let own: Vec<(&str, &str)> = own.into_iter().filter(|change| *change != ("", "")).collect();
         keep_only(table, &|key| {
             own.iter().any(|(path, _)| {
                 path.strip_prefix(key).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
@@ -211,7 +216,7 @@ fn is_written(item: &Item, text: &str) -> bool {
     item.as_array().is_some_and(|all| in_brackets(all) == text) || item.as_table_like().is_some_and(alone)
 }
 
-fn keep_only(table: &mut dyn TableLike, is_kept: &dyn Fn(&str) -> bool) {
+pub(super) fn keep_only(table: &mut dyn TableLike, is_kept: &dyn Fn(&str) -> bool) {
     let gone: Vec<String> =
         table.iter().map(|(name, _)| name.to_owned()).filter(|name| !is_kept(name)).collect();
     for name in gone {

@@ -26,6 +26,8 @@ pub struct LinkedFile {
     pub path: String,
     /// Text that was read.
     pub text: String,
+    /// True if that is the text of a problem as it is open, with changes that are not saved.
+    pub unsaved: bool,
 }
 
 impl LinkedFile {
@@ -33,13 +35,20 @@ impl LinkedFile {
     pub fn note(&self) -> Text {
         let digest = Sha256::digest(self.text.as_bytes());
         let digits = digest.iter().fold(String::new(), |digits, byte| digits + &format!("{byte:02x}"));
-        Text::new("linked file {file}, SHA-256 {digest}").with("file", &self.path).with("digest", digits)
+        let note = if self.unsaved {
+            "linked file {file} as it is open, with unsaved changes, SHA-256 {digest}"
+        } else {
+            "linked file {file}, SHA-256 {digest}"
+        };
+        Text::new(note).with("file", &self.path).with("digest", digits)
     }
 }
 
 /// The linked files of a file on the way to it, and the reader of their texts.
 pub(super) struct Links<'f, 'r> {
     pub(super) read: &'r mut ReadFile<'f>,
+    /// False where links stay as they are typed.
+    pub(super) are_followed: bool,
     /// Files that are being read, outermost first.
     pub(super) open: Vec<String>,
     pub(super) files: Vec<LinkedFile>,
@@ -69,9 +78,7 @@ fn problem(
     let mut fail = |why: Text| {
         reading.errors.push(FileError { why, span: item.span() });
     };
-    let is_name = name.chars().next().is_some_and(char::is_alphabetic)
-        && name.chars().all(|c| c.is_alphanumeric() || c == '_');
-    if !is_name {
+    if !linked::is_problem_name(name) {
         fail(
             Text::new("`{name}` is no name of a problem: write letters, digits and _, a letter first")
                 .with("name", name),
@@ -111,6 +118,9 @@ pub(super) fn files<'d>(
     reading: &mut FileNotes,
 ) -> Vec<(LinkedProblem, Draft)> {
     let mut named = Vec::new();
+    if !links.are_followed {
+        return Vec::new();
+    }
     for draft in drafts {
         leaves(draft, &mut |text| {
             for link in links_in(text) {
@@ -163,7 +173,7 @@ fn read(file: &str, links: &mut Links<'_, '_>) -> Result<ProblemFile, Text> {
     let problem = super::parse_open(&text, links);
     links.open.pop();
     if links.files.iter().all(|known| known.path != path) {
-        links.files.push(LinkedFile { path, text });
+        links.files.push(LinkedFile { path, text, unsaved: false });
     }
     problem.map_err(|errors| errors.into_iter().next().map_or_else(Text::default, |error| error.why))
 }
@@ -249,17 +259,67 @@ pub(super) fn together(
     (linked::entry(&problems), Draft::Group(drafts))
 }
 
-/// Writes the linked problems of a draft that have no file of their own into the tables of a file.
+/// Moves what a file says of its problem to the table of the linked problem that it is now, with its comments.
+fn name_problem(root: &mut Table, entry: &Entry) {
+    let Some(analysis) = root.get("analysis").and_then(Item::as_str) else { return };
+    let is_it = |problem: &&LinkedProblem| problem.file.is_none() && problem.entry.about.id == analysis;
+    let Some(name) = entry.linked().iter().find(is_it).map(|problem| problem.name) else { return };
+    let mut table = Table::new();
+    for key in KEYS.into_iter().filter(|key| *key != "title") {
+        if let Some((key, mut item)) = root.remove_entry(key) {
+            unplace(&mut item);
+            table.insert_formatted(&key, item);
+        }
+    }
+    table.decor_mut().set_prefix("\n");
+    if let Some(problems) = tables_of_problems(root) {
+        problems.insert(name, Item::Table(table));
+    }
+}
+
+/// Lets tables stand where their key does, and no more where they stood.
+fn unplace(item: &mut Item) {
+    match item {
+        Item::Table(table) => {
+            table.set_position(None);
+            table.iter_mut().for_each(|(_, item)| unplace(item));
+        }
+        Item::ArrayOfTables(tables) => {
+            for table in tables.iter_mut() {
+                table.set_position(None);
+                table.iter_mut().for_each(|(_, item)| unplace(item));
+            }
+        }
+        _ => {}
+    }
+}
+
+fn tables_of_problems(root: &mut Table) -> Option<&mut dyn TableLike> {
+    let problems = root.entry("problem").or_insert_with(|| {
+        let mut table = Table::new();
+        table.set_implicit(true);
+        Item::Table(table)
+    });
+    problems.as_table_like_mut()
+}
+
+/// Writes the linked problems of a draft that have no file of their own into the tables of a file; those that are gone are
+/// taken out.
 pub(super) fn write(root: &mut Table, entry: &Entry, draft: &Draft) {
-    let own = entry.linked().iter().filter(|problem| !problem.name.is_empty() && problem.file.is_none());
+    if !entry.linked().is_empty() && entry.linked().iter().all(|problem| !problem.name.is_empty()) {
+        name_problem(root, entry);
+    }
+    let own: Vec<&LinkedProblem> =
+        entry.linked().iter().filter(|problem| !problem.name.is_empty() && problem.file.is_none()).collect();
+    if let Some(problems) = root.get_mut("problem").and_then(Item::as_table_like_mut) {
+        definitions::keep_only(problems, &|name| own.iter().any(|problem| problem.name == name));
+        if problems.is_empty() {
+            root.remove("problem");
+        }
+    }
     for problem in own {
         let Ok((draft, _)) = draft.at(&entry.shape(), problem.name) else { continue };
-        let problems = root.entry("problem").or_insert_with(|| {
-            let mut table = Table::new();
-            table.set_implicit(true);
-            Item::Table(table)
-        });
-        let Some(problems) = problems.as_table_like_mut() else { return };
+        let Some(problems) = tables_of_problems(root) else { return };
         if !problems.contains_key(problem.name) {
             problems.insert(problem.name, Item::Table(Table::new()));
         }

@@ -9,8 +9,8 @@ use crate::{
 /// Letters that look like a Greek one, beside those of [`greek`].
 const LIKE_GREEK: [(char, &str); 3] = [('µ', "mu"), ('ο', "omicron"), ('∆', "Delta")];
 
-/// A name without what may be written in several ways, by which formulas compare symbols: Greek letters spelled out, indices on the line, without `_`
-/// and brackets, so that `m[2]`, `m_2` and `m₂` are one name. A comma between indices stays.
+/// A name without what may be written in several ways, by which formulas compare symbols: Greek letters spelled out, indices
+/// on the line, without `_` and brackets, so that `m[2]`, `m_2` and `m₂` are one name. A comma between indices stays.
 pub fn normalised(name: &str) -> String {
     let mut text = String::new();
     for c in name.chars() {

@@ -19,7 +19,7 @@ use std::{
 use etcetera::{BaseStrategy, choose_base_strategy};
 
 use super::{
-    Before, FileError, failed,
+    Before, FileError, LinkedTexts, failed,
     process::{began, runs},
     read,
     save::{remove_leftovers, save},
@@ -52,7 +52,7 @@ pub fn autosave_path() -> Option<PathBuf> {
 }
 
 /// Work recovered from a crashed session.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Crashed {
     /// The file it worked on; `None` if it had no name yet.
     pub original: Option<PathBuf>,
@@ -60,6 +60,8 @@ pub struct Crashed {
     pub text: String,
     /// Time of the autosave.
     pub kept: SystemTime,
+    /// Texts of the files that it links to, from the folder of that file.
+    pub linked: LinkedTexts,
     file: PathBuf,
 }
 
@@ -213,7 +215,10 @@ fn crashed(file: PathBuf) -> Option<Crashed> {
         _ => kept.elapsed().is_ok_and(|past| past > FORGOTTEN),
     };
     let original = field("path=").map(|path| PathBuf::from(std::ffi::OsString::from_vec(unescape(path))));
-    ended.then(|| Crashed { original, text: text.to_owned(), kept, file })
+    ended.then(|| {
+        let linked = LinkedTexts::of(original.as_deref().unwrap_or(Path::new("")), text);
+        Crashed { original, text: text.to_owned(), kept, linked, file }
+    })
 }
 
 /// The name of this machine: homes of a laboratory are shared, process numbers are not.

@@ -5,7 +5,9 @@ use dalembert_units::{Decimal, Unit};
 use tui_input::{Input, InputRequest};
 
 use super::{
-    Change, Form, FormLine, Role, settled,
+    Change, Form, FormLine, Role, Snapshot,
+    parts::Target,
+    settled,
     units::{own_unit, with_unit, written_unit},
 };
 
@@ -16,6 +18,8 @@ pub struct Edit {
     pub path: String,
     /// The text and the cursor in it.
     pub input: Input,
+    /// Place of the text.
+    target: Target,
     /// Everything as it was before.
     before: Draft,
     /// The unit of a number that is typed alone: the one that the field showed, or its own.
@@ -40,7 +44,8 @@ impl Form {
         let replaced = text.is_some();
         let unit = written_unit(&old, &shape).or_else(|| own_unit(&shape));
         let input = Input::new(text.unwrap_or(old));
-        self.edit = Some(Edit { path, input, before: self.draft.clone(), unit });
+        let target = self.target(&path);
+        self.edit = Some(Edit { path, input, target, before: self.draft.clone(), unit });
         if replaced {
             self.typed(Decimal::Point);
         }
@@ -82,7 +87,7 @@ impl Form {
             Err(_) => text,
         };
         // What is edited is a leaf of the draft.
-        let _ = self.draft.write(&self.shape, &edit.path, text);
+        let _ = edit.target.write(&mut self.draft, &self.shape, text);
         self.draft.keep_first(&edit.before, &self.shape);
     }
 
@@ -91,7 +96,7 @@ impl Form {
         if let Some(edit) = self.edit.take()
             && edit.before != self.draft
         {
-            self.remember(edit.before, Change::Other);
+            self.remember(Snapshot { entry: self.entry, draft: edit.before }, Change::Other);
         }
     }
 
@@ -122,7 +127,7 @@ impl Form {
         if self.line().is_none_or(|line| line.path != sign.path) {
             return None;
         }
-        if self.undo.last() == Some(&sign.before) {
+        if self.undo.last().is_some_and(|last| last.draft == sign.before) {
             self.undo.pop();
             self.last = None;
         }

@@ -2,22 +2,14 @@
 
 use std::collections::BTreeSet;
 
-use dalembert_core::{COMMON_LISTS, Draft, is_within};
+use dalembert_core::{Draft, is_within};
 
-use super::{
-    Form, FormLine, Role,
-    lines::{lines, summary},
-};
+use super::{Form, FormLine, Role, lines::summary};
 
 impl Form {
-    /// Every line, those of folded rows among them.
+    /// Every line of the part that is shown, those of folded rows among them.
     pub(super) fn all_lines(&self) -> Vec<FormLine> {
-        let mut lines = lines(&self.shape, &self.draft);
-        // Definitions, questions and the like stand in the form once there are some.
-        let is_empty = |line: &FormLine| matches!(line.role, Role::Rows { count: 0 });
-        let is_common = |line: &FormLine| COMMON_LISTS.contains(&line.field.name);
-        lines.retain(|line| !is_empty(line) || !is_common(line));
-        lines
+        self.lines_of(&self.part())
     }
 
     /// Returns true if the row of a path is collapsed.

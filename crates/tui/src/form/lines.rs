@@ -15,6 +15,8 @@ pub struct FormLine {
     pub number: Option<usize>,
     /// True if the field is optional.
     pub optional: bool,
+    /// Path of the text that a configuration has in place of that of the problem.
+    pub changed: Option<String>,
     /// Role of the line.
     pub role: Role,
 }
@@ -87,10 +89,21 @@ fn push_fields(
     lines: &mut Vec<FormLine>,
 ) {
     for (field, draft) in fields.iter().zip(drafts) {
-        let path = if path.is_empty() { field.name.to_owned() } else { format!("{path}.{}", field.name) };
-        let line = FormLine { path, depth, field, number: None, optional: false, role: Role::Absent };
-        push(line, &field.shape, draft, lines);
+        push_field(field, draft, path, depth, lines);
     }
+}
+
+/// Pushes the lines of a field of the group at a path.
+pub(super) fn push_field(
+    field: &'static Field,
+    draft: &Draft,
+    path: &str,
+    depth: u16,
+    lines: &mut Vec<FormLine>,
+) {
+    let path = if path.is_empty() { field.name.to_owned() } else { format!("{path}.{}", field.name) };
+    let (number, optional, role) = (None, false, Role::Absent);
+    push(FormLine { path, depth, field, number, optional, changed: None, role }, &field.shape, draft, lines);
 }
 
 /// Pushes the line, with the role that the draft gives it, and the lines below it.
@@ -109,7 +122,7 @@ fn push(mut line: FormLine, shape: &Shape, draft: &Draft, lines: &mut Vec<FormLi
         (Shape::Group(fields), Draft::Group(drafts)) => {
             let summary = if line.number.is_some() { summary(draft) } else { String::new() };
             lines.push(FormLine { role: Role::Group { summary }, ..line });
-            // The inputs of a linked file are its own.
+            // The inputs of a file that a linked one links to are its own.
             if field.label.starts_with('@') {
                 return;
             }
@@ -136,8 +149,8 @@ fn push(mut line: FormLine, shape: &Shape, draft: &Draft, lines: &mut Vec<FormLi
             for (n, row) in rows.iter().enumerate() {
                 let path = format!("{path}[{}]", n + 1);
                 let number = Some(n + 1);
-                let line =
-                    FormLine { path, depth: depth + 1, field, number, optional: false, role: Role::Absent };
+                let (depth, optional, role) = (depth + 1, false, Role::Absent);
+                let line = FormLine { path, depth, field, number, optional, changed: None, role };
                 push(line, item(), row, lines);
             }
         }

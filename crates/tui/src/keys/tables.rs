@@ -173,6 +173,10 @@ pub const PANES: &[Binding] = &[
 pub const PROBLEM: &[Binding] = &[
     bind(Action::NextTab, &[typed(']')], "next tab", "tabs"),
     bind(Action::PreviousTab, &[typed('[')], "previous tab", ""),
+    bind(Action::NextFilePart, &[typed('}')], "next problem or configuration of the file", "problems"),
+    bind(Action::PreviousFilePart, &[typed('{')], "previous problem or configuration of the file", ""),
+    bind(Action::BeginProblem, &[], "link another problem: problem NAME ANALYSIS", ""),
+    bind(Action::BeginConfiguration, &[], "begin a configuration: configuration NAME", ""),
     bind(Action::Undo, &[typed('z')], "undo", "undo"),
     bind(Action::Redo, &[typed('Z')], "redo", ""),
     bind(

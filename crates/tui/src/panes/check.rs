@@ -144,7 +144,7 @@ impl Pane for Check {
             return None;
         }
         Some(Question::Slips {
-            entry: problem.entry,
+            entry: problem.entry(),
             record: problem.record()?,
             solution: Box::new(solution.clone()),
             typed: self.typed.0.clone(),

@@ -133,6 +133,12 @@ impl Pane for Drawing {
         problem.drawings().count()
     }
 
+    fn turn_to(&mut self, problem: &Problem, name: &str) {
+        if let Some(at) = problem.first_of(name, |exhibit| exhibit.frames().0 > 0) {
+            (self.at, self.view) = (at, None);
+        }
+    }
+
     fn shown(&self) -> usize {
         self.at
     }

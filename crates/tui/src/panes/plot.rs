@@ -1,6 +1,6 @@
 //! The plots, one at a time, with a cursor and zoom.
 
-use dalembert_core::{Locale, Plot as Curves, Text};
+use dalembert_core::{Exhibit, Locale, Plot as Curves, Text};
 use dalembert_report::{
     figure::{self, Seen, axes::PlotWindow},
     plot_csv,
@@ -198,6 +198,13 @@ impl Pane for Plot {
 
     fn pictures(&self, problem: &Problem) -> usize {
         problem.plots().count()
+    }
+
+    fn turn_to(&mut self, problem: &Problem, name: &str) {
+        if let Some(at) = problem.first_of(name, |exhibit| matches!(exhibit, Exhibit::Plot(_))) {
+            self.at = at;
+            self.state.view = PlotWindow::default();
+        }
     }
 
     fn shown(&self) -> usize {

@@ -58,7 +58,7 @@ pub(super) fn why_not(problem: &Problem, ui: &Ui<'_>, width: u16) -> Vec<Line<'s
     match &problem.found.failure {
         None => Vec::new(),
         Some(JobFailure::Unsolved(error)) => {
-            refusal(Some(&problem.entry.shape()), error, look, locale, width)
+            refusal(Some(&problem.entry().shape()), error, look, locale, width)
         }
         Some(JobFailure::Fault(panic)) => {
             let said = Text::new("this analysis failed (internal error); your inputs are kept");
@@ -72,7 +72,7 @@ pub(super) fn why_not(problem: &Problem, ui: &Ui<'_>, width: u16) -> Vec<Line<'s
 /// The inputs that are still empty, in the order of the form.
 fn missing(problem: &Problem, ui: &Ui<'_>, width: u16) -> Vec<Line<'static>> {
     let (look, count) = (ui.look, problem.needed().count());
-    let shape = problem.entry.shape();
+    let shape = problem.entry().shape();
     let label = |error: &FieldError| {
         let label = label_of(&shape, &error.path, ui.locale).unwrap_or_else(|| error.path.clone());
         let label = filter_untrusted(&label).into_owned();
@@ -89,7 +89,7 @@ fn missing(problem: &Problem, ui: &Ui<'_>, width: u16) -> Vec<Line<'static>> {
 
 fn unread(problem: &Problem, ui: &Ui<'_>, error: &FieldError, width: u16) -> Vec<Line<'static>> {
     let look = ui.look;
-    let field = label_of(&problem.entry.shape(), &error.path, ui.locale);
+    let field = label_of(&problem.entry().shape(), &error.path, ui.locale);
     let field = field.unwrap_or_else(|| error.path.clone());
     let text = Text::new("{where}: {why}").with("where", field).with_text("why", error.why.clone());
     let text = filter_untrusted(&text.render(ui.locale)).into_owned();

@@ -18,6 +18,7 @@ use super::{
     steps, wrap,
 };
 use crate::{
+    glyphs::filter_untrusted,
     intent::Intent,
     keys::{Action, KeyContext},
     look::{Appearance, Glyph},
@@ -48,6 +49,12 @@ impl Pane for Results {
 
     fn page(&self, problem: &Problem, ui: &Ui<'_>, width: u16) -> Page {
         let mut lines = reasons::why_not(problem, ui, width);
+        for file in problem.document.linked.iter().filter(|file| file.unsaved) {
+            let said = Text::new("linked file {file} is used as it is open, with unsaved changes");
+            let said = filter_untrusted(&said.with("file", &file.path).render(ui.locale)).into_owned();
+            let style = ui.look.warning();
+            lines.extend(marked(ui.look, Glyph::Warning, style, &said, style, width.into()));
+        }
         let Some(solution) = problem.found.solution.as_ref().filter(|_| !problem.hides_numbers()) else {
             return Page::of(lines);
         };
@@ -59,6 +66,11 @@ impl Pane for Results {
         let own = page.lines.clone();
         lines.extend(if problem.is_stale() { stale(own, ui.look, ui.locale, width) } else { own });
         page.behind(lines)
+    }
+
+    fn first_part_of(&self, problem: &Problem, name: &str) -> Option<usize> {
+        let solution = problem.found.solution.as_ref().filter(|_| !problem.hides_numbers())?;
+        solution.answers.iter().position(|answer| answer.problem == name)
     }
 
     fn about(&self, _: &Problem, ui: &Ui<'_>) -> Vec<Text> {

@@ -137,7 +137,7 @@ impl Pane for Sensitivity {
         let record = problem.record()?;
         let tolerances = problem.widths(&vary::inputs(&record));
         let answer = answers.get(at)?.name.to_string();
-        Some(Question::Sensitivity { entry: problem.entry, record, answer, tolerances })
+        Some(Question::Sensitivity { entry: problem.entry(), record, answer, tolerances })
     }
 
     fn is_answered(&self, _: &Problem) -> bool {

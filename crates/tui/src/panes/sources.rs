@@ -3,6 +3,7 @@
 use dalembert_core::{
     Answer, Entry, Locale, Refusal, SolveError, Text,
     cases::{Case, Comparison, Truth, Verdict},
+    find,
 };
 use dalembert_units::Decimal;
 use ratatui::{
@@ -38,7 +39,7 @@ impl Pane for Sources {
         let chosen = ui.focused.then_some(problem.case);
         let answers = problem.found.solution.as_ref().map_or(&[][..], |solution| &solution.answers);
         let answers = problem.found.revealed.is_none().then_some(answers);
-        lines(problem.entry, &problem.cases, chosen, answers, ui.look, ui.locale, width)
+        lines(problem.entry(), &problem.cases, chosen, answers, ui.look, ui.locale, width)
     }
 
     fn about(&self, _: &Problem, ui: &Ui<'_>) -> Vec<Text> {
@@ -71,7 +72,7 @@ impl Pane for Sources {
         if std::mem::replace(&mut problem.checking, true) {
             return Vec::new();
         }
-        vec![Intent::Do(Effect::Judge(problem.entry))]
+        vec![Intent::Do(Effect::Judge(problem.entry()))]
     }
 }
 
@@ -84,13 +85,14 @@ fn load(problem: &mut Problem, ui: &Ui<'_>) -> Vec<Intent> {
     let said = Text::new("{case} loaded; {key} restores the previous inputs")
         .with_text("case", case.title())
         .with("key", ui.key(KeyContext::Form, Action::Undo));
-    problem.inputs.form.replace(case.draft.clone());
+    let entry = problem.entry();
+    problem.inputs.form.replace(find(entry.about.id).unwrap_or(entry), case.draft.clone());
     problem.document.title.clear();
     problem.document.origin = Some(case);
     if untouched {
         problem.mark_saved();
     }
-    let opened = HistoryChange::Open(problem.entry.about.id.to_owned());
+    let opened = HistoryChange::Open(problem.entry().about.id.to_owned());
     vec![Intent::Say(said), Intent::Changed, Intent::Reach(Progress::Opened), Intent::Remember(opened)]
 }
 

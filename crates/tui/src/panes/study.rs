@@ -139,7 +139,7 @@ impl Pane for Study {
     fn question(&self, problem: &Problem) -> Option<Question> {
         let of = self.subject(problem)?;
         let plan = self.cells.plan(&of, &problem.widths(&of.inputs)).ok()?;
-        Some(Question::Study { entry: problem.entry, record: problem.record()?, plan })
+        Some(Question::Study { entry: problem.entry(), record: problem.record()?, plan })
     }
 
     fn is_answered(&self, problem: &Problem) -> bool {

@@ -92,6 +92,12 @@ impl Pane for Working {
         page.behind(lines)
     }
 
+    fn first_part_of(&self, problem: &Problem, name: &str) -> Option<usize> {
+        let solution = problem.found.solution.as_ref().filter(|_| !problem.hides_numbers())?;
+        let of = solution.problems.iter().find(|of| of.name == name)?;
+        Some(of.steps.start.min(steps::shown(problem.found.revealed, solution)))
+    }
+
     fn serves(&self, problem: &Problem, action: Action) -> bool {
         match action {
             Action::Reveal => problem.found.revealed.is_some(),

@@ -2,7 +2,7 @@
 
 use dalembert_core::{Text, UnitSetting};
 
-use super::with_shown;
+use super::{parts, with_shown};
 use crate::{
     dialog::{Dialog, Purpose},
     effect::Effect,
@@ -24,9 +24,17 @@ pub(super) fn act(model: &mut Model, place: KeyContext, action: Action) -> Optio
         Action::Export => vec![Intent::AskPath(Purpose::Export)],
         Action::ExportSeen => vec![Intent::AskPath(Purpose::ExportSeen)],
         Action::Edit => vec![Intent::EditOutside],
-        Action::Blank => vec![Intent::OpenBlank(bench.problem.entry)],
+        Action::Blank => vec![Intent::OpenBlank(bench.problem.entry())],
         Action::Rename => {
             vec![Intent::Show(Dialog::prompt(Purpose::Title, bench.problem.document.title.clone()))]
+        }
+        Action::NextFilePart => parts::turn(model, 1),
+        Action::PreviousFilePart => parts::turn(model, -1),
+        Action::BeginProblem => {
+            vec![Intent::Show(Dialog::prompt_asking(Purpose::LinkedProblem, ""))]
+        }
+        Action::BeginConfiguration => {
+            vec![Intent::Show(Dialog::prompt_asking(Purpose::Configuration, ""))]
         }
         Action::NextTab => turn(model, 1),
         Action::PreviousTab => turn(model, -1),

@@ -14,7 +14,7 @@ use crate::{
     intent::Intent,
     keys::{Action, KeyContext},
     model::Model,
-    palette::matching_actions,
+    palette::{self, matching_actions},
     problem::Freshness,
     solver::{Job, Work},
     terminal::Fault,
@@ -154,6 +154,7 @@ fn enter(model: &mut Model) -> Vec<Intent> {
                     bench.go_to(KeyContext::Form);
                     return vec![Intent::Press(KeyContext::Form, Action::Ask)];
                 }
+                Some(Chosen::Analysis(name, entry)) => return vec![Intent::LinkProblem(name, entry)],
                 Some(Chosen::Alternative(at)) => bench.problem.inputs.form.choose(&path, at),
                 Some(Chosen::Text(text)) => bench.problem.inputs.form.set(&path, text, Decimal::Point),
                 None => false,
@@ -168,6 +169,8 @@ fn enter(model: &mut Model) -> Vec<Intent> {
             let typed = input.value().trim();
             match purpose {
                 Purpose::Title => vec![Intent::Rename(typed.to_owned())],
+                Purpose::LinkedProblem => vec![Intent::BeginProblem(typed.to_owned())],
+                Purpose::Configuration => vec![Intent::BeginConfiguration(typed.to_owned())],
                 _ if typed.is_empty() => {
                     let error = "enter a file name".into();
                     vec![Intent::Show(Dialog::prompt_again(purpose, String::new(), error))]
@@ -206,6 +209,12 @@ fn command(model: &mut Model, typed: &str, chosen: usize) -> Vec<Intent> {
             Ok(fault) => vec![Intent::Do(Effect::Fault(fault))],
             Err(why) => Intent::report_error(Text::new("{text}").with("text", why)),
         };
+    }
+    if let Some((action, words)) = palette::command(typed).filter(|_| model.shown_bench().is_some()) {
+        return vec![match action {
+            Action::BeginConfiguration => Intent::BeginConfiguration(words.to_owned()),
+            _ => Intent::BeginProblem(words.to_owned()),
+        }];
     }
     let offers = matching_actions(model, typed);
     let Some((place, action)) = offers.get(chosen).map(|(place, bound)| (*place, bound.binding.action))

@@ -2,10 +2,7 @@
 
 use std::path::Path;
 
-use dalembert_core::{
-    Text,
-    file::{self, ProblemFile},
-};
+use dalembert_core::{Text, file::ProblemFile};
 
 use crate::{
     dialog::{Answer, Dialog, Editing},
@@ -31,7 +28,7 @@ pub(super) fn begin(model: &mut Model) -> Vec<Intent> {
         .filter(|file| !bench.problem.is_unsaved() && file.fingerprint.is_some());
     vec![Intent::Do(Effect::Edit(match own {
         Some(file) => Editing::Own(file.path.clone()),
-        None => Editing::Text(file::write(&bench.problem.as_file(), bench.problem.text())),
+        None => Editing::Text(bench.problem.as_text()),
     }))]
 }
 
@@ -52,7 +49,14 @@ pub(super) fn edited(model: &mut Model, edited: Editing, result: Result<Opened, 
             return Vec::new();
         }
     };
-    match (opened.problem(), edited) {
+    // A copy stands in a folder of its own: what it links to lies beside the file of the problem.
+    let document = model.bench.as_ref().map(|bench| &bench.problem.document);
+    let (path, linked) = match (&edited, document) {
+        (Editing::Own(path), _) => (Some(path.as_path()), &opened.linked),
+        (_, Some(document)) => (document.file.as_ref().map(|file| file.path.as_path()), &document.links),
+        (_, None) => (None, &opened.linked),
+    };
+    match (model.parse(path, &opened.text, linked), edited) {
         (Ok(read), Editing::Own(path)) => reload(model, &path, read, opened, "{file} reloaded"),
         (Ok(read), Editing::Copy(path)) => {
             let mut intents = take_copy(model, read, opened.text);
@@ -124,7 +128,7 @@ pub(super) fn changed_on_disk(
         }
         return Vec::new();
     }
-    match opened.problem() {
+    match model.parse(Some(path), &opened.text, &opened.linked) {
         Ok(read) => reload(model, path, read, opened, "{file} was changed by another program and reloaded"),
         Err(errors) => {
             let faults = faults(&opened.text, &errors, &model.locale);
@@ -151,9 +155,10 @@ fn reload(
         model.say("no changes");
         return Vec::new();
     }
-    let intent = if read.entry.about.id == bench.problem.entry.about.id {
+    let intent = if read.entry.about.id == bench.problem.entry().about.id {
         take(model, read);
         if let Some(bench) = &mut model.bench {
+            bench.problem.document.links = opened.linked;
             bench.problem.document.file = Some(OpenFile {
                 path: path.to_owned(),
                 text: opened.text,
@@ -180,7 +185,7 @@ fn take_copy(model: &mut Model, read: ProblemFile, text: String) -> Vec<Intent> 
         return Vec::new();
     }
     let file = bench.problem.document.file.clone().map(|file| OpenFile { text: text.clone(), ..file });
-    let intent = if read.entry.about.id == bench.problem.entry.about.id {
+    let intent = if read.entry.about.id == bench.problem.entry().about.id {
         take(model, read);
         if let Some(bench) = &mut model.bench {
             (bench.problem.document.file, bench.problem.document.commented) = (file, text);
@@ -202,6 +207,7 @@ fn take(model: &mut Model, read: ProblemFile) {
         let document = &mut bench.problem.document;
         (document.title, document.origin) = (read.document.title, read.document.origin);
         (document.units, document.show) = (read.document.units, read.document.show);
-        bench.problem.inputs.form.replace(read.inputs.form.draft);
+        (document.linked, bench.problem.inputs.notes) = (read.document.linked, read.inputs.notes);
+        bench.problem.inputs.form.replace(read.inputs.form.entry(), read.inputs.form.draft);
     }
 }

@@ -27,7 +27,7 @@ pub(super) fn ask_path(model: &Model, purpose: Purpose) -> Vec<Intent> {
         return vec![Intent::Complain(why)];
     }
     let Some(bench) = &model.bench else { return Vec::new() };
-    let name = bench.problem.entry.about.id.rsplit('/').next().unwrap_or("solution");
+    let name = bench.problem.entry().about.id.rsplit('/').next().unwrap_or("solution");
     let file = bench.problem.document.file.as_ref().map(|file| &file.path);
     let proposed = match (file, purpose, picture(model)) {
         (_, Purpose::ExportSeen, Some(tab)) => {
@@ -134,14 +134,14 @@ fn files(
     path: &Path,
     locale: &Locale,
 ) -> Option<Vec<(PathBuf, String)>> {
-    let record = problem.inputs.form.draft.read(&problem.entry.shape()).ok()?;
+    let record = problem.inputs.form.draft.read(&problem.entry().shape()).ok()?;
     let unchanged =
         |case: &&Case| problem.document.title.is_empty() && case.draft == problem.inputs.form.draft;
     let case = problem.document.origin.as_ref().filter(unchanged);
     let title = case.map_or_else(|| Text::verbatim(&problem.document.title), Case::title);
     let none = Text::from("");
     let worked = WorkedProblem {
-        entry: problem.entry,
+        entry: problem.entry(),
         case: &title,
         source: case.map_or(&none, |case| &case.source),
         note: case.map_or(&none, |case| &case.note),

@@ -2,12 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use dalembert_core::{Text, file};
+use dalembert_core::{Draft, FieldError, Text, file};
 
 use crate::{
     dialog::{Answer, Dialog, Purpose},
     effect::Effect,
-    files::{Before, Crashed, FileError, Fingerprint, Opened, faults, holds_data, shown},
+    files::{
+        self, Before, Crashed, Fingerprint, LinkedTexts, Opened, faults, holds_data, is_same_file, shown,
+    },
     intent::Intent,
     keys::{Action, KeyContext},
     model::Model,
@@ -56,7 +58,7 @@ pub(super) fn ask_path(model: &mut Model) -> Vec<Intent> {
     let Some(bench) = &model.bench else { return Vec::new() };
     let proposed = match &bench.problem.document.file {
         Some(file) => file.path.display().to_string(),
-        None => format!("{}.toml", bench.problem.entry.about.id.rsplit('/').next().unwrap_or("problem")),
+        None => format!("{}.toml", bench.problem.entry().about.id.rsplit('/').next().unwrap_or("problem")),
     };
     vec![Intent::Show(Dialog::prompt(Purpose::SaveAs, proposed))]
 }
@@ -66,7 +68,7 @@ pub(super) fn saved(
     model: &mut Model,
     path: &Path,
     text: String,
-    result: Result<Fingerprint, FileError>,
+    result: Result<Fingerprint, files::FileError>,
 ) -> Vec<Intent> {
     let changed = "{file} was changed by another program since it was opened.";
     let overwrite = ("overwrite", Answer::Overwrite(path.to_owned()));
@@ -75,22 +77,35 @@ pub(super) fn saved(
     match result {
         Ok(fingerprint) => {
             let after = std::mem::take(&mut model.after_save);
+            for document in model.problems_mut().map(|bench| &mut bench.problem.document) {
+                if let Some(file) = &document.file {
+                    document.links.take(&file.path, path, &text);
+                }
+            }
             let Some(bench) = &mut model.bench else { return vec![Intent::SaveThen(after)] };
             let problem = &mut bench.problem;
+            let before = problem.document.file.as_ref().and_then(|file| file.path.parent());
+            if before != path.parent() {
+                // What it links to lies beside it.
+                problem.document.links = LinkedTexts::default();
+            }
             problem.document.file =
                 Some(OpenFile { path: path.to_owned(), text, fingerprint: Some(fingerprint) });
             problem.mark_saved();
             vec![
                 Intent::Say(Text::new("saved as {file}").with("file", shown(path))),
                 Intent::Do(Effect::Forget(problem.number)),
+                Intent::FollowLinks,
                 Intent::SaveThen(after),
             ]
         }
-        Err(FileError::Changed(_) | FileError::Removed(_)) => {
+        Err(files::FileError::Changed(_) | files::FileError::Removed(_)) => {
             let lose = "reload the file and lose the changes made here";
             ask(changed, path, vec![rename, (lose, Answer::Reload(path.to_owned())), overwrite, stay])
         }
-        Err(FileError::Exists(_)) => ask("{file} already exists.", path, vec![rename, overwrite, stay]),
+        Err(files::FileError::Exists(_)) => {
+            ask("{file} already exists.", path, vec![rename, overwrite, stay])
+        }
         Err(error) => {
             let typed = path.display().to_string();
             vec![Intent::Show(Dialog::prompt_again(Purpose::SaveAs, typed, error.text()))]
@@ -99,9 +114,13 @@ pub(super) fn saved(
 }
 
 /// Opens what was read as a problem, or says why it is none.
-pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, FileError>) -> Vec<Intent> {
+pub(super) fn opened(
+    model: &mut Model,
+    path: PathBuf,
+    result: Result<Opened, files::FileError>,
+) -> Vec<Intent> {
     let reloading = model.reloading.take().is_some_and(|reloaded| reloaded == path);
-    let is_there = !matches!(result, Err(FileError::Missing(_) | FileError::Folder(_)));
+    let is_there = !matches!(result, Err(files::FileError::Missing(_) | files::FileError::Folder(_)));
     if holds_data(&path) && is_there {
         let title = Text::new("{file} holds data, not a problem").with("file", shown(&path));
         let how =
@@ -113,7 +132,7 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
     let opened = match result {
         Ok(opened) => opened,
         // A save writes the ending that is not typed.
-        Err(FileError::Missing(_)) if path.extension().is_none() => {
+        Err(files::FileError::Missing(_)) if path.extension().is_none() => {
             return vec![Intent::Do(Effect::Open(path.with_extension(ENDING)))];
         }
         Err(error) => {
@@ -122,7 +141,7 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
             return vec![Intent::Show(again), Intent::Preview];
         }
     };
-    let read = match opened.problem() {
+    let read = match model.parse(Some(&path), &opened.text, &opened.linked) {
         Ok(read) => read,
         Err(errors) => {
             let title = Text::new("{file} cannot be opened as a problem").with("file", shown(&path));
@@ -131,9 +150,12 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
         }
     };
     let mut problem = model.problem_of(read);
-    let of_file = |problem: &Problem| problem.document.file.as_ref().is_some_and(|file| file.path == path);
+    let of_file = |problem: &Problem| {
+        problem.document.file.as_ref().is_some_and(|file| is_same_file(&file.path, &path))
+    };
     let open = model.problems().into_iter().map(|bench| &bench.problem).find(|problem| of_file(problem));
     let open = open.map(|problem| (problem.number, problem.is_unsaved()));
+    problem.document.links = opened.linked;
     problem.document.file = Some(OpenFile { path, text: opened.text, fingerprint: Some(opened.fingerprint) });
     match open {
         None => {
@@ -157,6 +179,59 @@ fn read_otherwise(notes: &[Text]) -> Option<Text> {
     }
     let said = Text::new("{note}; and {more} more of this kind").with_text("note", note.clone());
     Some(said.with("more", more.len()))
+}
+
+/// Has the files read that the problem links to, where an input links to one that is not read, or none is from where the
+/// problem is now.
+pub(super) fn follow_links(model: &Model) -> Vec<Intent> {
+    let Some(problem) = model.bench.as_ref().map(|bench| &bench.problem) else { return Vec::new() };
+    let (form, shape) = (&problem.inputs.form, problem.entry().shape());
+    let is_link = |error: &FieldError| match form.draft.at(&shape, &error.path) {
+        Ok((Draft::Leaf(text), _)) => text.contains('@'),
+        _ => false,
+    };
+    let has_files = problem.entry().linked().iter().any(|linked| linked.file.is_some());
+    let is_unread = has_files && problem.document.links.is_empty();
+    match &problem.document.file {
+        Some(file) if is_unread || problem.wrong().any(is_link) => {
+            let (path, text) = (file.path.clone(), problem.as_text());
+            vec![Intent::Do(Effect::ReadLinked { problem: problem.number, path, text })]
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Takes the texts of the files that a problem links to.
+pub(super) fn linked_read(model: &mut Model, number: u64, links: LinkedTexts) -> Vec<Intent> {
+    match model.bench.as_mut().map(|bench| &mut bench.problem) {
+        Some(problem) if problem.number == number => problem.document.links = links,
+        _ => return Vec::new(),
+    }
+    read_linked(model)
+}
+
+/// Reads the linked files of the shown problem again, where they are not as they were read: one that is open was changed
+/// there, or closed.
+pub(super) fn read_linked(model: &mut Model) -> Vec<Intent> {
+    let Some(problem) = model.bench.as_ref().map(|bench| &bench.problem) else { return Vec::new() };
+    let document = &problem.document;
+    if document.links.is_empty() {
+        return Vec::new();
+    }
+    let path = document.file.as_ref().map(|file| file.path.as_path());
+    match model.parse(path, &problem.as_text(), &document.links) {
+        Ok(read) if read.files == document.linked => Vec::new(),
+        Ok(read) => {
+            if let Some(bench) = &mut model.bench {
+                bench.problem.take_files(read);
+            }
+            vec![Intent::Changed]
+        }
+        Err(errors) => {
+            let why = errors.into_iter().next().map_or_else(Text::default, |error| error.why);
+            Intent::report_error(why)
+        }
+    }
 }
 
 /// Asks what becomes of the work of sessions that ended without saving.
@@ -198,11 +273,14 @@ pub(super) fn restore(model: &Model, sessions: Vec<Crashed>) -> Vec<Intent> {
     let (mut restored, mut unread) = (0, false);
     let room = model.room();
     for crashed in sessions.into_iter().rev() {
-        let Ok(read) = file::parse(&crashed.text) else {
+        // Where a linked file is gone, the error is that of the input.
+        let read = model.parse(crashed.original.as_deref(), &crashed.text, &crashed.linked);
+        let Ok(read) = read.or_else(|_| file::parse_unlinked(&crashed.text)) else {
             unread = true;
             continue;
         };
         let mut problem = model.problem_of(read);
+        problem.document.links = crashed.linked.clone();
         // What the file holds now is not known: saving asks before it writes over it.
         problem.document.file = crashed.original.clone().map(|path| OpenFile {
             path,
@@ -235,7 +313,7 @@ pub(super) fn restore(model: &Model, sessions: Vec<Crashed>) -> Vec<Intent> {
 
 /// Name of recovered work: its file, or its title and its analysis.
 fn name_of(model: &Model, crashed: &Crashed) -> String {
-    match (&crashed.original, file::parse(&crashed.text)) {
+    match (&crashed.original, file::parse_unlinked(&crashed.text)) {
         (Some(path), _) => shown(Path::new(path.file_name().unwrap_or(path.as_os_str()))),
         (None, Ok(problem)) => {
             let analysis = Text::from(problem.entry.about.title).render(&model.locale);
@@ -256,7 +334,7 @@ fn write(model: &mut Model, path: PathBuf, before: Before) -> Vec<Intent> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     let problem = &mut bench.problem;
     problem.inputs.form.keep();
-    let text = file::write(&problem.as_file(), problem.text());
+    let text = problem.as_text();
     vec![Intent::Do(Effect::Save { path, text, before })]
 }
 

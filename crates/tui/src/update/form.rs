@@ -1,6 +1,6 @@
 //! Keys of the inputs.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use dalembert_core::{Draft, Shape, Text, suggestions::Suggestion};
 use dalembert_units::Decimal;
@@ -10,12 +10,13 @@ use crate::{
     dialog::{Choice, Chosen, Dialog, DialogContent, Purpose},
     effect::Effect,
     files::FileError,
-    form::{self, Filled, Form, FormLine, Role},
+    form::{self, Filled, Form, FormLine, PartRole, Role},
     glyphs::filter_untrusted,
     intent::Intent,
     keys::{Action, Key, KeyContext},
     layout::Focus,
     model::Model,
+    problem::Problem,
 };
 
 /// The message about a key that chooses where there is nothing to choose.
@@ -25,8 +26,14 @@ const NO_ALTERNATIVE: &str = "no options here";
 pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
     let page = isize::try_from(model.size.1.saturating_sub(6).max(1)).unwrap_or(1);
     let Some(bench) = &mut model.bench else { return Vec::new() };
+    if let Some(intents) = in_part(&bench.problem, action) {
+        return intents;
+    }
     let form = &mut bench.problem.inputs.form;
     match action {
+        Action::DeleteRow if matches!(form.part().role, PartRole::Configuration(_)) => {
+            return after(model, Form::take_back_change, "this configuration does not change this input");
+        }
         Action::Up => form.step(-1),
         Action::Down => form.step(1),
         Action::PageUp => form.step(-page),
@@ -80,6 +87,47 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
     Vec::new()
 }
 
+/// Meaning of a key that would change what is not of the part that is shown; `None` where it has its own.
+fn in_part(problem: &Problem, action: Action) -> Option<Vec<Intent>> {
+    let form = &problem.inputs.form;
+    let of_problem = matches!(action, Action::Define | Action::Ask);
+    let changes = matches!(
+        action,
+        Action::Enter
+            | Action::Clear
+            | Action::Left
+            | Action::Right
+            | Action::Nudge(_)
+            | Action::NextUnit
+            | Action::Toggle
+            | Action::Import
+            | Action::Unknown
+            | Action::AddRow
+            | Action::DuplicateRow
+            | Action::DeleteRow
+            | Action::MoveRowUp
+            | Action::MoveRowDown
+            | Action::Configure
+    ) || (of_problem && matches!(form.part().role, PartRole::File(_)));
+    let why = form.hindrance().filter(|_| changes);
+    match (form.part().role, action) {
+        (PartRole::File(file), Action::Enter) => {
+            let folder = problem.document.file.as_ref().and_then(|own| own.path.parent());
+            Some(vec![Intent::Do(Effect::Open(folder.unwrap_or(Path::new("")).join(file)))])
+        }
+        (
+            PartRole::Configuration(_),
+            Action::Toggle
+            | Action::Unknown
+            | Action::AddRow
+            | Action::DuplicateRow
+            | Action::MoveRowUp
+            | Action::MoveRowDown,
+        ) => Some(Intent::say(why.unwrap_or("change this in the problem itself"))),
+        _ => why.map(Intent::say),
+    }
+}
+
 fn enter(model: &mut Model) -> Vec<Intent> {
     let locale = model.locale;
     let Some(bench) = &mut model.bench else { return Vec::new() };
@@ -106,7 +154,7 @@ fn enter(model: &mut Model) -> Vec<Intent> {
         }
         Role::Leaf { .. } => _ = bench.problem.inputs.form.begin(None),
         Role::Table { .. } => {
-            let text = match bench.problem.inputs.form.draft.at(&bench.problem.entry.shape(), &path) {
+            let text = match bench.problem.inputs.form.draft.at(&bench.problem.entry().shape(), &path) {
                 Ok((Draft::Leaf(text), _)) => text.clone(),
                 _ => String::new(),
             };
@@ -139,7 +187,10 @@ fn enter(model: &mut Model) -> Vec<Intent> {
 pub(super) fn act_in_field(model: &mut Model, action: Action) -> Vec<Intent> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     match action {
-        Action::Enter => bench.problem.inputs.form.keep(),
+        Action::Enter => {
+            bench.problem.inputs.form.keep();
+            return vec![Intent::FollowLinks];
+        }
         Action::Back => {
             bench.problem.inputs.form.drop_edit();
             return vec![Intent::Changed];
@@ -147,6 +198,7 @@ pub(super) fn act_in_field(model: &mut Model, action: Action) -> Vec<Intent> {
         Action::Down | Action::Up => {
             bench.problem.inputs.form.keep();
             bench.problem.inputs.form.step(if action == Action::Down { 1 } else { -1 });
+            return vec![Intent::FollowLinks];
         }
         _ => {}
     }
@@ -206,7 +258,7 @@ pub(super) fn go_to_missing(model: &mut Model) -> Vec<Intent> {
 pub(super) fn ask_usual(model: &mut Model, question: &Suggestion) -> Vec<Intent> {
     let locale = model.locale;
     let Some(bench) = &mut model.bench else { return Vec::new() };
-    let locale = locale.at(bench.problem.entry.about.id);
+    let locale = locale.at(bench.problem.entry().about.id);
     let Some(row) = bench.problem.inputs.form.ask_usual(question, &locale) else { return Vec::new() };
     if question.is_example {
         let said = "change the number in the formula to yours";
@@ -228,7 +280,7 @@ pub(super) fn take_table(model: &mut Model, path: &str, text: String) -> Vec<Int
 fn file_of_table(model: &Model, field: &str, text: &str) -> Option<Effect> {
     let name = text.trim().strip_prefix('@').filter(|name| !name.contains('\n'))?;
     let bench = model.bench.as_ref()?;
-    let (_, shape) = bench.problem.inputs.form.draft.at(&bench.problem.entry.shape(), field).ok()?;
+    let (_, shape) = bench.problem.inputs.form.draft.at(&bench.problem.entry().shape(), field).ok()?;
     let Shape::Table(columns) = shape.present() else { return None };
     Some(Effect::ReadTable { field: field.to_owned(), path: PathBuf::from(name.trim()), columns: columns() })
 }
@@ -295,6 +347,12 @@ pub(super) fn import(model: &mut Model, typed: &str) -> Vec<Intent> {
 pub(super) fn paste(model: &mut Model, text: &str) -> Vec<Intent> {
     let decimal = model.locale.style.decimal;
     let Some(bench) = &mut model.bench else { return Vec::new() };
+    if let Some(why) = bench.problem.inputs.form.hindrance() {
+        return Intent::say(why);
+    }
+    if matches!(bench.problem.inputs.form.part().role, PartRole::Configuration(_)) {
+        return paste_on_field(model, text);
+    }
     match bench.problem.inputs.form.line().map(|line| (line.path, line.role)) {
         Some((path, Role::Table { .. })) => {
             if let Some(effect) = file_of_table(model, &path, text) {

@@ -63,6 +63,7 @@ fn click(model: &mut Model, spot: HitTarget, at: Position) -> Vec<Intent> {
             look_at(model, tab)
         }
         HitTarget::Pane(tab, _, Some(part)) => go_to(model, tab, part),
+        HitTarget::Part(part) => vec![Intent::ShowPart(part)],
         HitTarget::Tab(tab) => look_at(model, tab),
         HitTarget::Arrow(tab, action) => {
             let mut intents = look_at(model, tab);

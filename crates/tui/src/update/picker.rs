@@ -175,7 +175,7 @@ fn enter(model: &mut Model) -> Vec<Intent> {
     model.picker.typing = false;
     let wanted = case.and_then(|case| listing.cases().get(case));
     let is_wanted = |bench: &&Bench| {
-        bench.problem.entry.about.id == entry.about.id
+        bench.problem.entry().about.id == entry.about.id
             && wanted.is_none_or(|case| {
                 bench.problem.document.title.is_empty() && bench.problem.inputs.form.draft == case.draft
             })
@@ -241,7 +241,7 @@ pub(super) fn begin(model: &mut Model) {
 /// Back to the list, to the analysis of the problem that is left, where it is shown.
 pub(super) fn return_to_list(model: &mut Model) -> Vec<Intent> {
     model.screen = Screen::Picker;
-    let left = model.bench.as_ref().map(|bench| bench.problem.entry.about.id);
+    let left = model.bench.as_ref().map(|bench| bench.problem.entry().about.id);
     let is_left = |leaf: Leaf| Some(model.listings[leaf.listing].entry.about.id) == left;
     if !chosen_leaf(model).is_some_and(is_left) {
         let rows = model.picker.rows(model.contents());

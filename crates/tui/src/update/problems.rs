@@ -23,7 +23,7 @@ pub(super) fn open(model: &mut Model, mut problem: Problem) -> Vec<Intent> {
     };
     problem.number = model.next_generation();
     put_aside(model);
-    let id = problem.entry.about.id.to_owned();
+    let id = problem.entry().about.id.to_owned();
     show(model, problem);
     intents.extend([
         Intent::Changed,
@@ -59,10 +59,10 @@ pub(super) fn bring(model: &mut Model, number: u64) -> Vec<Intent> {
     // Only the newest job is worked on: what this one waited for may never come.
     let Some(bench) = &mut model.bench else { return Vec::new() };
     if matches!(bench.problem.found.state, Freshness::Solving(_)) {
-        return vec![Intent::Changed];
+        return vec![Intent::ReadLinked, Intent::Changed];
     }
     bench.pending = None;
-    vec![Intent::Turn(bench.tab)]
+    vec![Intent::ReadLinked, Intent::Turn(bench.tab)]
 }
 
 /// Shows the problem that was opened after this one; after the last, the first. From the list, back to this one.
@@ -85,7 +85,7 @@ pub(super) fn reach(model: &Model, progress: Progress) -> Vec<Intent> {
     let Some(case) = origin.filter(|case| case.draft == problem.inputs.form.draft) else {
         return Vec::new();
     };
-    let (analysis, case) = (problem.entry.about.id.to_owned(), case.name.clone());
+    let (analysis, case) = (problem.entry().about.id.to_owned(), case.name.clone());
     let progress = progress.max(model.remembered.progress(&analysis, &case));
     vec![Intent::Remember(HistoryChange::Reach { analysis, case, progress })]
 }

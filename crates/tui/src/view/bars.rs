@@ -11,7 +11,7 @@ use ratatui::{
 use super::{animation, word};
 use crate::{
     bench::Bench,
-    form::{self, Role},
+    form::{self, PartRole, Role},
     glyphs::filter_untrusted,
     keys::{Action, Bound, KeyContext},
     look::Glyph,
@@ -36,7 +36,7 @@ pub(super) fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
         let gap = format!(" {} ", look.glyph(Glyph::Closed));
         spans.push(Span::styled(gap.clone(), look.dim()));
         spans.push(Span::styled(
-            Text::from(bench.problem.entry.about.title).render(&model.locale),
+            Text::from(bench.problem.entry().about.title).render(&model.locale),
             look.title(),
         ));
         let name = bench.problem.name().render(&model.locale);
@@ -181,6 +181,7 @@ fn hints(model: &Model, place: KeyContext, room: usize) -> Vec<Hint> {
         Action::Play | Action::PreviousFrame => has_animation,
         Action::ExportSeen => in_picture,
         Action::Copy | Action::Export => !in_picture,
+        Action::NextFilePart => shown.is_some_and(|bench| bench.problem.inputs.form.parts().len() > 1),
         Action::Toggle if place == KeyContext::Picker => model.chosen_exercise().is_some(),
         action if place.is_pane() => shown.is_none_or(|bench| bench.shown().serves(&bench.problem, action)),
         _ => true,
@@ -223,6 +224,7 @@ fn pair(action: Action) -> Option<(Action, Action)> {
         Action::ZoomIn => (action, Action::ZoomOut),
         Action::PanLeft => (action, Action::PanRight),
         Action::NextTab => (Action::PreviousTab, action),
+        Action::NextFilePart => (Action::PreviousFilePart, action),
         Action::PreviousFrame => (action, Action::NextFrame),
         Action::Right => (Action::Left, action),
         Action::Left => (action, Action::Right),
@@ -231,10 +233,24 @@ fn pair(action: Action) -> Option<(Action, Action)> {
 }
 
 fn about_field(model: &Model, bench: &Bench) -> String {
-    let Some(line) = bench.problem.inputs.form.line() else { return String::new() };
+    let form = &bench.problem.inputs.form;
     let say = |text: &'static str| Text::from(text).render(&model.locale);
     let key = |action| model.key(KeyContext::Form, action);
-    let mut parts = Vec::new();
+    let Some(line) = form.line() else {
+        let lists = Text::new("{define} defines a quantity for all problems, {ask} asks for one over them");
+        let lists = lists.with("define", key(Action::Define)).with("ask", key(Action::Ask));
+        return lists.render(&model.locale);
+    };
+    let mut parts: Vec<String> = form.hindrance().map(say).into_iter().collect();
+    if matches!(form.part().role, PartRole::File(_)) {
+        let opens = Text::new("{key} opens it").with("key", key(Action::Enter));
+        parts.push(opens.render(&model.locale));
+    }
+    if let Some(text) = form.text_of_problem(&line) {
+        let text = if text.trim().is_empty() { say("empty") } else { filter_untrusted(&text).into_owned() };
+        let before = Text::new("{text} in the problem itself, {key} returns to it");
+        parts.push(before.with("text", text).with("key", key(Action::DeleteRow)).render(&model.locale));
+    }
     let label = say(line.field.label);
     match &line.role {
         Role::Choice { variants, chosen } => match chosen.and_then(|at| variants.get(at)) {

@@ -72,6 +72,8 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
                 Purpose::Open => "File to open",
                 Purpose::Import => "File of the table (.csv, .txt, .uff, .unv)",
                 Purpose::Title => "Title of the problem",
+                Purpose::LinkedProblem => "Linked problem: a name and an analysis",
+                Purpose::Configuration => "Name of the configuration",
             };
             let mut below: Vec<Line<'static>> = error
                 .iter()
@@ -456,7 +458,7 @@ struct AboutTable {
 fn about_table(model: &Model, sheet: &DialogContent, inside: Rect) -> AboutTable {
     let Some(bench) = &model.bench else { return AboutTable::default() };
     let (look, locale, room) = (&model.look, &model.locale, usize::from(inside.width));
-    let whole = bench.problem.entry.shape();
+    let whole = bench.problem.entry().shape();
     let Ok((_, shape)) = bench.problem.inputs.form.draft.at(&whole, &sheet.path) else {
         return AboutTable::default();
     };

@@ -5,7 +5,7 @@ use std::{
     ops::Range,
 };
 
-use dalembert_core::{Draft, FieldError, Number, Shape, Text, Value, describe, draft};
+use dalembert_core::{Draft, FieldError, Number, Shape, Text, Value, describe, draft, within_problem};
 use dalembert_units::{write_components, write_quantity};
 use ratatui::{
     buffer::Buffer,
@@ -108,8 +108,16 @@ pub(super) fn draw(model: &Model, bench: &Bench, area: Rect, buffer: &mut Buffer
     let focused = bench.focus == Focus::Form;
     let mut title =
         vec![Span::styled(format!(" {} ", word("Inputs", model)), look.border(focused).patch(look.title()))];
-    if let Some(to_do) = bench.problem.to_do() {
-        let to_do = to_do.render(&model.locale);
+    let to_do = bench.problem.to_do().map(|to_do| to_do.render(&model.locale));
+    if let Some(analysis) = bench.problem.inputs.form.analysis() {
+        let analysis = Text::from(analysis.about.title).render(&model.locale);
+        let taken = width(&title[0].content) + to_do.as_deref().map_or(0, |to_do| width(to_do) + 3) + 5;
+        let room = usize::from(area.width).saturating_sub(taken);
+        if room >= LEAST_LABEL {
+            title.push(Span::styled(format!("{} ", fit(&analysis, room, look)), look.dim()));
+        }
+    }
+    if let Some(to_do) = to_do {
         title.push(if bench.problem.wrong().next().is_some() {
             Span::styled(format!("{} {to_do} ", look.glyph(Glyph::Bad)), look.error())
         } else {
@@ -200,7 +208,10 @@ impl Laid {
 fn columns(model: &Model, lines: &[FormLine], room: usize) -> Columns {
     let room = room.saturating_sub(POINTER);
     let leaves = || lines.iter().filter(|line| matches!(line.role, Role::Leaf { .. } | Role::Table { .. }));
-    let label = leaves().map(|line| indent(line) + width(&label(model, line))).max().unwrap_or(0);
+    let cells = |line: &FormLine| indent(line) + width(&label(model, line));
+    // Where nothing is typed yet, choices have the whole of it.
+    let all = || lines.iter().map(cells).max().unwrap_or(0);
+    let label = leaves().map(cells).max().unwrap_or_else(all);
     // The names of Greek letters are longer than they are.
     let look = &model.look;
     let most = if look.ascii { 10 } else { 6 };
@@ -251,13 +262,17 @@ fn draw_line(
     let look = &model.look;
     let focused = under_cursor && bench.focus == Focus::Form;
     let folded = bench.problem.inputs.form.is_folded(&line.path);
-    let (wrong, needed) = faults.at(&line.path, folded);
+    let (wrong, needed) = faults.at(line.changed.as_deref().unwrap_or(&line.path), folded);
+    let behind = if line.changed.is_some() { "" } else { " " };
     let pointer = match (under_cursor, wrong) {
-        (true, _) => Span::styled(format!("{} ", look.glyph(Glyph::Pointer)), look.border(focused)),
-        (false, true) => Span::styled(format!("{} ", look.glyph(Glyph::Bad)), look.error()),
-        (false, false) => Span::raw("  "),
+        (true, _) => Span::styled(format!("{}{behind}", look.glyph(Glyph::Pointer)), look.border(focused)),
+        (false, true) => Span::styled(format!("{}{behind}", look.glyph(Glyph::Bad)), look.error()),
+        (false, false) => Span::raw(format!(" {behind}")),
     };
     let mut shown = Shown::from(vec![pointer]);
+    if line.changed.is_some() {
+        shown.push_span(Span::styled(look.glyph(Glyph::Full), look.key()));
+    }
     let spaces = " ".repeat(indent(line));
     let name = format!("{spaces}{}", label(model, line));
     let room = columns.label + columns.symbol + usize::from(columns.symbol > 0) + 1 + columns.value;
@@ -436,15 +451,19 @@ fn computed(model: &Model, line: &FormLine) -> Option<String> {
     // A problem that is solved by hand keeps its numbers covered.
     let shows = !problem.is_stale() && problem.found.revealed.is_none();
     let solution = problem.found.solution.as_ref().filter(|_| shows)?;
-    let definition = line.path.strip_suffix(".formula").filter(|row| row.starts_with("let["));
+    let shape = problem.entry().shape();
+    let (of, inner) = within_problem(shape.fields(None), &line.path);
+    let definition = inner.strip_suffix(".formula").filter(|row| row.starts_with("let["));
     let name = definition.and_then(|row| {
-        let shape = problem.entry.shape();
+        let row = if of.is_empty() { row.to_owned() } else { format!("{of}.{row}") };
         match problem.inputs.form.draft.at(&shape, &format!("{row}.name")) {
-            Ok((Draft::Leaf(name), _)) => Some(name.trim().to_owned()),
+            Ok((Draft::Leaf(name), _)) if of.is_empty() => Some(name.trim().to_owned()),
+            Ok((Draft::Leaf(name), _)) => Some(format!("{of}.{}", name.trim())),
             _ => None,
         }
     });
-    let (value, unit) = solution.computed_value(name.as_deref().unwrap_or(&line.path))?;
+    let name = name.unwrap_or_else(|| problem.inputs.form.name_of(line));
+    let (value, unit) = solution.computed_value(&name)?;
     let style = model.locale.style;
     match (value, &line.role) {
         (Number::Scalar(si), _) => Some(write_quantity(si, unit, style)),
@@ -484,7 +503,8 @@ fn draw_errors(
     let most = if under_cursor { LONG_ERROR } else { SHORT_ERROR };
     let before = (indent(line) + POINTER).min(room / 4);
     let mut shown = Vec::new();
-    for error in faults.wrong.get(line.path.as_str()).into_iter().flatten() {
+    let path = line.changed.as_deref().unwrap_or(&line.path);
+    for error in faults.wrong.get(path).into_iter().flatten() {
         let text = filter_untrusted(&error.why.render(&model.locale)).into_owned();
         let room = room.saturating_sub(before);
         let lines = shortened(wrapped(&text, room), most, room, look);

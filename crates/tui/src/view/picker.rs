@@ -161,7 +161,7 @@ fn of_leaf(model: &Model, row: Row, leaf: Leaf, chosen: bool, room: usize) -> Li
         _ => listing.title(&model.locale),
     };
     let problems = model.problems();
-    let mut open = problems.iter().filter(|bench| bench.problem.entry.about.id == listing.entry.about.id);
+    let mut open = problems.iter().filter(|bench| bench.problem.entry().about.id == listing.entry.about.id);
     let mark = match (leaf.under, open.next()) {
         (Some(Heading::Set(_)), _) => match contents.progress(leaf) {
             Progress::NotBegun => " ",

@@ -1,5 +1,7 @@
 //! The line of tabs, and the titles of panes that have none.
 
+use std::ops::Range;
+
 use ratatui::{
     style::{Modifier, Style},
     text::{Line, Span},
@@ -8,6 +10,8 @@ use ratatui::{
 use super::word;
 use crate::{
     bench::Bench,
+    form::FilePart,
+    glyphs::filter_untrusted,
     layout::Focus,
     look::{Appearance, Glyph},
     model::Model,
@@ -16,57 +20,86 @@ use crate::{
 };
 
 /// A line of tabs, and what its cells belong to, from left to right.
-pub(super) struct Bar {
+pub(super) struct Bar<T> {
     pub(super) line: Line<'static>,
-    pub(super) cells: Vec<(Option<Tab>, usize)>,
+    cells: Vec<(Option<T>, usize)>,
 }
 
-/// The names of these tabs, the chosen one marked; where there is no room for all, those around it.
-pub(super) fn bar(model: &Model, bench: &Bench, tabs: &[Tab], columns: u16) -> Bar {
-    let names: Vec<String> = tabs
-        .iter()
-        .map(|tab| match place_of_shown(bench, *tab).filter(|_| *tab == bench.tab) {
-            Some(place) => format!("{} {place}", word(bench.pane(*tab).name(), model)),
-            None => word(bench.pane(*tab).name(), model),
-        })
-        .collect();
-    let chosen = tabs.iter().position(|tab| *tab == bench.tab).unwrap_or(0);
-    let room = usize::from(columns).saturating_sub(4);
-    let cells =
-        |range: std::ops::Range<usize>| names[range].iter().map(|name| width(name) + 1).sum::<usize>() + 1;
-    let (mut first, mut end) = (0, names.len());
-    // Where not all fit, the far ones go first, and arrows report it.
-    while cells(first..end) + 2 * usize::from(first > 0 || end < names.len()) > room && end - first > 1 {
-        if end - 1 > chosen && (end - 1 - chosen >= chosen - first) {
-            end -= 1;
-        } else {
-            first += 1;
+impl<T: Copy> Bar<T> {
+    /// These tabs, of which one may be chosen; where there is no room for all, those around it.
+    fn of(tabs: &[(T, String)], chosen: Option<usize>, style: Style, look: &Appearance, room: usize) -> Self {
+        let cells =
+            |range: Range<usize>| tabs[range].iter().map(|(_, name)| width(name) + 1).sum::<usize>() + 1;
+        let (mut first, mut end, middle) = (0, tabs.len(), chosen.unwrap_or(0));
+        // Where not all fit, the far ones go first, and arrows report it.
+        while cells(first..end) + 2 * usize::from(first > 0 || end < tabs.len()) > room && end - first > 1 {
+            if end - 1 > middle && (end - 1 - middle >= middle - first) {
+                end -= 1;
+            } else {
+                first += 1;
+            }
         }
+        let mut bar = Self { line: Line::default(), cells: Vec::new() };
+        bar.push(None, " ".into(), Style::new());
+        if first > 0 {
+            bar.push(Some(tabs[first - 1].0), format!("{} ", look.glyph(Glyph::Left)), look.dim());
+        }
+        for (n, (tab, name)) in tabs.iter().enumerate().take(end).skip(first) {
+            bar.push(Some(*tab), name.clone(), if Some(n) == chosen { style } else { look.dim() });
+            bar.push(None, " ".into(), Style::new());
+        }
+        if end < tabs.len() {
+            bar.push(Some(tabs[end].0), format!("{} ", look.glyph(Glyph::Right)), look.dim());
+        }
+        bar
     }
-    let look = &model.look;
-    let focused = bench.focus == Focus::Pane;
-    let mut bar = Bar { line: Line::default(), cells: Vec::new() };
-    let mut push = |tab: Option<Tab>, text: String, style: Style| {
-        bar.cells.push((tab, width(&text)));
-        bar.line.push_span(Span::styled(text, style));
+
+    fn push(&mut self, tab: Option<T>, text: String, style: Style) {
+        self.cells.push((tab, width(&text)));
+        self.line.push_span(Span::styled(text, style));
+    }
+
+    /// The tab at a cell of the line.
+    pub(super) fn at(&self, mut cell: usize) -> Option<T> {
+        for (tab, cells) in &self.cells {
+            match cell.checked_sub(*cells) {
+                Some(rest) => cell = rest,
+                None => return *tab,
+            }
+        }
+        None
+    }
+}
+
+/// The names of these tabs of panes, the chosen one marked.
+pub(super) fn bar(model: &Model, bench: &Bench, tabs: &[Tab], columns: u16) -> Bar<Tab> {
+    let name = |tab: &Tab| match place_of_shown(bench, *tab).filter(|_| *tab == bench.tab) {
+        Some(place) => format!("{} {place}", word(bench.pane(*tab).name(), model)),
+        None => word(bench.pane(*tab).name(), model),
     };
-    push(None, " ".into(), Style::new());
-    if first > 0 {
-        push(Some(tabs[first - 1]), format!("{} ", look.glyph(Glyph::Left)), look.dim());
-    }
-    for (n, name) in names.iter().enumerate().take(end).skip(first) {
-        let style = match (tabs[n] == bench.tab, focused) {
-            (true, true) => look.border(true).patch(look.title()).add_modifier(Modifier::REVERSED),
-            (true, false) => look.title().add_modifier(Modifier::UNDERLINED),
-            (false, _) => look.dim(),
-        };
-        push(Some(tabs[n]), name.clone(), style);
-        push(None, " ".into(), Style::new());
-    }
-    if end < names.len() {
-        push(Some(tabs[end]), format!("{} ", look.glyph(Glyph::Right)), look.dim());
-    }
-    bar
+    let names: Vec<(Tab, String)> = tabs.iter().map(|tab| (*tab, name(tab))).collect();
+    let chosen = tabs.iter().position(|tab| *tab == bench.tab);
+    let look = &model.look;
+    let style = if bench.focus == Focus::Pane {
+        look.border(true).patch(look.title()).add_modifier(Modifier::REVERSED)
+    } else {
+        look.title().add_modifier(Modifier::UNDERLINED)
+    };
+    Bar::of(&names, chosen, style, look, usize::from(columns).saturating_sub(4))
+}
+
+/// The names of the problems and configurations of a file, by their places; those with an error are marked.
+pub(super) fn of_parts(model: &Model, bench: &Bench, columns: u16) -> Bar<usize> {
+    let (form, look) = (&bench.problem.inputs.form, &model.look);
+    let (parts, shown) = (form.parts_at(bench.problem.wrong().map(|error| error.path.as_str())), form.part());
+    let name = |(part, is_wrong): &(FilePart, bool)| {
+        let title = filter_untrusted(&part.title().render(&model.locale)).replace('\n', " ");
+        if *is_wrong { format!("{}{title}", look.glyph(Glyph::Bad)) } else { title }
+    };
+    let names: Vec<(usize, String)> = parts.iter().map(name).enumerate().collect();
+    let chosen = parts.iter().position(|(part, _)| *part == shown);
+    let style = look.title().add_modifier(Modifier::UNDERLINED);
+    Bar::of(&names, chosen, style, look, columns.into())
 }
 
 /// The name of a tab that has a frame of its own, and which of several it shows.

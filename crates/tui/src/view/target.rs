@@ -2,7 +2,7 @@
 
 use ratatui::layout::{Position, Rect};
 
-use super::{areas_of, bars, dialog, form, line_at, page, pane_at, picker};
+use super::{areas_of, bars, dialog, form, line_at, page, pane_at, picker, tabs};
 use crate::{keys::Action, layout, model::Model, pane::Tab};
 
 /// Cells of the arrow at the left of a line that has two.
@@ -15,6 +15,8 @@ pub(crate) enum HitTarget {
     Key(Action),
     /// A line of the form, by its number; nothing below the last.
     Form(Option<usize>),
+    /// The tab of a problem or a configuration, by its place.
+    Part(usize),
     /// The name of a tab.
     Tab(Tab),
     /// A pane, its inside, and which part of its page stands there: a case, an answer, a cell.
@@ -47,6 +49,10 @@ pub(crate) fn spot(model: &Model, at: Position) -> Option<HitTarget> {
         return body.contains(at).then(|| picker::spot(model, body, at)).flatten();
     };
     let areas = areas_of(model, bench, bench.focus);
+    if areas.parts.contains(at) {
+        let bar = tabs::of_parts(model, bench, areas.parts.width);
+        return bar.at(usize::from(at.x - areas.parts.x)).map(HitTarget::Part);
+    }
     if let Some(area) = areas.form.filter(|area| area.contains(at)) {
         return Some(HitTarget::Form(form::line_at(model, bench, area, at)));
     }

@@ -13,7 +13,7 @@ use crate::{
 pub(super) fn dialog(problem: &Problem, ui: &Ui<'_>) -> Dialog {
     let shows = problem.found.revealed.is_none() && !problem.is_stale();
     let solution = problem.found.solution.as_ref().filter(|_| !problem.is_stale());
-    let offered = solution.map(|solution| suggestions(problem.entry, solution)).unwrap_or_default();
+    let offered = solution.map(|solution| suggestions(problem.entry(), solution)).unwrap_or_default();
     let style = ui.locale.ascii(ui.look.ascii).style;
     let question = |question| {
         let question: Box<dalembert_core::suggestions::Suggestion> = Box::new(question);
