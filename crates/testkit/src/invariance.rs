@@ -7,9 +7,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use dalembert_core::{
-    Answer, COMMON_LISTS, Draft, Entry, Field, Record, Solution, SolveError, Stop, Value, vary,
-};
+use dalembert_core::{Answer, Draft, Entry, Field, Record, Solution, SolveError, Stop, Value, vary};
 use dalembert_units::{self as units, Dim};
 use itertools::Itertools as _;
 
