@@ -71,7 +71,8 @@ pub fn coverage(entry: &Entry, stop: &Stop) -> Result<Vec<Coverage>, String> {
         let (solution, record) = solved.map_err(|err| format!("{}: {err}", case.name))?;
         let mut tried: HashMap<&str, usize> = HashMap::new();
         let mut known = HashMap::new();
-        for answer in &solution.answers {
+        // A question of a case is its own formula; no second method is expected of it.
+        for answer in solution.answers.iter().filter(|answer| !answer.asked) {
             let at = found.iter().position(|one| one.answer == answer.name.base).unwrap_or_else(|| {
                 let status = CoverageStatus::Uncovered;
                 found.push(Coverage { answer: answer.name.base, status, reason: None });

@@ -6,9 +6,9 @@
 
 use std::borrow::Cow;
 
-use dalembert_units::{self as units, Unit};
+use dalembert_units::{self as units, Style, Unit};
 
-use crate::{Draft, Field, Record, Shape, Text, Value, draft::leaf_text};
+use crate::{Draft, Field, Record, Shape, Text, Value};
 
 /// The default of every gravity, where units are metric.
 pub const METRIC: &str = "9.81 m/s^2";
@@ -50,8 +50,9 @@ pub(crate) fn filled<'d>(draft: &'d Draft, shape: &Shape) -> Cow<'d, Draft> {
 pub(crate) fn stated(record: &Record) -> Option<String> {
     let mut found = None;
     record.leaves(&mut |_, field, value| {
-        if let (true, Value::Quantity(_)) = (is_gravity(field), value) {
-            found.get_or_insert_with(|| leaf_text(value));
+        if let (true, Value::Quantity(quantity)) = (is_gravity(field), value) {
+            let style = Style { digits: 15, ascii: true, ..Style::default() };
+            found.get_or_insert_with(|| units::write_quantity(quantity.si, &quantity.unit, style));
         }
     });
     found

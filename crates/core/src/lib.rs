@@ -72,7 +72,7 @@ pub use crate::{
     formula::normalised,
     input::{FieldError, Inputs, Lift, MeasuredQuantity, Reference},
     linked::LinkedProblem,
-    path::{is_within, nearest, title_of},
+    path::{is_within, nearest},
     reading::unit_hint,
     record::{NumberTable, Record, Value},
     sheet::{Sheet, Term, VectorTerm},
@@ -85,6 +85,7 @@ pub use crate::{
     trace::{Number, Symbol, Trace},
     unit_system::{ShownUnits, UnitSetting},
     unknowns::{Determined, DeterminedInput, ReachedAnswer},
+    vary::title_of,
     worksheet::{FieldPath, Plain, Reason, Worksheet},
 };
 

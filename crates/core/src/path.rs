@@ -1,6 +1,6 @@
 //! Paths of fields as text: `supports[2].cantilever.length`. Rows count from 1, as in `m₁`.
 
-use crate::{ChildList, Field, FieldError, Shape, Text, ascii, vary};
+use crate::{ChildList, Field, FieldError, Shape, Text, ascii};
 
 /// The most names that an error lists.
 const MOST_KNOWN: usize = 40;
@@ -93,33 +93,6 @@ pub(crate) fn step(shape: &Shape, segment: &Segment, path: &str) -> Result<(usiz
         }
         _ => Err(FieldError::new(path, "there is no such input: what it would be part of is one value")),
     }
-}
-
-/// The label of the input that a path leads to, with its rows and its axis: `Radius 1` for `masses[1].radius`.
-pub fn title_of(shape: &Shape, path: &str) -> Option<Text> {
-    let (mut shape, mut label, mut axis) = (*shape, None, String::new());
-    for segment in segments(path).ok()? {
-        shape = match (shape.present(), &segment) {
-            (Shape::Vector(measure, _), Segment::Name(name)) => {
-                name.clone_into(&mut axis);
-                Shape::Quantity(measure)
-            }
-            (table @ Shape::Table(_), Segment::Row(_)) => table,
-            (Shape::Table(columns), Segment::Name(name)) => {
-                let column = columns().iter().find(|column| column.name == *name)?;
-                label = Some(column.label);
-                column.shape
-            }
-            (present, segment) => {
-                let (at, inner) = step(&present, segment, path).ok()?;
-                if let Shape::Group(fields) = present {
-                    label = Some(fields()[at].label);
-                }
-                inner
-            }
-        };
-    }
-    Some(vary::label(label?, path, &axis))
 }
 
 /// The error of a name that is none of `known`, with the nearest one.

@@ -215,7 +215,7 @@ fn is_within(entry: &Entry, scope: &str) -> bool {
 const ACCELERATION: Dim = Dim::new(1, 0, -2, 0);
 
 impl Suggestion {
-    /// Its key from outside, in files and on the command line: `fan.rms_velocity`.
+    /// Key from outside, in files and on the command line: `fan.rms_velocity`.
     pub fn name(&self) -> String {
         join(self.problem, self.key)
     }

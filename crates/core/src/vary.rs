@@ -8,7 +8,7 @@ use crate::{
     gravity,
     intern::intern,
     kept,
-    path::{Segment, segments},
+    path::{Segment, segments, step},
     reading,
 };
 
@@ -297,8 +297,35 @@ fn of_problem(record: &Record, path: &str, label: Text) -> Text {
     }
 }
 
+/// The label of the input that a path leads to, with its rows and its axis: `Radius 1` for `masses[1].radius`.
+pub fn title_of(shape: &Shape, path: &str) -> Option<Text> {
+    let (mut shape, mut label, mut axis) = (*shape, None, String::new());
+    for segment in segments(path).ok()? {
+        shape = match (shape.present(), &segment) {
+            (Shape::Vector(measure, _), Segment::Name(name)) => {
+                name.clone_into(&mut axis);
+                Shape::Quantity(measure)
+            }
+            (table @ Shape::Table(_), Segment::Row(_)) => table,
+            (Shape::Table(columns), Segment::Name(name)) => {
+                let column = columns().iter().find(|column| column.name == *name)?;
+                label = Some(column.label);
+                column.shape
+            }
+            (present, segment) => {
+                let (at, inner) = step(&present, segment, path).ok()?;
+                if let Shape::Group(fields) = present {
+                    label = Some(fields()[at].label);
+                }
+                inner
+            }
+        };
+    }
+    Some(self::label(label?, path, &axis))
+}
+
 /// A label with the rows of its path and its axis.
-pub(crate) fn label(label: &'static str, path: &str, axis: &str) -> Text {
+fn label(label: &'static str, path: &str, axis: &str) -> Text {
     let rows = path.split('[').skip(1).filter_map(|rest| rest.split_once(']').map(|(row, _)| row));
     let place: Vec<&str> = rows.chain((!axis.is_empty()).then_some(axis)).collect();
     if place.is_empty() {

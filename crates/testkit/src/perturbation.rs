@@ -15,7 +15,7 @@ use dalembert_mechanics::balance::spread::uniform_bits;
 use itertools::Itertools as _;
 
 use crate::{
-    problems::{cases_of, on_all_cores},
+    problems::{cases_of, has_formulas, on_all_cores},
     some,
 };
 
@@ -218,7 +218,12 @@ pub fn perturbed(record: &Record, seed: u64, key: u64) -> Record {
         1.0 + CHANGE * (2.0 * share - 1.0)
     };
     record.values.iter_mut().for_each(|value| perturb(value, &mut factor));
-    record
+    if !has_formulas(&record) {
+        return record;
+    }
+    // Inputs with a formula follow the others.
+    let first = vary::inputs(&record).into_iter().next();
+    first.and_then(|input| vary::changed(&record, &input.path, input.si)).unwrap_or(record)
 }
 
 fn perturb(value: &mut Value, factor: &mut impl FnMut() -> f64) {

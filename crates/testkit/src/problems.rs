@@ -8,7 +8,7 @@ use std::{
 };
 
 use dalembert_core::{
-    AnswerValue, Entry, Number, Record, Solution, Stop,
+    AnswerValue, COMMON_LISTS, Entry, Number, Record, Solution, Stop, Value,
     cases::{self, Case},
 };
 
@@ -47,6 +47,12 @@ pub(crate) fn for_each_problem(entries: &[&'static Entry], mut visit: impl FnMut
             visit(SolvedCase { name, entry, record, solution });
         }
     }
+}
+
+/// Returns true if a problem has definitions, questions or given answers: their texts hold quantities that no input has.
+pub(crate) fn has_formulas(record: &Record) -> bool {
+    let is_there = |list: &&str| matches!(record.get(list), Some(Value::Rows(rows)) if !rows.is_empty());
+    COMMON_LISTS.iter().any(|list| is_there(list))
 }
 
 /// The solution of the first case of each analysis.

@@ -2727,3 +2727,6 @@ weight-and-centrifugal-force-balance-at-the-lean-without-rotating-parts = peso e
 time-to-that-angle-by-quadrature-over-the-nutation = tempo até esse ângulo por quadratura sobre a nutação
 the-same-hoop-from-its-precession = O mesmo aro a partir da sua precessão
 closed-form-2-g-cos-sin-4-a-r-cos-for-a-hoop-solved-for-the-circle-of-the-centre = forma fechada: φ̇² = 2 g cos θ/(sen θ (4 a + r cos θ)) para um aro, resolvida para o círculo do centro
+fossee-companion-to-bevan-the-theory-of-machines-ch-2-ex-12 = Complemento FOSSEE a Bevan, The Theory of Machines, cap. 2, ex. 12
+rotor-whose-shaft-turns-once-in-five-seconds = Rotor cujo eixo dá uma volta em cinco segundos
+the-moment-of-inertia-of-40-lb-ft-is-the-weight-of-the-rotor-times-the-square-of-its-radius-of = O momento de inércia de 40 lb ft² é o peso do rotor vezes o quadrado do seu raio de giração; g = 32,2 ft/s² dá o da sua massa.

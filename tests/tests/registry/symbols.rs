@@ -5,6 +5,7 @@ use std::{collections::BTreeMap, sync::Mutex};
 use dalembert_core::{Entry, Number, Solution, Stop, cases, normalised, printer, registry, trace::Op};
 use dalembert_plugins as _;
 use dalembert_testkit::on_all_cores;
+use itertools::zip_eq;
 
 /// A quantity of a sheet: its symbol, its number, and where it is.
 type Quantity = (String, Number, String);
@@ -36,7 +37,7 @@ fn is_same(a: Number, b: Number) -> bool {
         (Number::Scalar(a), Number::Scalar(b)) => (a - b).abs() <= 1e-9 * a.abs().max(b.abs()),
         (Number::Vector(a), Number::Vector(b)) => {
             let size = a.iter().chain(&b).fold(0.0_f64, |size, x| size.max(x.abs()));
-            a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= 1e-9 * size)
+            zip_eq(a, b).all(|(a, b)| (a - b).abs() <= 1e-9 * size)
         }
         _ => false,
     }

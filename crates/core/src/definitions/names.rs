@@ -193,10 +193,11 @@ impl Names {
         }
         for input in &self.inputs {
             let symbol = printer::symbol(&input.symbol);
-            if !is_own(input.scope) {
-                known.push(input.path.clone());
+            if is_own(input.scope) {
+                known.push(input.inner.clone());
+                known.extend((!symbol.is_empty()).then_some(symbol));
             } else {
-                known.extend([input.inner.clone()].into_iter().chain((!symbol.is_empty()).then_some(symbol)));
+                known.push(input.path.clone());
             }
         }
         let definitions = self.definitions.iter().filter(|(of, _)| is_own(*of) || *of == TOP);

@@ -147,10 +147,10 @@ pub struct WholeRotor {
 #[derive(Clone, Debug, Inputs)]
 pub struct EquivalentPlanes {
     /// First plane.
-    #[input("z_1", "mm")]
+    #[input("z_I", "mm")]
     pub first: f64,
     /// Second plane.
-    #[input("z_2", "mm")]
+    #[input("z_II", "mm")]
     pub second: f64,
 }
 

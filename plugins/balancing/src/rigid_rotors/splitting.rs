@@ -89,7 +89,7 @@ pub enum Places {
 #[derive(Clone, Debug, Inputs)]
 pub struct Available {
     /// Weight.
-    #[input("m", "g", positive)]
+    #[input("m_s", "g", positive)]
     pub mass: f64,
 }
 

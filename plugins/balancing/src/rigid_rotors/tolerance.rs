@@ -511,7 +511,7 @@ impl Tolerance {
             }
             _ => {
                 let why = "Residual over permissible unbalance: 1 at most";
-                let ratio = sheet.step("q", "1", total / permissible, why);
+                let ratio = sheet.step("q_r", "1", total / permissible, why);
                 sheet.answer("ratio", "Residual over permissible unbalance", ratio);
                 if ratio.value() > 1.0 {
                     sheet.warn(|| exceeded("", ratio.value()));

@@ -356,7 +356,7 @@ impl Reactions {
         }
         let inertia = axis.dot(before + arm.cross(motion.acceleration * motion.mass));
         let joint_acceleration = sheet.step(
-            ("θ̈", self.joints.len()),
+            ("θ̈_r", self.joints.len()),
             "rad/s^2",
             (moment - inertia) / about_axis,
             (
@@ -441,7 +441,7 @@ impl Reactions {
             let how =
                 "Reaction of {name}, from the six equations of equilibrium with the inertia force and couple";
             let reaction = sheet.numerical_vector(
-                ("R", n + 1),
+                ("F_R", n + 1),
                 "N",
                 of.force,
                 Named(how, &support.name, Some(BEER.at("§18.2"))),

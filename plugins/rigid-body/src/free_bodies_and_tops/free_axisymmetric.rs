@@ -107,7 +107,7 @@ pub enum FreeMotionInput {
     Spin {
         /// Magnitude of the spin.
         /// About the axis, relative to the precessing frame. Its sense depends on the body.
-        #[input("ψ̇", "rad/s", positive)]
+        #[input("ψ̇_m", "rad/s", positive)]
         spin: f64,
         /// Angle between angular momentum and axis.
         #[input("θ", "deg", nonnegative, below = 90)]

@@ -461,7 +461,7 @@ fn permanent<W: Worksheet>(
     sheet: W,
 ) {
     let speed = sheet.numerical(
-        "ω",
+        "ω_p",
         "rad/s",
         start.norm(),
         "H is parallel to ω: the body is in permanent rotation about a principal axis",

@@ -161,7 +161,7 @@ impl Motion {
         if let Some((mass, centre, gravity)) = weight {
             let up = from.attitude.inverse() * Vector3::z();
             let up = sheet.numerical_vector(
-                "n",
+                "u",
                 "1",
                 up,
                 "The upward vertical at the start, in the axes of the body",
@@ -333,7 +333,7 @@ impl Motion {
         if body.arm != Vector3::zeros() {
             let centre = last.turning.attitude * body.arm;
             let centre = vector(
-                "r_G",
+                "r_Ge",
                 "m",
                 clean(centre, body.arm.norm()),
                 "Centre of mass at the end, from the fixed point",

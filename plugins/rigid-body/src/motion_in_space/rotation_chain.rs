@@ -141,7 +141,7 @@ impl RotationChain {
             let (velocity, acceleration) =
                 joints::carried(origins[frame], worked.omega[frame], worked.alpha[frame], arm);
             let velocity = sheet.step_vector(
-                ("v", n + 1),
+                ("v_P", n + 1),
                 "m/s",
                 velocity,
                 Named("Velocity of {name}", &point.name, Some(BEER.at("§15.5B"))),

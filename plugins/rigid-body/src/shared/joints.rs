@@ -18,7 +18,7 @@ pub struct Joint {
     pub name: String,
     /// Axis.
     /// Any vector along it, in the preceding frame; angles are positive by the right-hand rule.
-    #[input("a", "1")]
+    #[input("a_j", "1")]
     pub axis: Vector3<f64>,
     /// Motion of the joint.
     pub motion: JointRotation,
@@ -219,7 +219,7 @@ impl<'a, W: Worksheet> WorkedChain<'a, W> {
             let axis = this.expressed(
                 this.own[n],
                 from,
-                (["e", "e′", "e″", "e‴"], n + 1, "1"),
+                (["e_u", "e_u′", "e_u″", "e_u‴"], n + 1, "1"),
                 ("Axis of {name}, in axes rotated by {by}", &joint.name),
                 sheet,
             );

@@ -91,7 +91,7 @@ pub enum SystemData {
         #[input("k", "N/m", positive)]
         stiffness: f64,
         /// Measured period, for comparison.
-        #[input("T_d", "s", positive)]
+        #[input("T_m", "s", positive)]
         period: Option<f64>,
     },
     /// Mass and period

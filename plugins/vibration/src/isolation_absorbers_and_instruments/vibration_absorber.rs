@@ -148,7 +148,7 @@ pub enum LinearAbsorber {
     /// The softest and lightest absorber whose mass does not exceed this displacement.
     Stroke {
         /// Maximum amplitude of the absorber.
-        #[input("X_a", "m", positive, kind = "Amplitude")]
+        #[input("X_s", "m", positive, kind = "Amplitude")]
         stroke: f64,
     },
     /// Resonances kept away from the speed
@@ -193,7 +193,7 @@ pub enum TorsionalAbsorber {
     /// The softest and lightest absorber that does not exceed this rotation.
     Stroke {
         /// Maximum amplitude of the absorber.
-        #[input("θ_a", "rad", positive)]
+        #[input("θ_s", "rad", positive)]
         stroke: f64,
     },
     /// Resonances kept away from the speed

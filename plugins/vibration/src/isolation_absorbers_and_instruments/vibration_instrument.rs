@@ -378,7 +378,7 @@ impl VibrationInstrument {
         sheet.check(rounding, self.factor_of_square(frequency / natural, zeta), reached);
         let needed = given.frequency.map(|frequency| {
             let why = "Natural frequency of an instrument of this damping that reads this frequency exactly at the error limit";
-            sheet.step("ω_p", "Hz", frequency / limit, why)
+            sheet.step("ω_lim", "Hz", frequency / limit, why)
         });
         if let Some(needed) = needed {
             sheet.answer("needed_natural_frequency", "Natural frequency needed at this frequency", needed);

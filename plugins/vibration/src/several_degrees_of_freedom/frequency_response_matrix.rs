@@ -240,7 +240,7 @@ impl FrequencyResponseMatrix {
         }
         let row = |base: &'static str, at: usize| Symbol::from(base).row(place + 1).row(at);
         let frequency =
-            sheet.numerical(("ω", place + 1), "rad/s", frequency, "From the table of frequencies");
+            sheet.numerical(("ω_t", place + 1), "rad/s", frequency, "From the table of frequencies");
         let square = frequency.powi(2);
         let z1 = sheet.step(
             row("Z", 1),

@@ -85,7 +85,7 @@ pub(crate) fn modes<W: Worksheet>(
     });
     let mut together = W::Num::from(0.0);
     for (n, mode) in modes.iter().enumerate() {
-        let frequency = sheet.step(Symbol::from("f").row(n + 1), "Hz", mode.natural, "The same in Hz");
+        let frequency = sheet.step(Symbol::from("f_n").row(n + 1), "Hz", mode.natural, "The same in Hz");
         sheet.answer(("frequency", n + 1), "Natural frequency", frequency);
         sheet.verify(|| {
             let walk =

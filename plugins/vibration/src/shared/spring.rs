@@ -242,7 +242,7 @@ pub enum Spring {
     /// Pendulum: gravitational stiffness
     Pendulum {
         /// Suspended mass.
-        #[input("m", "kg", positive)]
+        #[input("m_p", "kg", positive)]
         mass: f64,
         /// Length.
         #[input("l", "m", positive)]

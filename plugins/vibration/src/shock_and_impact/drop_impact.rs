@@ -317,7 +317,7 @@ impl<N: Real> Drop<N> {
         sheet: W,
     ) -> Result<(), Refusal> {
         for (n, &time) in times.iter().enumerate() {
-            let symbol = dalembert_core::Symbol::from("s").row(n + 1);
+            let symbol = dalembert_core::Symbol::from("y").row(n + 1);
             let (height, fallen) = match contact {
                 Some((height, fallen)) => (Some(height), fallen.value()),
                 None => (None, 0.0),

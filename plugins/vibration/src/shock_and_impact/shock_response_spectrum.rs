@@ -29,10 +29,10 @@ pub struct ShockResponseSpectrum {
     /// Quantity plotted.
     pub measure: SpectrumQuantity,
     /// Lowest frequency.
-    #[input("f₁", "Hz", positive)]
+    #[input("f_min", "Hz", positive)]
     pub lowest: f64,
     /// Highest frequency.
-    #[input("f₂", "Hz", positive)]
+    #[input("f_max", "Hz", positive)]
     pub highest: f64,
     /// Natural frequencies.
     /// The spectrum is computed at each of them.

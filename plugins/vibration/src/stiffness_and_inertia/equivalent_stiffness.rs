@@ -426,7 +426,7 @@ fn answer_frequency<W: Worksheet>(natural: W::Num, given: bool, sheet: W) {
         let frequency = sheet.step("fₙ", "Hz", natural, "The same frequency in Hz");
         sheet.answer("frequency", "Natural frequency in hertz", frequency);
     }
-    let period = sheet.step("T", "s", W::Num::from(TAU) / natural, "Period of the free motion");
+    let period = sheet.step("Tₙ", "s", W::Num::from(TAU) / natural, "Period of the free motion");
     sheet.answer("period", "Period", period);
 }
 

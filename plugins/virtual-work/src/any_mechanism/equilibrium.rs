@@ -46,19 +46,19 @@ pub enum Search {
     /// Between two angles of the single coordinate
     Angles {
         /// From.
-        #[input("θ_1", "deg")]
+        #[input("θ_a", "deg")]
         from: f64,
         /// To.
-        #[input("θ_2", "deg")]
+        #[input("θ_b", "deg")]
         to: f64,
     },
     /// Between two lengths of the single coordinate
     Lengths {
         /// From.
-        #[input("s_1", "mm")]
+        #[input("s_a", "mm")]
         from: f64,
         /// To.
-        #[input("s_2", "mm")]
+        #[input("s_b", "mm")]
         to: f64,
     },
     /// Near the given values of the coordinates

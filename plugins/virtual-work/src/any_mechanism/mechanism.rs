@@ -64,19 +64,19 @@ pub enum Range {
     /// Angles
     Angles {
         /// From.
-        #[input("θ_1", "deg")]
+        #[input("θ_a", "deg")]
         from: f64,
         /// To.
-        #[input("θ_2", "deg")]
+        #[input("θ_b", "deg")]
         to: f64,
     },
     /// Lengths
     Lengths {
         /// From.
-        #[input("s_1", "mm")]
+        #[input("s_a", "mm")]
         from: f64,
         /// To.
-        #[input("s_2", "mm")]
+        #[input("s_b", "mm")]
         to: f64,
     },
     /// This position only
@@ -165,7 +165,7 @@ impl Mechanism {
             let row = body + 1;
             let named = |reason: &'static str| Text::new(reason).with("name", &part.name);
             let angle = sheet.numerical(
-                ("θ", row),
+                ("θ_c", row),
                 "deg",
                 positions[body][2],
                 (
@@ -176,7 +176,7 @@ impl Mechanism {
             sheet.answer(("angle", row), "Angle of the body", angle);
             sheet.row_label(("angle", row), &part.name);
             let speed = sheet.numerical(
-                ("ω", row),
+                ("ω_c", row),
                 "rad/s",
                 velocities[body][2],
                 (
@@ -187,7 +187,7 @@ impl Mechanism {
             sheet.answer(("angular_velocity", row), "Angular velocity of the body", speed);
             sheet.row_label(("angular_velocity", row), &part.name);
             let acceleration = sheet.numerical(
-                ("α", row),
+                ("α_c", row),
                 "rad/s^2",
                 accelerations[body][2],
                 (named("Angular acceleration of {name}, from Φ_q q̈ = γ"), NIKRAVESH.at("ch. 3")),
@@ -210,15 +210,16 @@ impl Mechanism {
                 this.system.point(this.parts.point(watched.point), this.state);
             let vector = |[x, y]: [f64; 2]| Vector3::new(x, y, 0.0);
             let named = |reason: &'static str| Text::new(reason).with("name", name);
-            let at = sheet.numerical_vector(("P", row), "mm", vector(position), named("Position of {name}"));
+            let at =
+                sheet.numerical_vector(("r_P", row), "mm", vector(position), named("Position of {name}"));
             sheet.answer_vector(("position", row), "Position of the point", at);
             sheet.row_label(("position", row), name);
             let velocity =
-                sheet.numerical_vector(("V", row), "m/s", vector(velocity), named("Velocity of {name}"));
+                sheet.numerical_vector(("v_P", row), "m/s", vector(velocity), named("Velocity of {name}"));
             sheet.answer_vector(("velocity", row), "Velocity of the point", velocity);
             sheet.row_label(("velocity", row), name);
             let acceleration = sheet.numerical_vector(
-                ("A", row),
+                ("a_P", row),
                 "m/s^2",
                 vector(acceleration),
                 named("Acceleration of {name}"),

@@ -92,7 +92,7 @@ pub enum InitialCoordinate {
         /// Body relative to which it turns.
         against: PartReference,
         /// Angle.
-        #[input("θ", "deg", kept_in = "drawn")]
+        #[input("θ_0", "deg", kept_in = "drawn")]
         value: f64,
         /// Angle in the initial configuration.
         /// The drawn position fixes the gear meshing, the rolling of wheels, the cord lengths and the side on which a
@@ -100,7 +100,7 @@ pub enum InitialCoordinate {
         #[input("θ_d", "deg")]
         drawn: Option<f64>,
         /// Angular velocity.
-        #[input("ω", "rad/s", default = "0 rad/s")]
+        #[input("ω_0", "rad/s", default = "0 rad/s")]
         velocity: f64,
     },
     /// Position of a point
@@ -112,17 +112,17 @@ pub enum InitialCoordinate {
         #[input(rows = "points")]
         to: Reference,
         /// Direction of measurement, in the axes of the body of the first point.
-        #[input("φ", "deg", default = "0 deg")]
+        #[input("φ_0", "deg", default = "0 deg")]
         direction: f64,
         /// Position.
-        #[input("s", "mm", kept_in = "drawn")]
+        #[input("s_0", "mm", kept_in = "drawn")]
         value: f64,
         /// Position in the initial configuration.
         /// The mechanism is drawn with this value and moves from there. If omitted, it is drawn with the position above.
         #[input("s_d", "mm")]
         drawn: Option<f64>,
         /// Velocity.
-        #[input("v", "m/s", default = "0 m/s")]
+        #[input("v_0", "m/s", default = "0 m/s")]
         velocity: f64,
     },
 }
@@ -446,7 +446,7 @@ impl Solved<'_> {
             let named = |reason: &'static str| Text::new(reason).with("name", &part.name);
             let body = row - 1;
             let angle = sheet.numerical(
-                ("θ", row),
+                ("θ_e", row),
                 "deg",
                 self.without_error(positions[body][2], turned),
                 named("Angle of {name} at the end"),
@@ -454,7 +454,7 @@ impl Solved<'_> {
             sheet.answer(("angle", row), "Angle of the body", angle);
             sheet.row_label(("angle", row), &part.name);
             let speed = sheet.numerical(
-                ("ω", row),
+                ("ω_e", row),
                 "rad/s",
                 self.without_error(velocities[body][2], fastest),
                 named("Angular velocity of {name} at the end"),
@@ -462,7 +462,7 @@ impl Solved<'_> {
             sheet.answer(("angular_velocity", row), "Angular velocity of the body", speed);
             sheet.row_label(("angular_velocity", row), &part.name);
             let acceleration = sheet.numerical(
-                ("α", row),
+                ("α_e", row),
                 "rad/s^2",
                 self.without_error(accelerations[body][2], quickest),
                 named("Angular acceleration of {name} at the end"),
@@ -494,12 +494,16 @@ impl Solved<'_> {
                 Vector3::new(clean(x), clean(y), 0.0)
             };
             let named = |reason: &'static str| Text::new(reason).with("name", name);
-            let at =
-                sheet.numerical_vector(("P", row), "mm", vector(position, size), named("Position of {name}"));
+            let at = sheet.numerical_vector(
+                ("r_P", row),
+                "mm",
+                vector(position, size),
+                named("Position of {name}"),
+            );
             sheet.answer_vector(("position", row), "Position of the point", at);
             sheet.row_label(("position", row), name);
             let velocity = sheet.numerical_vector(
-                ("V", row),
+                ("v_P", row),
                 "m/s",
                 vector(velocity, size / time),
                 named("Velocity of {name}"),
@@ -507,7 +511,7 @@ impl Solved<'_> {
             sheet.answer_vector(("velocity", row), "Velocity of the point", velocity);
             sheet.row_label(("velocity", row), name);
             let acceleration = sheet.numerical_vector(
-                ("A", row),
+                ("a_P", row),
                 "m/s^2",
                 vector(acceleration, f64::max(size / (time * time), problem.gravity.norm())),
                 named("Acceleration of {name}"),

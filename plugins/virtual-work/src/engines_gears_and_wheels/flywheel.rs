@@ -358,9 +358,9 @@ fn energy_of_areas<W: Worksheet>(
     let (most, least) = (best(1.0), best(-1.0));
     let sum = |to: usize| W::Num::sum(given[..=to].iter().copied());
     let why = "Maximum cumulative area, at a crossing: the speed is maximum there";
-    let most_area = sheet.step("A₁", "mm^2", sum(most), why);
+    let most_area = sheet.step("A_max", "mm^2", sum(most), why);
     let why = "Minimum cumulative area, at a crossing";
-    let least_area = sheet.step("A₂", "mm^2", sum(least), why);
+    let least_area = sheet.step("A_min", "mm^2", sum(least), why);
     let energy = sheet.step(
         "ΔE",
         "J",

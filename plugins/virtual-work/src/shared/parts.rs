@@ -279,7 +279,7 @@ pub enum Driven {
         #[input(rows = "points")]
         to: Reference,
         /// Direction of measurement, in the axes of the body of the first point.
-        #[input("φ", "deg", default = "0 deg")]
+        #[input("φ_d", "deg", default = "0 deg")]
         direction: f64,
         /// Position.
         #[input("s", "mm", kept_in = "drawn")]
@@ -378,7 +378,7 @@ pub enum PartLoad {
         /// Body that takes the reaction.
         against: PartReference,
         /// Moment.
-        #[input("T", "N*m")]
+        #[input("M", "N*m")]
         moment: f64,
     },
     /// Force between two points

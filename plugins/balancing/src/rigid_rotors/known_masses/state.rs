@@ -261,13 +261,13 @@ pub(super) fn equivalent<W: Worksheet>(
         [size * angle.cos(), size * angle.sin()]
     };
     let one = reported(
-        ("U_1", "θ_1"),
+        ("U_I", "θ_I"),
         ("equivalent_first", "equivalent_first_angle"),
         (in_first, "Angle of the equivalent unbalance in the first plane"),
         (x.0, y.0),
     );
     let other = reported(
-        ("U_2", "θ_2"),
+        ("U_II", "θ_II"),
         ("equivalent_second", "equivalent_second_angle"),
         (in_second, "Angle of the equivalent unbalance in the second plane"),
         (x.1, y.1),

@@ -24,7 +24,7 @@ pub struct Support {
     pub name: String,
     /// Point.
     /// From the origin of the axes of the supports.
-    #[input("r", "m")]
+    #[input("r_s", "m")]
     pub at: Vector3<f64>,
     /// Kind of support.
     pub kind: SupportKind,

@@ -344,7 +344,7 @@ impl Impulse {
                 BodyConstraintGiven::Surface { point, normal, restitution },
             ) => {
                 directed(*out)?;
-                let [omega, velocity] = free(["ω₀", "v_G0"])?;
+                let [omega, velocity] = free(["ω_G0", "v_G0"])?;
                 let cosines =
                     sheet.step_vector("n", "1", *normal / normal.magnitude(), "Unit normal of the surface");
                 let arm = sheet.step_vector("ρ", "m", *point - body.centre, "From G to the point of impact");

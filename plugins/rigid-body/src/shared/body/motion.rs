@@ -29,10 +29,10 @@ pub enum BodyRotation {
     /// It rotates about the line through them: a disc rolling on the floor about a fixed point of its axle.
     RestingPoints {
         /// Position of the first point.
-        #[input("r_1", "m", default = "(0; 0; 0) m")]
+        #[input("r_U", "m", default = "(0; 0; 0) m")]
         first: Vector3<f64>,
         /// Position of the second point.
-        #[input("r_2", "m")]
+        #[input("r_V", "m")]
         second: Vector3<f64>,
         /// Any vector along an axis of the body.
         #[input("e_ω", "1")]

@@ -162,9 +162,9 @@ impl BodyPart {
             sheet.numerical_vector((symbol, row), "1", column(n), named(reason))
         };
         Some([
-            axis(0, "e_1", "Direction of the x axis of {name}"),
-            axis(1, "e_2", "Direction of the y axis of {name}"),
-            axis(2, "e_3", "Direction of the z axis of {name}"),
+            axis(0, "i_b", "Direction of the x axis of {name}"),
+            axis(1, "j_b", "Direction of the y axis of {name}"),
+            axis(2, "k_b", "Direction of the z axis of {name}"),
         ])
     }
 

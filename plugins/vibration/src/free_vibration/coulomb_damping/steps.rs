@@ -103,7 +103,7 @@ pub(super) fn to_rest<W: Worksheet>(
             last_stroke(decay, end, [half.value(), system.offset.value()], sheet);
         }
     });
-    let cycles = sheet.step("N", "1", strokes / 2.0, "Cycles: two half-cycles each");
+    let cycles = sheet.step("N_c", "1", strokes / 2.0, "Cycles: two half-cycles each");
     sheet.answer("strokes", "Half-cycles after the first turning point", strokes);
     sheet.answer("cycles", "Cycles to rest", cycles);
     sheet.answer("stop_time", "Time to rest", time);

@@ -113,7 +113,7 @@ pub enum DiscSize {
 pub struct RotorSupport {
     /// Position.
     /// Distance from the left end of the shaft.
-    #[input("z", "m", nonnegative)]
+    #[input("z_b", "m", nonnegative)]
     pub position: f64,
     /// Bearing.
     pub bearing: Bearing,
@@ -225,7 +225,7 @@ pub struct SpeedRow {
 pub struct RotorUnbalance {
     /// Position.
     /// Distance from the left end of the shaft.
-    #[input("z", "m", nonnegative)]
+    #[input("z_u", "m", nonnegative)]
     pub position: f64,
     /// Unbalance.
     /// Mass times its distance from the axis.
