@@ -103,6 +103,24 @@ pub fn with_problem(
     (self::entry(&problems), Draft::Group(all))
 }
 
+/// The same problems without the one of a name, where another one is left.
+pub fn without(entry: &'static Entry, draft: &Draft, name: &str) -> Option<(&'static Entry, Draft)> {
+    let Draft::Group(all) = draft else { return None };
+    let (mut problems, mut all, main) = (entry.linked().to_vec(), all.clone(), unnamed(entry));
+    let at = problems.iter().position(|problem| problem.name == name && !name.is_empty())?;
+    let own = problems.iter().filter(|problem| problem.file.is_none()).count();
+    if own < 2 {
+        return None;
+    }
+    let inputs = main.map_or(0, |main| main.inputs().fields(None).len());
+    let named = at - usize::from(main.is_some());
+    problems.remove(at);
+    all.remove(inputs + named);
+    let is_alone = problems.len() == 1 && main.is_some();
+    let entry = main.filter(|_| is_alone).unwrap_or_else(|| self::entry(&problems));
+    Some((entry, Draft::Group(all)))
+}
+
 /// The same problems with linked files as another reading of them has them: those that are there, or with `all` every one
 /// that was read.
 pub fn with_files(

@@ -516,3 +516,6 @@ name-of-the-configuration = Nome da configuração
 define-defines-a-quantity-for-all-problems-ask-asks-for-one-over-them = { $define } define uma grandeza para todos os problemas, { $ask } pergunta por uma sobre eles
 text-in-the-problem-itself-key-returns-to-it = { $text } no próprio problema, { $key } volta a esse valor
 linked-file-file-is-used-as-it-is-open-with-unsaved-changes = o arquivo vinculado { $file } é usado como está aberto, com alterações não salvas
+remove-this-configuration-or-linked-problem = remover esta configuração ou este problema vinculado
+only-a-configuration-or-one-of-several-problems-can-be-removed = só se pode remover uma configuração, ou um de vários problemas
+name-removed-key-takes-that-back = { $name } removido; { $key } desfaz

@@ -57,6 +57,8 @@ pub enum Action {
     BeginProblem,
     /// A configuration more, which changes nothing yet.
     BeginConfiguration,
+    /// Takes the configuration or the linked problem that is shown out of the file.
+    RemovePart,
     /// The next plot, drawing or table of the tab.
     NextExhibit,
     /// Another way to draw curves.

@@ -485,3 +485,46 @@ fn a_link_that_is_typed_is_read() {
     person.types("S<c-u>").types(path.to_str().expect("readable")).types("<enter>");
     near(answer(&person, "natural_frequency"), on_the_bar(40.0));
 }
+
+#[test]
+fn a_part_of_a_file_is_removed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut person = with_fan_on_bracket(folder.path(), 120, 40);
+    let path = folder.path().join("fan.toml");
+    let before = fs::read_to_string(&path).expect("the file");
+    let remove = ":remove this configuration or linked problem<enter>";
+    // A configuration; what names it has no value.
+    person.types("}}").types(remove);
+    assert!(tabs(&mut person).contains("bracket fan All problems"), "{}", person.sees());
+    assert!(shown(&person) == "fan" && person.sees().contains("drop: no value"), "{}", person.sees());
+    person.types("z");
+    assert!(tabs(&mut person).contains("fan.weighted"), "{}", person.sees());
+    // A problem, with its configurations; the fan takes its stiffness from it no more.
+    person.types("}".repeat(4).as_str());
+    while shown(&person) != "bracket" {
+        person.types("}");
+    }
+    person.types(remove);
+    assert!(tabs(&mut person).starts_with(" ✗fan fan.weighted All problems"), "{}", person.sees());
+    enter(&mut person, "fan.support.stiffness.stiffness", "400 kN/m");
+    enter(&mut person, "ask[1].formula", "fan.X/fan.weighted.X");
+    near(answer(&person, "fan.natural_frequency"), 100.0);
+    person.types("s");
+    let text = fs::read_to_string(&path).expect("the file");
+    assert!(!text.contains("[problem.bracket") && text.contains("[problem.fan]"), "{text}");
+    // The last one stays.
+    person.types("{{{");
+    while shown(&person) != "fan" {
+        person.types("}");
+    }
+    person.types(remove);
+    assert!(person.sees().contains("one of several problems, can be removed"), "{}", person.sees());
+    person.types("zzzs");
+    // The problem stands behind the others in the file now, and says the same.
+    let [before, again] = [before, fs::read_to_string(&path).expect("the file")].map(|text| {
+        let problem = file::parse(&text).expect("it is read");
+        ["bracket", "fan", "let", "ask"]
+            .map(|name| problem.draft.at(&problem.entry.shape(), name).expect("a part").0.clone())
+    });
+    assert_eq!(before, again);
+}

@@ -388,6 +388,30 @@ impl Form {
         Ok(done)
     }
 
+    /// Removes the configuration or the linked problem that is shown; whether it can be.
+    pub fn remove_part(&mut self) -> bool {
+        let part = self.part();
+        match &part.role {
+            PartRole::Configuration(configuration) => {
+                let list = part.outside("configuration");
+                let problem = |other: &FilePart| other.problem == part.problem;
+                if let Some(problem) = self.parts().into_iter().find(problem) {
+                    self.show_part(&problem);
+                }
+                self.change(Change::Other, |draft, shape| {
+                    let (Draft::Rows(rows), _) = draft.at_mut(shape, &list).ok()? else { return None };
+                    rows.retain(|row| cells(row)[0] != configuration.as_str());
+                    Some(())
+                })
+            }
+            PartRole::Problem => match linked::without(self.entry, &self.draft, &part.problem) {
+                Some((entry, draft)) => self.replace(entry, draft),
+                None => false,
+            },
+            PartRole::File(_) | PartRole::Shared => false,
+        }
+    }
+
     /// Lines of a part, those of collapsed rows among them, without empty lists of definitions and questions.
     pub(super) fn lines_of(&self, part: &FilePart) -> Vec<FormLine> {
         let mut lines = lines_of(&self.shape, &self.draft, part);

@@ -26,6 +26,7 @@ impl Action {
             Action::PreviousFilePart => "previous-file-part",
             Action::BeginProblem => "begin-problem",
             Action::BeginConfiguration => "begin-configuration",
+            Action::RemovePart => "remove-part",
             Action::NextExhibit => "next-exhibit",
             Action::NextMarker => "next-marker",
             Action::ZoomIn => "zoom-in",

@@ -177,6 +177,7 @@ pub const PROBLEM: &[Binding] = &[
     bind(Action::PreviousFilePart, &[typed('{')], "previous problem or configuration of the file", ""),
     bind(Action::BeginProblem, &[], "link another problem: problem NAME ANALYSIS", ""),
     bind(Action::BeginConfiguration, &[], "begin a configuration: configuration NAME", ""),
+    bind(Action::RemovePart, &[], "remove this configuration or linked problem", ""),
     bind(Action::Undo, &[typed('z')], "undo", "undo"),
     bind(Action::Redo, &[typed('Z')], "redo", ""),
     bind(

@@ -36,6 +36,7 @@ pub(super) fn act(model: &mut Model, place: KeyContext, action: Action) -> Optio
         Action::BeginConfiguration => {
             vec![Intent::Show(Dialog::prompt_asking(Purpose::Configuration, ""))]
         }
+        Action::RemovePart => parts::remove(model),
         Action::NextTab => turn(model, 1),
         Action::PreviousTab => turn(model, -1),
         Action::Play | Action::PreviousFrame | Action::NextFrame => animate(model, action),

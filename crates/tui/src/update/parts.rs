@@ -153,6 +153,19 @@ fn restructure(
     vec![Intent::Changed, Intent::Say(said)]
 }
 
+/// Takes the configuration or the linked problem that is shown out of the file.
+pub(super) fn remove(model: &mut Model) -> Vec<Intent> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let form = &mut bench.problem.inputs.form;
+    form.keep();
+    let name = form.part().title();
+    if !form.remove_part() {
+        return Intent::say("only a configuration, or one of several problems, can be removed");
+    }
+    let said = Text::new("{name} removed; {key} takes that back").with_text("name", name);
+    vec![Intent::Changed, Intent::Say(said.with("key", model.key(KeyContext::Form, Action::Undo)))]
+}
+
 /// Begins a configuration of the problem that is shown, or shows the one of that name.
 pub(super) fn begin_configuration(model: &mut Model, name: &str) -> Vec<Intent> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
