@@ -414,7 +414,7 @@ fn prepared(
     let stop = Stop::new();
     let plain = Plain::new(&stop);
     problem.solve_plain(&plain)?;
-    let names: Vec<Name> = plain.answers().map(|(name, _)| name).collect();
+    let names: Vec<Name> = plain.answers().into_iter().map(|(name, _)| name).collect();
     let wanted = wanted
         .iter()
         .map(|&name| {

@@ -1,6 +1,6 @@
 //! Worksheet of a solve, and the plain reading that keeps only numbers.
 
-use std::cell::Cell;
+use std::cell::RefCell;
 
 use dalembert_numerics::intervals::IntervalSet;
 use dalembert_numerics::{Real, Vector};
@@ -169,22 +169,17 @@ pub enum PathSegment {
 
 /// Reads a solve as plain numbers. Nothing is recorded but the answers.
 pub struct Plain<'a> {
-    answers: [Cell<(Name, f64)>; MOST_ANSWERS],
-    count: Cell<usize>,
+    answers: RefCell<Vec<(Name, f64)>>,
     /// The answers that are wanted, each with its expected place; none where all are.
     wanted: &'a [(usize, Name)],
     stop: &'a Stop,
 }
 
-/// The most answers (numbers, not vectors or sets) that a plain reading keeps.
-pub const MOST_ANSWERS: usize = 64;
-
 impl<'a> Plain<'a> {
     /// A worksheet without answers.
     #[inline]
     pub fn new(stop: &'a Stop) -> Self {
-        let none = || Cell::new((Name::from(""), 0.0));
-        Self { answers: std::array::from_fn(|_| none()), count: Cell::new(0), wanted: &[], stop }
+        Self { answers: RefCell::default(), wanted: &[], stop }
     }
 
     /// A worksheet that goes on only until it has these answers, each with its expected place.
@@ -194,7 +189,7 @@ impl<'a> Plain<'a> {
 
     /// Returns true if every wanted answer is there.
     pub(crate) fn is_complete(&self) -> bool {
-        let count = self.count.get();
+        let count = self.answers.borrow().len();
         let is_there = |(at, name): &(usize, Name)| *at < count && self.answer_at(*at, *name).is_some();
         !self.wanted.is_empty() && self.wanted.iter().all(is_there)
     }
@@ -202,25 +197,25 @@ impl<'a> Plain<'a> {
     /// Forgets the answers, for the next reading.
     #[inline]
     pub fn clear(&self) {
-        self.count.set(0);
+        self.answers.borrow_mut().clear();
     }
 
     /// The answer of that name, expected (but not required) as the `at`th.
     #[inline]
     pub fn answer_at(&self, at: usize, name: Name) -> Option<f64> {
-        let count = self.count.get().min(MOST_ANSWERS);
-        if at < count {
-            let (found, value) = self.answers[at].get();
-            if std::ptr::eq(found.base, name.base) && found.rows == name.rows {
-                return Some(value);
-            }
+        let answers = self.answers.borrow();
+        if let Some((found, value)) = answers.get(at)
+            && std::ptr::eq(found.base, name.base)
+            && found.rows == name.rows
+        {
+            return Some(*value);
         }
-        self.answers[..count].iter().map(Cell::get).find(|(found, _)| *found == name).map(|(_, value)| value)
+        answers.iter().find(|(found, _)| *found == name).map(|(_, value)| *value)
     }
 
     /// All answers, in the order they were named.
-    pub fn answers(&self) -> impl Iterator<Item = (Name, f64)> {
-        self.answers[..self.count.get().min(MOST_ANSWERS)].iter().map(Cell::get)
+    pub fn answers(&self) -> Vec<(Name, f64)> {
+        self.answers.borrow().clone()
     }
 }
 
@@ -293,11 +288,7 @@ impl Worksheet for &Plain<'_> {
     fn verify(self, _: impl FnOnce()) {}
     #[inline]
     fn answer(self, name: impl Into<Name>, _: &'static str, value: f64) {
-        let at = self.count.get();
-        if let Some(cell) = self.answers.get(at) {
-            cell.set((name.into(), value));
-        }
-        self.count.set(at + 1);
+        self.answers.borrow_mut().push((name.into(), value));
     }
     #[inline]
     fn answer_vector(self, _: impl Into<Name>, _: &'static str, _: Vector3<f64>) {}
