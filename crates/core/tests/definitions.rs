@@ -249,7 +249,7 @@ fn what_is_wrong_is_named_with_its_repair() {
         ("2*X\"       #", "2*Amplitude\"       #", "did you mean `amplitude`"),
         ("2*X\"       #", "2*natural_freqency\"       #", "did you mean `natural_frequency`"),
         ("2*X\"       #", "5 lb + 3 lbf\"       #", "write `5 lbf + 3 lbf` or `5 lb + 3 lb`"),
-        ("bolt  = \"12 g\"", "bolt  = \"1 250 mg*Nu\"", "did you mean `nu`"),
+        ("bolt = \"12 g\"", "bolt = \"1 250 mg*Nu\"", "did you mean `nu`"),
         ("2*X\"       #", "2 X\"       #", "write `2*X`"),
         ("2*X\"       #", "3 kg*m\"       #", "write `3 kg m` or `3 kg*(m)`"),
         ("2*X\"       #", "2 N-m\"       #", "both must be the same kind of quantity"),

@@ -52,7 +52,7 @@ pub(crate) fn for_each_problem(entries: &[&'static Entry], mut visit: impl FnMut
 /// Returns true if a problem has definitions, questions or given answers: their texts hold quantities that no input has.
 pub(crate) fn has_formulas(record: &Record) -> bool {
     let is_there = |list: &&str| matches!(record.get(list), Some(Value::Rows(rows)) if !rows.is_empty());
-    COMMON_LISTS.iter().any(|list| is_there(list))
+    COMMON_LISTS.iter().any(is_there)
 }
 
 /// The solution of the first case of each analysis.

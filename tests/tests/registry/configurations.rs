@@ -208,7 +208,7 @@ fn a_file_has_lists_and_choices_in_configurations() {
     let ratio = solution.answer("ratio").and_then(Answer::si).expect("a number");
     assert!((ratio - 2.0).abs() < 1e-12, "{ratio}");
     // A disc of the same mass has the same velocity of its centre, and other angular velocities.
-    let of = |name: &str| solution.answer(name).map(numbers).unwrap_or_else(|| panic!("there is no {name}"));
+    let of = |name: &str| solution.answer(name).map_or_else(|| panic!("there is no {name}"), numbers);
     assert_eq!(of("disc.centre_velocity"), of("centre_velocity"));
     // ω = r × J/(m r²/4) about the diameters.
     let wanted = [-4.0 * 0.15 / (12.0 * 0.01), 4.0 * 0.25 / (12.0 * 0.01)];

@@ -1,7 +1,9 @@
 //! Unknown inputs and given answers: a round trip over the registry, and questions in which known and unknown change
 //! places.
 
-use dalembert_core::{Determined, Draft, Entry, Solution, Stop, cases, file, find, printer, registry};
+use dalembert_core::{
+    Answer, Determined, Draft, Entry, Solution, Stop, cases, file, find, printer, registry,
+};
 use dalembert_plugins as _;
 use dalembert_testkit::{on_all_cores, unknowns};
 use itertools::Itertools as _;
@@ -260,8 +262,11 @@ v = "-0.5 m/s"
 /// The solution of a file with another text for the impulse, and other tables behind it.
 fn struck(impulse: &str, tables: &str) -> Result<Solution, String> {
     let text = STRUCK.replace("[\"0 N*s\", \"0 N*s\", \"?\"]", impulse);
-    let text =
-        if tables.is_empty() { text } else { format!("{}{tables}", &text[..text.find("[ask]").unwrap()]) };
+    let text = if tables.is_empty() {
+        text
+    } else {
+        format!("{}{tables}", &text[..text.find("[ask]").expect("a table")])
+    };
     let problem =
         file::parse(&text).map_err(|errors| errors.iter().map(|error| error.why.english()).join("; "))?;
     let written = file::write(&problem, &text);
@@ -292,7 +297,7 @@ fn a_component_of_a_vector_is_found() {
         assert!((found + 6.0).abs() < 1e-9, "{impulse}: {found}");
         assert_eq!(determined.unknowns[0].name, "blows[1].strength.impulse.impulse.z");
         assert_eq!(determined.unknowns[0].label.english(), "Impulse 1 z");
-        let answer = solution.answer("blows[1].strength.impulse.impulse.z").and_then(|answer| answer.si());
+        let answer = solution.answer("blows[1].strength.impulse.impulse.z").and_then(Answer::si);
         assert_eq!(answer, Some(found), "{impulse}");
         assert!(solution.checks.iter().all(|check| check.passed), "{impulse}");
         assert_eq!(solution.defects, [] as [String; 0], "{impulse}");
