@@ -428,7 +428,7 @@ fn prepared(
 impl Evaluate for Prepared {
     fn sweep(&mut self, points: &[f64], answers: &mut [f64], stop: &Stop) -> Result<(), Refusal> {
         let columns = self.vary.len().max(1);
-        let plain = Plain::wanting(stop, &self.wanted);
+        let plain = Plain::until(stop, &self.wanted);
         for (n, (point, row)) in
             points.chunks(columns).zip(answers.chunks_mut(self.wanted.len().max(1))).enumerate()
         {

@@ -183,7 +183,7 @@ impl<'a> Plain<'a> {
     }
 
     /// A worksheet that goes on only until it has these answers, each with its expected place.
-    pub(crate) fn wanting(stop: &'a Stop, wanted: &'a [(usize, Name)]) -> Self {
+    pub(crate) fn until(stop: &'a Stop, wanted: &'a [(usize, Name)]) -> Self {
         Self { wanted, ..Self::new(stop) }
     }
 

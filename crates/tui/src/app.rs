@@ -41,7 +41,7 @@ const KEEP_WHILE_TYPING: Duration = Duration::from_secs(10);
 const ANIMATION_BYTES: (f64, f64) = (64e3, 8e3);
 /// Of the time of a line that is slower still, animations take at most one part of so many.
 const ANIMATION_SHARE: u32 = 4;
-/// While a job is under way, its progress is looked at so often.
+/// Interval at which the progress of a job under way is examined.
 const PROGRESS_EVERY: Duration = Duration::from_millis(250);
 /// Nothing is expected: until then the loop sleeps.
 const LONG: Duration = Duration::from_hours(24);
