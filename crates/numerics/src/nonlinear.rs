@@ -79,6 +79,18 @@ pub fn levenberg_marquardt(
     Some(LocalMinimum { x, residuals: r })
 }
 
+/// Residuals with one unknown shifted; `None` outside the unit cube.
+fn shifted(
+    residuals: &mut impl FnMut(&[f64]) -> Option<Vec<f64>>,
+    x: &[f64],
+    column: usize,
+    shift: f64,
+) -> Option<Vec<f64>> {
+    let mut near = x.to_vec();
+    near[column] += shift;
+    if (0.0..=1.0).contains(&near[column]) { residuals(&near) } else { None }
+}
+
 /// Jacobian by differences to one side: above, or below where there is no value.
 fn one_sided(
     residuals: &mut impl FnMut(&[f64]) -> Option<Vec<f64>>,
@@ -87,12 +99,7 @@ fn one_sided(
 ) -> Option<DMatrix<f64>> {
     let mut jacobian = DMatrix::zeros(r.len(), x.len());
     for column in 0..x.len() {
-        let mut at = |shift: f64| {
-            let mut near = x.to_vec();
-            near[column] += shift;
-            let shifted = if (0.0..=1.0).contains(&near[column]) { residuals(&near) } else { None };
-            shifted.map(|shifted| (shifted, shift))
-        };
+        let mut at = |shift| Some((shifted(residuals, x, column, shift)?, shift));
         let (shifted, shift) = at(DIFFERENCE).or_else(|| at(-DIFFERENCE))?;
         for row in 0..r.len() {
             jacobian[(row, column)] = (shifted[row] - r[row]) / shift;
@@ -110,11 +117,7 @@ pub fn jacobian(
 ) -> Option<DMatrix<f64>> {
     let mut jacobian = DMatrix::zeros(r.len(), x.len());
     for column in 0..x.len() {
-        let mut at = |shift: f64| {
-            let mut near = x.to_vec();
-            near[column] += shift;
-            if (0.0..=1.0).contains(&near[column]) { residuals(&near) } else { None }
-        };
+        let mut at = |shift| shifted(residuals, x, column, shift);
         let (below, above) = (at(-DIFFERENCE), at(DIFFERENCE));
         let width = DIFFERENCE * f64::from(u8::from(below.is_some()) + u8::from(above.is_some()));
         if width == 0.0 {

@@ -5,20 +5,7 @@ use dalembert_plugins as _;
 use dalembert_testkit::inputs;
 use toml_edit::DocumentMut;
 
-fn solved(text: &str) -> Solution {
-    let problem = file::parse(text).unwrap_or_else(|errors| panic!("{text}: {errors:?}"));
-    let record =
-        problem.draft.read(&problem.entry.shape()).unwrap_or_else(|errors| panic!("{text}: {errors:?}"));
-    problem.entry.solve(&record, &Stop::new()).unwrap_or_else(|error| panic!("{text}: {error}"))
-}
-
-fn number(solution: &Solution, name: &str) -> f64 {
-    let answer = solution.answers.iter().find(|answer| answer.name.is(name));
-    match answer.map(|answer| &answer.value) {
-        Some(AnswerValue::Number(Number::Scalar(si), _)) => *si,
-        other => panic!("{name}: {other:?}"),
-    }
-}
+use super::{number, solved};
 
 fn warnings(solution: &Solution) -> Vec<String> {
     solution.warnings.iter().map(Text::english).collect()

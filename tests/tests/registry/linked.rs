@@ -1,11 +1,13 @@
 //! Linked problems, configurations, and the exam questions of several steps.
 
 use dalembert_core::{
-    AnswerValue, Entry, Number, Record, Solution, SolveError, Stop, cases, cases::Comparison, exams::exams,
-    file, find, vary,
+    AnswerValue, Entry, Number, Record, SolveError, Stop, cases, cases::Comparison, exams::exams, file, find,
+    vary,
 };
 use dalembert_plugins as _;
 use itertools::zip_eq;
+
+use super::{number, solved};
 
 const FAN: &str = r#"format = 2
 title = "Fan on a bracket"
@@ -105,16 +107,6 @@ fn wrong(text: &str, files: &[(&str, &str)]) -> String {
         Ok(solution) => solution.warnings.iter().map(dalembert_core::Text::english).collect(),
         Err(error) => error.to_string(),
     }
-}
-
-fn solved(text: &str) -> Solution {
-    let (entry, record) = read(text);
-    entry.solve(&record, &Stop::new()).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
-
-fn number(solution: &Solution, name: &str) -> f64 {
-    let answer = solution.answer(name).unwrap_or_else(|| panic!("there is no answer {name}"));
-    answer.si().unwrap_or_else(|| panic!("{name} is not a number"))
 }
 
 fn near(found: f64, wanted: f64) {

@@ -25,3 +25,19 @@ mod symbols;
 mod tidy;
 mod unit_systems;
 mod unknowns;
+
+use dalembert_core::{Solution, Stop, file};
+
+/// The problem file of a text, solved.
+fn solved(text: &str) -> Solution {
+    let problem = file::parse(text).unwrap_or_else(|errors| panic!("{text}: {errors:?}"));
+    let record =
+        problem.draft.read(&problem.entry.shape()).unwrap_or_else(|errors| panic!("{text}: {errors:?}"));
+    problem.entry.solve(&record, &Stop::new()).unwrap_or_else(|error| panic!("{text}: {error}"))
+}
+
+/// The number that an answer is.
+fn number(solution: &Solution, name: &str) -> f64 {
+    let answer = solution.answer(name).unwrap_or_else(|| panic!("there is no answer {name}"));
+    answer.si().unwrap_or_else(|| panic!("{name} is not a number"))
+}

@@ -180,9 +180,8 @@ fn write_configurations(root: &mut Table, rows: &[Draft]) {
             all.insert(name, Item::Table(Table::new()));
         }
         let Some(table) = all.get_mut(name).and_then(Item::as_table_like_mut) else { continue };
-        let own: Vec<(&str, &str)> =
-            rows.iter().filter(|row| leaf(row, 0) == name).map(|row| (leaf(row, 1), leaf(row, 2))).collect();
-        let own: Vec<(&str, &str)> = own.into_iter().filter(|change| *change != ("", "")).collect();
+        let own = rows.iter().filter(|row| leaf(row, 0) == name).map(|row| (leaf(row, 1), leaf(row, 2)));
+        let own: Vec<(&str, &str)> = own.filter(|change| *change != ("", "")).collect();
         keep_only(table, &|key| {
             own.iter().any(|(path, _)| {
                 path.strip_prefix(key).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
