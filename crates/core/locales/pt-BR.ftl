@@ -584,3 +584,44 @@ name-the-unknown-components-of-a-vector-as-in-0-3-m-s = indique os componentes i
 input-with-the-components-found = { $input }, com os componentes encontrados
 the-path-of-the-input-that-differs-mass-masses-3-radius-a-choice = O caminho do dado que difere: mass, masses[3].radius, uma escolha.
 n-12-kg-or-m-2-kg-over-the-inputs-and-definitions-of-the-problem-an-alternative-by-its-name = 12 kg, ou m + 2 kg com os dados e as definições do problema; uma alternativa pelo nome.
+
+## Studies
+name-an-input-that-varies-a-table-vary-with-input-and-values-or-from-to-and-points = indique um dado que varia: uma tabela [[vary]] com input e values, ou from, to e points
+input-varies-twice-name-it-once = { $input } varia duas vezes; indique-o uma só vez
+samples-are-drawn-of-inputs-that-have-a-distribution-and-none-has-one-leave-it-out = sorteiam-se amostras dos dados que têm distribuição, e nenhum tem; omita este valor
+write-a-whole-number-from-1-on = escreva um número inteiro a partir de 1
+write-a-whole-number-from-2-on = escreva um número inteiro a partir de 2
+the-sobol-sequence-serves-up-to-most-inputs-and-have-are-drawn-use-latin-hypercube = a sequência de Sobol' serve para até { $most } dados, e { $have } são sorteados; use latin-hypercube
+the-sobol-sequence-has-most-points-write-at-most-so-many-samples = a sequência de Sobol' tem { $most } pontos; escreva no máximo esse número de amostras
+sizes-points-are-more-than-most-write-fewer-points-or-samples = { $sizes } pontos são mais que { $most }; escreva menos pontos ou amostras
+name-is-not-an-input-with-a-distribution-in-this-plan = `{ $name }` não é um dado com distribuição neste plano
+write-two-different-inputs-and-a-coefficient-between-1-and-1 = escreva dois dados diferentes e um coeficiente entre -1 e 1
+these-correlations-contradict-one-another-their-matrix-is-not-positive-definite = estas correlações se contradizem: sua matriz não é positiva definida
+write-one-of-values-from-to-and-points-distribution-table = escreva uma destas formas: values; from, to e points; distribution; table
+the-list-is-empty-write-at-least-one-value = a lista está vazia; escreva pelo menos um valor
+does-not-belong-here-this-way-takes-takes = não pertence a esta forma, que aceita { $takes }
+name-the-input-that-varies = indique o dado que varia
+name-is-not-a-number-among-the-inputs-did-you-mean-near = `{ $name }` não é um número entre os dados; quis dizer `{ $near }`?
+name-is-not-a-number-among-the-inputs-known = `{ $name }` não é um número entre os dados: { $known }
+file-has-no-rows = { $file } não tem linhas
+is-missing-for-this-distribution = falta para esta distribuição
+is-missing-for-this-range = falta para este intervalo
+must-be-above-zero = deve ser maior que zero
+from-must-be-below-to = `from` deve ser menor que `to`
+from-mode-and-to-must-ascend-and-from-be-below-to = `from`, `mode` e `to` devem ser crescentes, com `from` menor que `to`
+the-mean-of-a-lognormal-distribution-must-be-above-zero = a média de uma distribuição lognormal deve ser maior que zero
+mean-and-deviation-must-be-finite = a média e o desvio-padrão devem ser finitos
+at-least-two-values-are-needed-to-draw-from = são necessários pelo menos dois valores para o sorteio
+name-the-csv-file-of-the-measured-values = indique o arquivo CSV dos valores medidos
+file-has-no-column-name-it-has-known = { $file } não tem a coluna `{ $name }`; tem { $known }
+a-logarithmic-range-lies-above-zero-write-other-ends-or-scale-linear = um intervalo logarítmico fica acima de zero; escreva outros extremos ou scale = "linear"
+is-not-a-finite-number = não é um número finito
+unit-is-no-unit-of-input-which-is-in-own = `{ $unit }` não é unidade de `{ $input }`, que está em { $own }
+this-problem-has-no-answer-that-is-a-number = este problema não tem resultado numérico
+write-above-or-below-as-in-above-0-5-mm = escreva above ou below, como em above = "0.5 mm"
+input-why = { $input }: { $why }
+the-condition-is-not-met-answer-above-limit = a condição não é satisfeita: { $answer } acima de { $limit }
+the-condition-is-not-met-answer-below-limit = a condição não é satisfeita: { $answer } abaixo de { $limit }
+name-is-not-a-number-among-the-answers-did-you-mean-near = `{ $name }` não é um número entre os resultados; quis dizer `{ $near }`?
+name-is-not-a-number-among-the-answers-known = `{ $name }` não é um número entre os resultados: { $known }
+an-input-has-no-value = um dado não tem valor

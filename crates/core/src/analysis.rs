@@ -89,7 +89,18 @@ type Prepare = fn(&Record, vary: &[&str], wanted: &[&str]) -> Result<Box<dyn Eva
 pub trait Evaluate: Send {
     /// Solves once for each row of `points` (row-major, one column for each varied input, in SI) and writes the
     /// wanted answers into `answers` (row-major). A point without an answer gives NaN in its row.
-    fn sweep(&mut self, points: &[f64], answers: &mut [f64], stop: &Stop) -> Result<(), Refusal>;
+    fn sweep(&mut self, points: &[f64], answers: &mut [f64], stop: &Stop) -> Result<(), Refusal> {
+        self.sweep_with_reasons(points, answers, &mut |_, _| {}, stop)
+    }
+
+    /// The same; `refused` receives each row without an answer, and why.
+    fn sweep_with_reasons(
+        &mut self,
+        points: &[f64],
+        answers: &mut [f64],
+        refused: &mut dyn FnMut(usize, Text),
+        stop: &Stop,
+    ) -> Result<(), Refusal>;
 }
 
 inventory::collect!(Entry);
@@ -426,7 +437,13 @@ fn prepared(
 }
 
 impl Evaluate for Prepared {
-    fn sweep(&mut self, points: &[f64], answers: &mut [f64], stop: &Stop) -> Result<(), Refusal> {
+    fn sweep_with_reasons(
+        &mut self,
+        points: &[f64],
+        answers: &mut [f64],
+        refused: &mut dyn FnMut(usize, Text),
+        stop: &Stop,
+    ) -> Result<(), Refusal> {
         let columns = self.vary.len().max(1);
         let plain = Plain::until(stop, &self.wanted);
         for (n, (point, row)) in
@@ -447,7 +464,10 @@ impl Evaluate for Prepared {
                 Err(Refusal::Stopped) if stop.check().is_err() || !plain.is_complete() => {
                     return Err(Refusal::Stopped);
                 }
-                Err(Refusal::NoAnswer(_)) => row.fill(f64::NAN),
+                Err(Refusal::NoAnswer(why)) => {
+                    row.fill(f64::NAN);
+                    refused(n, why);
+                }
                 Ok(()) | Err(Refusal::Stopped) => {
                     for ((at, name), place) in self.wanted.iter().zip(row) {
                         *place = plain.answer_at(*at, *name).unwrap_or(f64::NAN);

@@ -100,6 +100,14 @@ pub enum FieldLimit {
     Excluding(f64),
 }
 
+/// Limits of a value in the unit of its field.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ValueLimits {
+    unit: &'static Unit,
+    min: FieldLimit,
+    max: FieldLimit,
+}
+
 /// An alternative of a one-of.
 #[derive(Clone, Copy, Debug)]
 pub struct Variant {
@@ -154,15 +162,10 @@ impl ChildList {
     }
 }
 
-impl Measure {
-    /// The unit of a number written alone.
-    pub fn own_unit(&self) -> Unit {
-        intern::unit_of_field(self.unit).clone()
-    }
-
+impl ValueLimits {
     /// Returns true if a value, in SI, is finite and within the limits.
-    pub fn permits(&self, si: f64) -> bool {
-        let value = intern::unit_of_field(self.unit).value(si);
+    pub(crate) fn permit(&self, si: f64) -> bool {
+        let value = self.unit.value(si);
         let above = match self.min {
             FieldLimit::None => true,
             FieldLimit::Including(min) => value >= min,
@@ -174,6 +177,23 @@ impl Measure {
             FieldLimit::Excluding(max) => value < max,
         };
         above && below && si.is_finite()
+    }
+}
+
+impl Measure {
+    /// The unit of a number written alone.
+    pub fn own_unit(&self) -> Unit {
+        intern::unit_of_field(self.unit).clone()
+    }
+
+    /// Returns true if a value, in SI, is finite and within the limits.
+    pub fn permits(&self, si: f64) -> bool {
+        self.limits().permit(si)
+    }
+
+    /// Limits with their unit read once, for many values.
+    pub(crate) fn limits(&self) -> ValueLimits {
+        ValueLimits { unit: intern::unit_of_field(self.unit), min: self.min, max: self.max }
     }
 
     /// Message for a value outside its limits, written as this text; `None` within them.

@@ -1,9 +1,24 @@
 //! Questions about a whole range of inputs: how an answer runs over one of them, where it takes a wanted value, and
-//! how it scatters when the inputs do.
+//! how it scatters when the inputs do; and studies of any size, by a [plan](StudyPlan).
 
+mod design;
+mod evaluation;
+mod plan;
 mod scatter;
+mod statistics;
 
-pub use self::scatter::Distribution;
+pub use self::{
+    design::Design,
+    evaluation::{Evaluation, Rows, Study},
+    plan::{
+        Amount, Correlation, DataColumn, DistributionKind, Limit, ReadData, Sampling, Spacing, StudyPlan,
+        Variation,
+    },
+    scatter::Distribution,
+    statistics::{
+        Accumulator, AnswerLimit, AnswerStatistics, BLOCK, Exceedance, Histogram, PERCENTILES, Summary,
+    },
+};
 use crate::{
     Answer, Axis, Entry, Plot, Record, Refusal, Scale, Series, SolveError, Stop, Text,
     intern::fixed,
@@ -11,8 +26,10 @@ use crate::{
     vary::{self, Perturbed, VariedInput},
 };
 
-/// The most points of a curve, and the most samples.
+/// The most points of a curve.
 pub const MOST_POINTS: usize = 10_000;
+/// The most samples of the pane; a [`StudyPlan`] may have many more.
+pub const MOST_SAMPLES: usize = 1_000_000;
 /// The most curves of a family.
 pub const MOST_CURVES: usize = 6;
 /// So many ranges without an answer are reported.

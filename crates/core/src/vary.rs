@@ -5,6 +5,7 @@ use dalembert_units::{self as units, Dim, Kind, Quantity, Unit};
 use crate::{
     Entry, Evaluate, FieldLimit, Measure, Record, Refusal, Shape, SolveError, Stop, Text, Value,
     definitions::{Plan, within_problem},
+    field::ValueLimits,
     gravity,
     intern::intern,
     kept,
@@ -39,6 +40,7 @@ pub struct Perturbed {
     /// The names of the answers that are found each time.
     pub answers: Vec<String>,
     evaluate: Box<dyn Evaluate>,
+    limits: Vec<ValueLimits>,
 }
 
 /// Every number among the inputs, in the order of the form. Whole numbers and tables are none; gravity is one.
@@ -242,7 +244,10 @@ impl Perturbed {
             let vary: Vec<&str> = inputs.iter().map(|input| input.path.as_str()).collect();
             let wanted: Vec<&str> = answers.iter().map(String::as_str).collect();
             let error = match entry.prepare(record, &vary, &wanted) {
-                Ok(evaluate) => return Ok(Self { inputs, answers, evaluate }),
+                Ok(evaluate) => {
+                    let limits = inputs.iter().map(|input| input.measure.limits()).collect();
+                    return Ok(Self { inputs, answers, evaluate, limits });
+                }
                 Err(error) => error,
             };
             let SolveError::Fields(errors) = &error else { return Err(error) };
@@ -264,7 +269,7 @@ impl Perturbed {
     pub fn with(&mut self, changes: &[(usize, f64)], stop: &Stop) -> Result<Vec<f64>, Refusal> {
         stop.check()?;
         let mut answers = vec![f64::NAN; self.answers.len()];
-        if changes.iter().any(|(at, si)| !self.inputs[*at].permits(*si)) {
+        if changes.iter().any(|(at, si)| !self.limits[*at].permit(*si)) {
             return Ok(answers);
         }
         let mut point: Vec<f64> = self.inputs.iter().map(|input| input.si).collect();

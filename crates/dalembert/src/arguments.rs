@@ -51,6 +51,8 @@ pub(crate) enum Command {
     Solve(Solve),
     /// Find the values of an input with which an answer is a wanted one
     Find(Find),
+    /// Solve a problem at many values of its inputs: grids, samples, statistics
+    Study(Study),
     /// Check all published answers
     Verify(Verify),
     /// Print the JSON Schema of a problem file, for an editor
@@ -176,6 +178,60 @@ pub(crate) struct Find {
     /// Print JSON
     #[arg(long)]
     pub(crate) json: bool,
+    /// Number of significant digits
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
+    pub(crate) digits: Option<u8>,
+}
+
+#[derive(Debug, Args)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a flag of the command line")]
+pub(crate) struct Study {
+    /// A study plan, a problem file or the id of an analysis
+    #[arg(value_name = "PLAN|FILE|ID")]
+    pub(crate) subject: String,
+    /// Vary an input of a problem: speed='600..1800 rpm:13', speed=10..1000:31:log, mass='40 kg; 45 kg',
+    /// mass='normal(2 %)', mass='uniform(38 kg; 42 kg)'
+    #[arg(long, value_name = "INPUT=VALUES")]
+    pub(crate) vary: Vec<String>,
+    /// The answers, separated by commas; default: every answer that is a number
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub(crate) answers: Vec<String>,
+    /// A limit whose probability of being exceeded is wanted: 'amplitude > 0.2 mm'
+    #[arg(long, value_name = "ANSWER>VALUE")]
+    pub(crate) limit: Vec<String>,
+    /// Number of samples of the inputs that have a distribution
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub(crate) samples: Option<u64>,
+    /// Method by which samples are drawn
+    #[arg(long, value_name = "METHOD", value_parser = ["monte-carlo", "latin-hypercube", "sobol"])]
+    pub(crate) sampling: Option<String>,
+    /// Seed of the samples: the same seed gives the same ones
+    #[arg(long, value_name = "N")]
+    pub(crate) seed: Option<u64>,
+    /// Write all points to a CSV file; a run that was broken off goes on where it ended
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// Overwrite an existing file
+    #[arg(long, requires = "output")]
+    pub(crate) force: bool,
+    /// Solve one of several parts of the points, into a file beside that of the whole: 3/16
+    #[arg(long, value_name = "NUMBER/OF", requires = "output")]
+    pub(crate) shard: Option<String>,
+    /// Merge the shards into the file
+    #[arg(long, requires = "output", conflicts_with = "shard")]
+    pub(crate) merge: bool,
+    /// Number of threads; default: one for each processor
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
+    pub(crate) threads: Option<u32>,
+    /// Write the summary to a file: text, Markdown, HTML, LaTeX or Typst, by its extension
+    #[arg(long, value_name = "FILE")]
+    pub(crate) report: Option<PathBuf>,
+    /// Print the summary as JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Print the plan as a file and solve nothing
+    #[arg(long)]
+    pub(crate) print_plan: bool,
     /// Number of significant digits
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
     pub(crate) digits: Option<u8>,

@@ -11,5 +11,6 @@ pub(crate) mod schema;
 pub(crate) mod settings;
 pub(crate) mod show;
 pub(crate) mod solve;
+pub(crate) mod study;
 pub(crate) mod verify;
 pub(crate) mod workbench;

@@ -75,6 +75,7 @@ fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, F
         Some(Command::New(new)) => commands::new::run(new, console),
         Some(Command::Solve(solve)) => commands::solve::run(solve, console),
         Some(Command::Find(find)) => commands::find::run(find, console),
+        Some(Command::Study(study)) => commands::study::run(study, console),
         Some(Command::Verify(verify)) => commands::verify::run(verify, console),
         Some(Command::Schema(schema)) => commands::schema::run(schema, console),
         Some(Command::Replay(replay)) => commands::replay::run(replay, set, console),

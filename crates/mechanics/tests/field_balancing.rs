@@ -3,9 +3,10 @@
 use dalembert_mechanics::balance::{
     influence::{TrialRun, influence_coefficients, least_squares, residuals},
     minimax::min_max,
-    spread::{Choice, Influence, Measurement, ReadingSpread, normal_pair, ranges, uniform_bits},
+    spread::{Choice, Influence, Measurement, ReadingSpread, ranges},
     without_phase::effect,
 };
+use dalembert_numerics::random::{normal_pair, uniform_bits};
 use itertools::Itertools as _;
 use nalgebra::{Complex, DMatrix};
 use proptest::prelude::*;

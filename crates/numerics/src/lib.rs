@@ -10,6 +10,8 @@
 //! | quadrature | [`quadrature`], [`gauss_legendre`] |
 //! | special functions | [`elliptic`], [`bessel`] |
 //! | sets of numbers | [`intervals`] |
+//! | random numbers, points that fill a cube | [`random`], [`sampling`] |
+//! | probability distributions | [`distribution`] |
 //! | formulas for several samples at once | [`simd`] |
 //!
 //! The natural frequencies of two equal masses between three equal springs, `K x = ω² M x`:
@@ -27,6 +29,7 @@
 //! ```
 
 pub mod bessel;
+pub mod distribution;
 pub mod elliptic;
 pub mod extremes;
 pub mod gauss_legendre;
@@ -37,7 +40,9 @@ pub mod nonlinear;
 pub mod ode;
 pub mod polynomial;
 pub mod quadrature;
+pub mod random;
 pub mod roots;
+pub mod sampling;
 pub mod simd;
 
 mod real;

@@ -15,6 +15,7 @@ mod json;
 mod latex;
 mod markdown;
 mod math;
+mod study;
 mod text;
 mod typst;
 mod units;
@@ -32,6 +33,7 @@ pub use crate::{
     json::{json, json_text, unknown_formula},
     latex::latex,
     markdown::markdown,
+    study::study_document,
     text::text,
     typst::typst,
     units::{show_answer_in, show_answers_in},

@@ -11,7 +11,7 @@ use std::{
 use dalembert_core::{
     Answer, AnswerValue, Entry, Record, Refusal, Solution, SolveError, Stop, Text, Value, text::Arg, vary,
 };
-use dalembert_mechanics::balance::spread::uniform_bits;
+use dalembert_numerics::random::uniform_bits;
 use itertools::Itertools as _;
 
 use crate::{

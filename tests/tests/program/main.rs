@@ -3,5 +3,6 @@
 mod cli;
 mod faults;
 mod replay;
+mod study;
 mod workbench;
 mod workflows;

@@ -101,6 +101,8 @@ fn every_example_is_tested() {
             "fan.toml",
             "fan_on_bracket.toml",
             "fan_questions.toml",
+            // A plan of a study, carried out by the tests of the command line.
+            "fan_study.toml",
             "mass_from_frequency.toml",
             "rotor.toml",
             "table.toml"

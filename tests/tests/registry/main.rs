@@ -20,6 +20,7 @@ mod papers;
 mod path_independence;
 mod perturbation;
 mod reports;
+mod studies;
 mod suggestions;
 mod symbols;
 mod tidy;

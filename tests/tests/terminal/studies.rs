@@ -365,7 +365,7 @@ fn every_question_ends_soon_after_it_is_stopped() {
             tolerances: Vec::new(),
             usual: 0.01,
             distribution: Distribution::Uniform,
-            samples: study::MOST_POINTS,
+            samples: study::MOST_SAMPLES,
             seed: 1,
             answer: answer.clone(),
         };

@@ -3,7 +3,7 @@
 use super::{Tree, ends_in, lines, without_tests};
 
 /// A crate and those of this workspace that it may depend on, by folder, without tests.
-const BELOW: [(&str, &[&str]); 14] = [
+const BELOW: [(&str, &[&str]); 15] = [
     ("crates/units", &[]),
     ("crates/numerics", &[]),
     ("crates/mechanics", &["numerics"]),
@@ -11,9 +11,10 @@ const BELOW: [(&str, &[&str]); 14] = [
     ("crates/core", &["derive", "numerics", "units"]),
     ("crates/report", &["core", "numerics", "units"]),
     ("crates/terminal", &[]),
+    ("crates/study", &["core"]),
     ("crates/plot", &["core", "report", "terminal", "units"]),
     ("crates/tui", &["core", "plot", "report", "terminal", "units"]),
-    ("crates/dalembert", &["core", "mechanics", "plugins", "report", "tui", "units"]),
+    ("crates/dalembert", &["core", "mechanics", "plugins", "report", "study", "tui", "units"]),
     ("plugins/*", &["core", "mechanics", "numerics", "units"]),
     ("crates/testkit", &["core", "mechanics", "numerics", "plot", "report", "terminal", "units"]),
     ("tests", &["", "core", "mechanics", "numerics", "plugins", "report", "testkit", "tui", "units"]),

@@ -107,7 +107,8 @@ pub(crate) fn prepare(
         readings: None,
     };
     let is_asked = |name: &&str| plan.question(name).is_some();
-    let is_plain = plan.after_solution.iter().all(|place| matches!(place, Place::Question(_)));
+    let is_plain =
+        plan.after_solution.iter().all(|place| matches!(place, Place::Question(_) | Place::Solution(_)));
     if plan.search().is_none() && is_plain && !wanted.iter().any(is_asked) {
         // Answers of the analyses alone: no unit is needed, so nothing is worked out.
         planned.readings = Some(Readings::of_answers(plan, vary, wanted, record));
@@ -323,10 +324,11 @@ impl Planned {
         Ok(row)
     }
 
-    fn point(&mut self, point: &[f64], row: &mut [f64], stop: &Stop) -> Result<(), Refusal> {
-        if self.set(point).is_none() {
+    /// Solves one point; why, where it has no answer.
+    fn point(&mut self, point: &[f64], row: &mut [f64], stop: &Stop) -> Result<Option<Text>, Refusal> {
+        if let Err(why) = self.set(point) {
             row.fill(f64::NAN);
-            return Ok(());
+            return Ok(Some(why));
         }
         let found = match &mut self.readings {
             Some(readings) => readings.read(&self.entry, &mut self.plan, &mut self.record, row, stop),
@@ -341,28 +343,39 @@ impl Planned {
         };
         match found {
             Err(SolveError::Refused(Refusal::Stopped)) => Err(Refusal::Stopped),
-            Err(_) => {
+            Err(error) => {
                 row.fill(f64::NAN);
-                Ok(())
+                Ok(Some(match error {
+                    SolveError::Refused(Refusal::NoAnswer(why)) => why,
+                    SolveError::Fields(errors) => first_reason(errors),
+                    SolveError::Refused(Refusal::Stopped) => NO_VALUE.into(),
+                }))
             }
-            Ok(()) => Ok(()),
+            Ok(()) => Ok(None),
         }
     }
 
-    /// Gives the levers the numbers of a point, and the formulas their values; `None` where a formula has none.
-    fn set(&mut self, point: &[f64]) -> Option<()> {
+    /// Gives the levers the numbers of a point, and the formulas their values; why, where a formula has none.
+    fn set(&mut self, point: &[f64]) -> Result<(), Text> {
         for (lever, si) in self.levers.iter().zip(point) {
             match lever {
                 Lever::Definition(definition) => self.plan.set(*definition, *si),
                 Lever::Input(paths) => {
                     for path in paths {
-                        *vary::number(&mut self.record, path)? = *si;
+                        *vary::number(&mut self.record, path).ok_or(NO_VALUE)? = *si;
                     }
                 }
             }
         }
-        self.plan.renew(&mut self.record).ok()
+        self.plan.renew(&mut self.record).map_err(|error| error.why)
     }
+}
+
+/// Reason of a point at which an input has no value.
+const NO_VALUE: &str = "an input has no value";
+
+fn first_reason(errors: Vec<FieldError>) -> Text {
+    errors.into_iter().next().map_or_else(|| NO_VALUE.into(), |error| error.why)
 }
 
 impl Readings {
@@ -430,7 +443,9 @@ impl Readings {
             solution.inputs.iter().map(|path| plan.number_within(scope, path, record)).collect();
         // Without an input there is still one point.
         let point = point.filter(|point| !point.is_empty()).unwrap_or_else(|| vec![0.0]);
-        Ok(evaluate.sweep(&point, &mut solution.values, stop)?)
+        let mut reason = None;
+        evaluate.sweep_with_reasons(&point, &mut solution.values, &mut |_, why| reason = Some(why), stop)?;
+        reason.map_or(Ok(()), |why| Err(Refusal::NoAnswer(why).into()))
     }
 
     fn question(
@@ -505,11 +520,19 @@ fn outside(error: SolveError, problem: &str) -> SolveError {
 }
 
 impl Evaluate for Planned {
-    fn sweep(&mut self, points: &[f64], answers: &mut [f64], stop: &Stop) -> Result<(), Refusal> {
+    fn sweep_with_reasons(
+        &mut self,
+        points: &[f64],
+        answers: &mut [f64],
+        refused: &mut dyn FnMut(usize, Text),
+        stop: &Stop,
+    ) -> Result<(), Refusal> {
         let (columns, wanted) = (self.levers.len().max(1), self.wanted.len().max(1));
-        for (point, row) in points.chunks(columns).zip(answers.chunks_mut(wanted)) {
+        for (n, (point, row)) in points.chunks(columns).zip(answers.chunks_mut(wanted)).enumerate() {
             stop.check()?;
-            self.point(&point[..self.levers.len().min(point.len())], row, stop)?;
+            if let Some(why) = self.point(&point[..self.levers.len().min(point.len())], row, stop)? {
+                refused(n, why);
+            }
         }
         Ok(())
     }

@@ -88,8 +88,11 @@ pub(super) fn value_alone<'d>(
         }
         _ => {
             let text = plain(item.as_value().filter(|value| is_one_value(value))?);
-            let known = |variant: &Variant| variant.name == text;
-            let variant = of_quantity(variants, &text).filter(|_| !variants.iter().any(known))?;
+            // A name is no quantity: to read it as one would take longer than all the rest.
+            if variants.iter().any(|variant| variant.name == text) {
+                return None;
+            }
+            let variant = of_quantity(variants, &text)?;
             (variants.iter().position(|known| known.name == variant.name)?, item)
         }
     };

@@ -119,7 +119,7 @@ pub(crate) fn print_worked(problem: &LoadedProblem, console: &Console) -> Result
 }
 
 /// Solves a problem, with answers in the requested units: those of the problem, then those of the command line.
-fn outcome(
+pub(crate) fn outcome(
     problem: &LoadedProblem,
     asked_for: &[(String, String)],
 ) -> Result<solving::SolveOutcome, Failure> {

@@ -3,24 +3,15 @@
 //! Every number is drawn from its own place: seed, sample and number. So samples may be shared out among any number
 //! of threads and are the same to the last bit.
 
-#![expect(
-    clippy::inline_always,
-    reason = "SIMD code is compiled for the widest registers where all is inlined"
-)]
+use std::{f64::consts::PI, thread};
 
-use std::{
-    f64::consts::{PI, TAU},
-    thread,
-};
-
+use dalembert_numerics::random::normal_pair;
 use nalgebra::{Complex, DMatrix};
 
 use super::{
     influence::{TrialRun, influence_coefficients, residuals},
     minimax::min_max_within,
 };
-use crate::Real;
-
 mod two_plane;
 
 pub use two_plane::{SEED, Statistics, two_plane_statistics};
@@ -80,57 +71,6 @@ pub struct Ranges {
     pub angles: Vec<[f64; 2]>,
     /// 95th percentile of the magnitude of each residual reading with the given weights.
     pub residuals: Vec<f64>,
-}
-
-/// Two independent standard normal numbers that belong to this seed, sample and place.
-///
-/// Box and Muller, *Ann. Math. Stat.* 29 (1958), over a mixed counter.
-pub fn normal_pair(seed: u64, sample: u64, place: u64) -> [f64; 2] {
-    let [u, v] = two_uniform(uniform_bits(seed, sample, place));
-    normals(u, v)
-}
-
-/// Two numbers strictly between 0 and 1 from the halves of the bits.
-#[inline(always)]
-fn two_uniform(bits: u64) -> [f64; 2] {
-    // 2⁵² + n as a number is its bits and those of 2⁵² side by side.
-    const SIDE: f64 = 4_503_599_627_370_496.0;
-    let half = |bits: u64| (f64::from_bits(SIDE.to_bits() | bits) - (SIDE - 0.5)) / 4_294_967_296.0;
-    [half(bits >> 32), half(bits & 0xffff_ffff)]
-}
-
-/// `√(−2 ln u) (cos 2πv, sin 2πv)`
-#[inline(always)]
-fn normals<S: Real>(u: S, v: S) -> [S; 2] {
-    let radius = (u.ln() * -2.0).sqrt();
-    let angle = v * TAU;
-    [radius * angle.cos(), radius * angle.sin()]
-}
-
-/// 64 random bits that belong to this seed, sample and place: the counter, mixed twice as Steele, Lea and Flood mix
-/// theirs (*OOPSLA* 2014).
-#[inline]
-pub fn uniform_bits(seed: u64, sample: u64, place: u64) -> u64 {
-    bits_at(key(seed, sample), place)
-}
-
-/// Random key shared by all numbers of a sample.
-#[inline(always)]
-fn key(seed: u64, sample: u64) -> u64 {
-    mix(seed ^ sample.wrapping_mul(0x9e37_79b9_7f4a_7c15))
-}
-
-/// 64 random bits of the sample with that key.
-#[inline(always)]
-fn bits_at(key: u64, place: u64) -> u64 {
-    mix(key ^ place.wrapping_mul(0xd1b5_4a32_d192_ed03))
-}
-
-#[inline(always)]
-fn mix(mut bits: u64) -> u64 {
-    bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    bits ^ (bits >> 31)
 }
 
 /// The ranges of the weights and of the readings that `weights` leave, from `samples` jobs that

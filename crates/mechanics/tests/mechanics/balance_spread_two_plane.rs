@@ -2,9 +2,10 @@
 
 use dalembert_mechanics::balance::{
     Phasor,
-    spread::{SEED, normal_pair, two_plane_statistics},
+    spread::{SEED, two_plane_statistics},
     two_plane_weights,
 };
+use dalembert_numerics::random::normal_pair;
 use itertools::Itertools as _;
 
 /// Influence coefficients and readings of two planes.

@@ -2,6 +2,7 @@
 
 mod close;
 
+mod distribution;
 mod eigen;
 mod extremes;
 mod givens;
@@ -12,3 +13,4 @@ mod ode;
 mod polynomial;
 mod real;
 mod roots;
+mod sampling;

@@ -2,12 +2,14 @@
 
 use std::{array::from_fn, thread};
 
-use super::{bits_at, key, normals, two_uniform};
 use crate::{
     Real,
     balance::{Phasor, two_plane_weights},
 };
-use dalembert_numerics::simd::{SimdVector, WIDTH, widest};
+use dalembert_numerics::{
+    random::{bits_at, key, normals, two_uniform},
+    simd::{SimdVector, WIDTH, widest},
+};
 
 /// Samples whose sums are taken together, whatever thread does it: a whole number of lanes.
 const BLOCK: usize = 4096;

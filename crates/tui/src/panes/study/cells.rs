@@ -2,7 +2,7 @@
 
 use dalembert_core::{
     Answer, Record, Scale, Solution, Text, check,
-    study::{Distribution, Plan},
+    study::{Distribution, MOST_POINTS, MOST_SAMPLES, Plan},
     vary::{self, VariedInput},
 };
 use dalembert_units::{Decimal, Style, Unit, write_quantity};
@@ -323,13 +323,14 @@ impl Cells {
     }
 
     fn count(&self, cell: Cell, usual: usize) -> Result<usize, (Cell, Text)> {
+        let most = if cell == Cell::Points { MOST_POINTS } else { MOST_SAMPLES };
         match self.text(cell).trim() {
             "" => Ok(usual),
             typed => typed
                 .parse()
                 .ok()
-                .filter(|count| (1..=dalembert_core::study::MOST_POINTS).contains(count))
-                .ok_or_else(|| (cell, Text::new("enter an integer from 1 to 10000"))),
+                .filter(|count| (1..=most).contains(count))
+                .ok_or_else(|| (cell, Text::new("enter an integer from 1 to {most}").with("most", most))),
         }
     }
 }

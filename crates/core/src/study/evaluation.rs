@@ -1,0 +1,252 @@
+//! The points of a study, solved: any thread has an evaluation of its own.
+
+use std::ops::Range;
+
+use super::{
+    design::Design,
+    plan::{Amount, Limit, StudyPlan},
+    statistics::AnswerLimit,
+};
+use crate::{
+    Answer, Entry, Evaluate, FieldError, Record, Refusal, Solution, SolveError, Stop, Text,
+    field::ValueLimits, intern::fixed, nearest,
+};
+
+/// A study that is ready to run: its points, and the answers that are wanted at each.
+#[derive(Debug)]
+pub struct Study<'a> {
+    entry: &'a Entry,
+    record: &'a Record,
+    /// The inputs of every point.
+    pub design: Design,
+    /// The wanted answers as they are at the inputs of the problem: names, labels, units.
+    pub answers: Vec<Answer>,
+    /// The limits whose probability is asked for.
+    pub limits: Vec<AnswerLimit>,
+    conditions: Vec<AnswerLimit>,
+}
+
+/// Points of a study with their answers.
+#[derive(Clone, Debug, Default)]
+pub struct Rows {
+    /// The inputs, row by row, in the units of the design.
+    pub inputs: Vec<f64>,
+    /// The answers, row by row, in their units; NaN where there is none.
+    pub answers: Vec<f64>,
+    /// The rows without an answer, counted from 0, ascending, and why.
+    pub refused: Vec<(usize, Text)>,
+}
+
+/// The plain reading of a study, for one thread.
+pub struct Evaluation<'a> {
+    study: &'a Study<'a>,
+    evaluate: Box<dyn Evaluate>,
+    limits: Vec<ValueLimits>,
+    /// Inputs of the rows in SI.
+    points: Vec<f64>,
+}
+
+impl<'a> Study<'a> {
+    /// Reads the answers, limits and conditions of a plan, whose inputs have been [designed](Design::new). The units of
+    /// answers are those of the solution of the problem as it is.
+    ///
+    /// # Errors
+    /// Everything in the plan that does not fit the answers; an input that the analysis cannot vary.
+    pub fn new(
+        entry: &'a Entry,
+        record: &'a Record,
+        plan: &StudyPlan,
+        design: Design,
+        solution: &Solution,
+    ) -> Result<Self, SolveError> {
+        let mut errors = Vec::new();
+        let answers = match &plan.answers[..] {
+            [] => solution.answers.iter().filter(|answer| answer.si().is_some()).cloned().collect(),
+            names => {
+                let find = |(n, name): (usize, &String)| {
+                    answer(solution, &format!("answers[{}]", n + 1), name).map_err(|error| errors.push(error))
+                };
+                names.iter().enumerate().flat_map(find).collect()
+            }
+        };
+        let mut study = Self { entry, record, design, answers, limits: Vec::new(), conditions: Vec::new() };
+        study.limits = study.read_limits("limit", &plan.limit, solution, &mut errors);
+        study.conditions = study.read_limits("condition", &plan.condition, solution, &mut errors);
+        if study.answers.is_empty() && errors.is_empty() {
+            errors.push(FieldError::new("answers", "this problem has no answer that is a number"));
+        }
+        if errors.is_empty() {
+            // What cannot be varied is said before anything is computed.
+            study.evaluation()?;
+            Ok(study)
+        } else {
+            Err(SolveError::Fields(errors))
+        }
+    }
+
+    /// Reads limits; an answer that is named in one alone is wanted too.
+    fn read_limits(
+        &mut self,
+        list: &str,
+        limits: &[Limit],
+        solution: &Solution,
+        errors: &mut Vec<FieldError>,
+    ) -> Vec<AnswerLimit> {
+        let mut found = Vec::new();
+        for (n, limit) in (1..).zip(limits) {
+            let path = format!("{list}[{n}]");
+            match self.limit(&path, limit, solution) {
+                Ok(all) => found.extend(all),
+                Err(error) => errors.push(error),
+            }
+        }
+        found
+    }
+
+    fn limit(
+        &mut self,
+        path: &str,
+        limit: &Limit,
+        solution: &Solution,
+    ) -> Result<Vec<AnswerLimit>, FieldError> {
+        let named = answer(solution, &format!("{path}.answer"), &limit.answer)?;
+        let known = self.answers.iter().position(|answer| answer.name == named.name);
+        let at = known.unwrap_or_else(|| {
+            self.answers.push(named.clone());
+            self.answers.len() - 1
+        });
+        if limit.above.is_none() && limit.below.is_none() {
+            return Err(FieldError::new(path, "write above or below, as in above = \"0.5 mm\""));
+        }
+        let mut limits = Vec::new();
+        for (name, value, above) in [("above", &limit.above, true), ("below", &limit.below, false)] {
+            if let Some(value) = value {
+                let path = format!("{path}.{name}");
+                limits.push(AnswerLimit { answer: at, limit: in_unit_of(&named, &path, value)?, above });
+            }
+        }
+        Ok(limits)
+    }
+
+    /// A reading of its own for a thread.
+    ///
+    /// # Errors
+    /// An input that the analysis cannot vary; why the problem as given has no answer.
+    pub fn evaluation(&self) -> Result<Evaluation<'_>, SolveError> {
+        let vary: Vec<&str> = self.design.inputs.iter().map(|input| input.path.as_str()).collect();
+        let names: Vec<String> = self.answers.iter().map(|answer| answer.name.to_string()).collect();
+        let wanted: Vec<&str> = names.iter().map(String::as_str).collect();
+        Ok(Evaluation {
+            study: self,
+            evaluate: self.entry.prepare(self.record, &vary, &wanted)?,
+            limits: self.design.inputs.iter().map(|input| input.measure.limits()).collect(),
+            points: Vec::new(),
+        })
+    }
+}
+
+impl Evaluation<'_> {
+    /// Solves a range of points, counted from 0, into rows, whose memory is used again.
+    ///
+    /// # Errors
+    /// [`Refusal::Stopped`] alone.
+    pub fn rows(&mut self, range: Range<u64>, rows: &mut Rows, stop: &Stop) -> Result<(), Refusal> {
+        let Study { design, answers, conditions, .. } = self.study;
+        let (inputs, wanted) = (design.inputs.len(), answers.len());
+        let count = (range.end - range.start) as usize;
+        rows.inputs.clear();
+        rows.inputs.resize(count * inputs, 0.0);
+        rows.answers.clear();
+        rows.answers.resize(count * wanted, f64::NAN);
+        rows.refused.clear();
+        self.points.resize(count * inputs, 0.0);
+        let shown = rows.inputs.chunks_exact_mut(inputs);
+        for ((shown, si), point) in shown.zip(self.points.chunks_exact_mut(inputs)).zip(range) {
+            design.point(point, shown, si);
+        }
+        let refused = &mut rows.refused;
+        self.evaluate.sweep_with_reasons(
+            &self.points,
+            &mut rows.answers,
+            &mut |row, why| refused.push((row, why)),
+            stop,
+        )?;
+        // The analysis does not look at the limits of its inputs: the form does.
+        for (row, point) in self.points.chunks_exact(inputs).enumerate() {
+            if let Some(at) = (0..inputs).find(|at| !self.limits[*at].permit(point[*at])) {
+                rows.answers[row * wanted..][..wanted].fill(f64::NAN);
+                let input = &design.inputs[at];
+                let text = format!("{} {}", rows.inputs[row * inputs + at], input.unit.ascii());
+                let why = input.measure.outside(point[at], text.trim_end());
+                let why = Text::new("{input}: {why}")
+                    .with("input", &input.path)
+                    .with_text("why", why.unwrap_or_else(|| "is not a finite number".into()));
+                rows.refuse(row, why);
+            }
+        }
+        for (row, values) in rows.answers.chunks_exact_mut(wanted).enumerate() {
+            for (value, answer) in values.iter_mut().zip(answers) {
+                *value = answer.unit.value(*value);
+            }
+            if values.iter().all(|value| value.is_finite())
+                && let Some(broken) =
+                    conditions.iter().find(|condition| condition.is_exceeded(values[condition.answer]))
+            {
+                values.fill(f64::NAN);
+                rows.refused.push((row, broken.reason(&answers[broken.answer])));
+            }
+        }
+        rows.refused.sort_by_key(|(row, _)| *row);
+        Ok(())
+    }
+}
+
+impl Rows {
+    /// Refuses a row for a reason that goes before any other.
+    fn refuse(&mut self, row: usize, why: Text) {
+        self.refused.retain(|(refused, _)| *refused != row);
+        self.refused.push((row, why));
+    }
+}
+
+impl AnswerLimit {
+    /// Reason of a point that breaks it as a condition.
+    fn reason(&self, answer: &Answer) -> Text {
+        let text = if self.above {
+            Text::new("the condition is not met: {answer} above {limit}")
+        } else {
+            Text::new("the condition is not met: {answer} below {limit}")
+        };
+        let limit = answer.unit.si(self.limit);
+        text.with_text("answer", answer.title()).with_quantity("limit", limit, fixed(&answer.unit))
+    }
+}
+
+fn answer(solution: &Solution, path: &str, name: &str) -> Result<Answer, FieldError> {
+    let numbers = || solution.answers.iter().filter(|answer| answer.si().is_some());
+    if let Some(answer) = numbers().find(|answer| answer.name.is(name)) {
+        return Ok(answer.clone());
+    }
+    let names: Vec<String> = numbers().map(|answer| answer.name.to_string()).collect();
+    let why =
+        match nearest(name, names.iter().map(String::as_str)) {
+            Some(near) => Text::new("`{name}` is not a number among the answers; did you mean `{near}`?")
+                .with("near", near),
+            None => Text::new("`{name}` is not a number among the answers: {known}")
+                .with("known", names.join(", ")),
+        };
+    Err(FieldError::new(path, why.with("name", name)))
+}
+
+/// A value of an answer in its unit.
+fn in_unit_of(answer: &Answer, path: &str, value: &Amount) -> Result<f64, FieldError> {
+    match value {
+        Amount::Number(number) => Ok(*number),
+        Amount::Text(text) => {
+            let kind = dalembert_units::Kind::of(&answer.unit);
+            let read = dalembert_units::read_quantity(text, &answer.unit, kind);
+            let read = read.map_err(|error| FieldError::new(path, crate::reading::text(&error)))?;
+            Ok(answer.unit.value(read.si))
+        }
+    }
+}

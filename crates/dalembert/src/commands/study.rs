@@ -1,0 +1,402 @@
+//! `dalembert study`
+
+use std::{
+    cell::RefCell,
+    io::IsTerminal as _,
+    path::{Path, PathBuf},
+    process::ExitCode,
+    thread,
+    time::Duration,
+};
+
+use dalembert_core::{
+    FieldError, Locale, Refusal, SolveError, Stop, Text, find,
+    study::{
+        Amount, Design, DistributionKind, Limit, Sampling, Spacing, Study, StudyPlan, Summary, Variation,
+    },
+};
+use dalembert_report::{DocumentFormat, json_text, study_document, text};
+use dalembert_study::{
+    StudyError, data,
+    output::{Run, Shard},
+    table,
+};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use crate::{
+    arguments,
+    commands::solve,
+    console::{Console, print},
+    failure::Failure,
+    output,
+    problem::{self, LoadedProblem, ProblemOptions, ProblemSource},
+    snippet, solving,
+};
+
+/// Solves a problem at the points of a plan and prints the summary.
+pub(crate) fn run(asked: &arguments::Study, console: &Console) -> Result<ExitCode, Failure> {
+    let (plan, folder) = plan(asked, console)?;
+    if asked.print_plan {
+        let written = toml::to_string(&plan).map_err(|error| Failure::Fault(error.to_string()))?;
+        print(&written)?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    let problem = problem_of(&plan, &folder, console)?;
+    let errors_of = |errors: Vec<FieldError>| {
+        let line = |error: FieldError| {
+            let text = Text::new("{subject}: {path}: {why}").with("subject", &asked.subject);
+            text.with("path", error.path).with_text("why", error.why)
+        };
+        Failure::Input(errors.into_iter().map(line).collect())
+    };
+    // What the plan reads belongs to its fingerprint.
+    let texts = RefCell::new(Vec::new());
+    let read = |name: &str| {
+        let columns = data::read(&folder.join(name))?;
+        texts.borrow_mut().push(format!("{columns:?}"));
+        Ok(columns)
+    };
+    let design = Design::new(&plan, &problem.record, &read).map_err(errors_of)?;
+    let solution = solve::outcome(&problem, &[])?.map_err(Failure::Refused)?;
+    let study = match Study::new(problem.entry, &problem.record, &plan, design, &solution) {
+        Err(SolveError::Fields(errors)) => return Err(errors_of(errors)),
+        study => study.map_err(|error| failure(error.into()))?,
+    };
+    let fingerprint = table::fingerprint(&plan, &inputs_of(&problem), &texts.take());
+    let mut locale = console.locale.at(problem.entry.about.id);
+    locale.style.digits = asked.digits.unwrap_or(locale.style.digits);
+    let bar = progress_bar(study.design.points(), &console.locale);
+    let (stop, progress) = (Stop::new(), |done| bar.set_position(done));
+    let threads = asked.threads.map(|threads| threads as usize);
+    let run = Run {
+        study: &study,
+        fingerprint: &fingerprint,
+        threads: threads.unwrap_or_else(|| thread::available_parallelism().map_or(1, usize::from)),
+        locale: &locale,
+        stop: &stop,
+        progress: &progress,
+    };
+    let summary = carry_out(asked, &run, &problem)?;
+    bar.finish_and_clear();
+    if asked.json {
+        print(&json_text(&json(&study, &summary)))?;
+    }
+    let document = study_document(&study, &title(&problem, &locale), &summary, &locale);
+    match &asked.report {
+        Some(path) => report(path, &document, asked, &locale)?,
+        None if asked.json => {}
+        None => print(&text(&document.map(&|words| console.plain(words)), console.width))?,
+    }
+    let is_empty = summary.refused == summary.points;
+    Ok(if is_empty { ExitCode::from(1) } else { ExitCode::SUCCESS })
+}
+
+/// Solves the points: without a table, into one, into a shard of one, or merges shards.
+fn carry_out(asked: &arguments::Study, run: &Run<'_>, problem: &LoadedProblem) -> Result<Summary, Failure> {
+    let Some(path) = &asked.output else {
+        return solving::guarded(problem.entry, || run.summarise())?.map_err(failure);
+    };
+    let shard = match &asked.shard {
+        None => None,
+        Some(text) => Some(Shard::read(text).ok_or_else(|| {
+            let why = Text::new(
+                "--shard {text}: write the number of the part and of all parts, as in --shard 3/16",
+            );
+            Failure::input(why.with("text", text))
+        })?),
+    };
+    let written = shard.map_or_else(|| path.clone(), |shard| shard.path(path));
+    // A shard that is there is done: a job that is sent again costs nothing.
+    if shard.is_none() || asked.force {
+        output::allowed(&written, Path::new(&asked.subject), asked.force)?;
+    }
+    let solved = if asked.merge {
+        run.merge(path)
+    } else if shard.is_some() && written.exists() && !asked.force {
+        run.read(&written, shard)
+    } else {
+        solving::guarded(problem.entry, || run.write(path, shard))?
+    };
+    solved.map_err(failure)
+}
+
+/// The plan: a file, or a problem with the options of the command line; and the folder that its files are in.
+fn plan(asked: &arguments::Study, console: &Console) -> Result<(StudyPlan, PathBuf), Failure> {
+    let subject = &asked.subject;
+    let path = Path::new(subject);
+    let mut plan = StudyPlan { problem: subject.clone(), ..StudyPlan::default() };
+    let mut folder = PathBuf::new();
+    if find(subject).is_none() && (path.exists() || !problem::looks_like_an_id(subject)) {
+        let text = problem::text_of(subject)?;
+        if is_plan(&text) {
+            plan = toml::from_str(&text).map_err(|error| {
+                let why = Text::verbatim(error.message());
+                Failure::InFile(snippet::show(path, &text, &[(why, error.span())], console))
+            })?;
+            folder = path.parent().map(Path::to_owned).unwrap_or_default();
+        }
+    }
+    let mut errors = Vec::new();
+    for text in &asked.vary {
+        match variation(text) {
+            Some(variation) => plan.vary.push(variation),
+            None => {
+                let why = Text::new(
+                    "--vary {text}: write an input and its values, as in --vary speed='600..1800 rpm:13', --vary mass='40 kg; 45 kg' or --vary mass='normal(2 %)'",
+                );
+                errors.push(why.with("text", text));
+            }
+        }
+    }
+    for text in &asked.limit {
+        match limit(text) {
+            Some(limit) => plan.limit.push(limit),
+            None => {
+                let why = Text::new(
+                    "--limit {text}: write an answer and a value, as in --limit 'amplitude > 0.2 mm'",
+                );
+                errors.push(why.with("text", text));
+            }
+        }
+    }
+    if !errors.is_empty() {
+        return Err(Failure::Input(errors));
+    }
+    if !asked.answers.is_empty() {
+        plan.answers = asked.answers.iter().map(|name| name.trim().to_owned()).collect();
+    }
+    plan.samples = asked.samples.or(plan.samples);
+    plan.seed = asked.seed.unwrap_or(plan.seed);
+    plan.sampling = match asked.sampling.as_deref() {
+        Some("latin-hypercube") => Sampling::LatinHypercube,
+        Some("sobol") => Sampling::Sobol,
+        Some(_) => Sampling::MonteCarlo,
+        None => plan.sampling,
+    };
+    Ok((plan, folder))
+}
+
+/// Returns true if a text is a plan and no problem: its `problem` is a name.
+fn is_plan(text: &str) -> bool {
+    text.parse::<toml::Table>().is_ok_and(|table| {
+        table.contains_key("vary") || table.get("problem").is_some_and(toml::Value::is_str)
+    }) || text.lines().any(|line| line.trim() == "[[vary]]")
+}
+
+/// The problem of a plan: an analysis, or a file beside the plan.
+fn problem_of(plan: &StudyPlan, folder: &Path, console: &Console) -> Result<LoadedProblem, Failure> {
+    let beside = folder.join(&plan.problem);
+    let named = match find(&plan.problem) {
+        Some(_) => plan.problem.clone(),
+        None => beside.to_string_lossy().into_owned(),
+    };
+    let source = ProblemSource {
+        named: &named,
+        case: None,
+        changes: &[],
+        define: &[],
+        ask: &[],
+        given: &[],
+        configuration: &[],
+        options: ProblemOptions::OF_SOLVE,
+        strict: false,
+        units: None,
+    };
+    problem::read(&source, console)
+}
+
+/// The inputs of a problem as a text, for the fingerprint of a study.
+fn inputs_of(problem: &LoadedProblem) -> String {
+    format!("{} {:?} {:?}", problem.entry.about.id, problem.draft, problem.show)
+}
+
+fn title(problem: &LoadedProblem, locale: &Locale) -> String {
+    let name = problem.name.render(locale);
+    if name.is_empty() { Text::from(problem.entry.about.title).render(locale) } else { name }
+}
+
+/// Reads `INPUT=VALUES`.
+fn variation(text: &str) -> Option<Variation> {
+    let (input, values) = text.split_once('=')?;
+    let (input, values) = (input.trim().to_owned(), values.trim());
+    let variation = Variation { input: Some(input), ..Variation::default() };
+    let amount = |text: &str| Some(Amount::Text(text.trim().to_owned())).filter(|_| !text.trim().is_empty());
+    if let Some((name, parameters)) = values.strip_suffix(')').and_then(|values| values.split_once('(')) {
+        let parameters: Vec<&str> = parameters.split(';').map(str::trim).collect();
+        let of = |distribution| Variation { distribution: Some(distribution), ..variation.clone() };
+        return Some(match (name.trim(), &parameters[..]) {
+            ("normal", [deviation]) => {
+                Variation { deviation: amount(deviation), ..of(DistributionKind::Normal) }
+            }
+            ("normal", [mean, deviation]) => {
+                Variation { mean: amount(mean), deviation: amount(deviation), ..of(DistributionKind::Normal) }
+            }
+            ("lognormal", [deviation]) => {
+                Variation { deviation: amount(deviation), ..of(DistributionKind::Lognormal) }
+            }
+            ("lognormal", [mean, deviation]) => Variation {
+                mean: amount(mean),
+                deviation: amount(deviation),
+                ..of(DistributionKind::Lognormal)
+            },
+            ("uniform", [tolerance]) => {
+                Variation { tolerance: amount(tolerance), ..of(DistributionKind::Uniform) }
+            }
+            ("uniform", [from, to]) => {
+                Variation { from: amount(from), to: amount(to), ..of(DistributionKind::Uniform) }
+            }
+            ("triangular", [from, to]) => {
+                Variation { from: amount(from), to: amount(to), ..of(DistributionKind::Triangular) }
+            }
+            ("triangular", [from, mode, to]) => Variation {
+                from: amount(from),
+                mode: amount(mode),
+                to: amount(to),
+                ..of(DistributionKind::Triangular)
+            },
+            ("data", [file]) => Variation { data: Some((*file).to_owned()), ..of(DistributionKind::Data) },
+            ("data", [file, column]) => Variation {
+                data: Some((*file).to_owned()),
+                column: Some((*column).to_owned()),
+                ..of(DistributionKind::Data)
+            },
+            _ => return None,
+        });
+    }
+    if let Some((from, rest)) = values.split_once("..") {
+        let mut parts = rest.split(':').map(str::trim);
+        let to = parts.next()?;
+        let points = parts.next()?.parse().ok()?;
+        let scale = match parts.next() {
+            None => None,
+            Some("log") => Some(Spacing::Log),
+            Some("linear") => Some(Spacing::Linear),
+            Some(_) => return None,
+        };
+        // `600..1800 rpm` has the unit of its end on both sides.
+        let unit = to.trim_start_matches(|c: char| c.is_ascii_digit() || "+-.,eE".contains(c));
+        let from = from.trim();
+        let from = if from.parse::<f64>().is_ok() { format!("{from}{unit}") } else { from.to_owned() };
+        return Some(Variation {
+            from: amount(&from),
+            to: amount(to),
+            points: Some(points),
+            scale,
+            ..variation
+        });
+    }
+    let list: Option<Vec<Amount>> = values.split(';').map(amount).collect();
+    Some(Variation { values: Some(list?), ..variation })
+}
+
+/// Reads `ANSWER > VALUE` or `ANSWER < VALUE`.
+fn limit(text: &str) -> Option<Limit> {
+    let at = text.find(['>', '<'])?;
+    let (answer, value) = (text[..at].trim().to_owned(), text[at + 1..].trim());
+    let value = (!value.is_empty() && !answer.is_empty()).then(|| Amount::Text(value.to_owned()))?;
+    let is_above = text[at..].starts_with('>');
+    Some(if is_above {
+        Limit { answer, above: Some(value), below: None }
+    } else {
+        Limit { answer, above: None, below: Some(value) }
+    })
+}
+
+/// A bar with rate and time left on the error stream, where that is a terminal.
+fn progress_bar(points: u64, locale: &Locale) -> ProgressBar {
+    let target = if std::io::stderr().is_terminal() {
+        ProgressDrawTarget::stderr_with_hz(5)
+    } else {
+        ProgressDrawTarget::hidden()
+    };
+    let bar = ProgressBar::with_draw_target(Some(points), target);
+    let remaining = Text::from("remaining").render(locale);
+    let template = format!("{{bar:30}} {{percent}} % · {{per_sec}} · {{eta}} {remaining}");
+    if let Ok(style) = ProgressStyle::with_template(&template) {
+        bar.set_style(style.progress_chars(if locale.style.ascii { "##-" } else { "██░" }));
+    }
+    bar.enable_steady_tick(Duration::from_millis(200));
+    bar
+}
+
+/// Writes the summary as a report, with its figures beside it where the format has none of its own.
+fn report(
+    path: &Path,
+    document: &dalembert_report::Document,
+    asked: &arguments::Study,
+    locale: &Locale,
+) -> Result<(), Failure> {
+    let format = DocumentFormat::of(path).unwrap_or(DocumentFormat::Text);
+    let files = match format.files(document, path, locale) {
+        Some(files) => files.into_iter().map(|(name, text)| (path.with_file_name(name), text)).collect(),
+        None => vec![(path.to_owned(), text(document, 100))],
+    };
+    for (file, _) in &files {
+        output::allowed(file, Path::new(&asked.subject), asked.force)?;
+    }
+    for (file, text) in &files {
+        output::write(file, text, asked.force)?;
+    }
+    Ok(())
+}
+
+/// The summary as JSON: statistics of each answer in its unit.
+fn json(study: &Study<'_>, summary: &Summary) -> serde_json::Value {
+    let mut all = serde_json::to_value(summary).unwrap_or_default();
+    let answers = all["answers"].as_array_mut().into_iter().flatten().zip(&study.answers);
+    for (value, answer) in answers {
+        value["answer"] = answer.name.to_string().into();
+        value["unit"] = answer.unit.ascii().into();
+    }
+    all["inputs"] = study
+        .design
+        .inputs
+        .iter()
+        .map(|input| serde_json::json!({ "input": input.path, "unit": input.unit.ascii() }))
+        .collect();
+    all
+}
+
+fn failure(error: StudyError) -> Failure {
+    match error {
+        StudyError::Solve(SolveError::Refused(Refusal::NoAnswer(why))) => Failure::Refused(why),
+        other => Failure::input(other.text()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn amount(text: &str) -> Amount {
+        Amount::Text(text.to_owned())
+    }
+
+    #[test]
+    fn variations_are_read_from_a_line() {
+        let of = |text| variation(text).unwrap();
+        let range = of("speed=600..1800 rpm:13");
+        assert_eq!((range.from, range.to), (Some(amount("600 rpm")), Some(amount("1800 rpm"))));
+        assert_eq!((range.points, range.scale), (Some(13), None));
+        let range = of("support.stiffness = 1 kN/m..2 MN/m : 31 : log");
+        assert_eq!(range.input.as_deref(), Some("support.stiffness"));
+        assert_eq!((range.from, range.to), (Some(amount("1 kN/m")), Some(amount("2 MN/m"))));
+        assert_eq!(range.scale, Some(Spacing::Log));
+        assert_eq!(of("mass=40 kg; 45,5 kg").values.map(|values| values.len()), Some(2));
+        let normal = of("mass=normal(2 %)");
+        assert_eq!((normal.mean, normal.deviation), (None, Some(amount("2 %"))));
+        let triangular = of("mass=triangular(38 kg; 40 kg; 45 kg)");
+        assert_eq!((triangular.from, triangular.mode), (Some(amount("38 kg")), Some(amount("40 kg"))));
+        for wrong in ["mass", "mass=", "mass=40 kg;", "speed=1..2", "speed=1..2:few", "mass=gamma(1; 2)"] {
+            assert_eq!(variation(wrong), None, "{wrong}");
+        }
+    }
+
+    #[test]
+    fn limits_are_read_from_a_line() {
+        assert_eq!(limit("amplitude > 0.2 mm").unwrap().above, Some(amount("0.2 mm")));
+        assert_eq!(limit("margin<0").unwrap().below, Some(amount("0")));
+        assert_eq!(limit("amplitude"), None);
+        assert_eq!(limit("> 2"), None);
+    }
+}

@@ -1,0 +1,348 @@
+//! Studies on the command line: the same table on any number of threads, broken off, resumed, in shards.
+
+use std::{
+    fs,
+    path::Path,
+    process::{Command, Output, Stdio},
+    thread,
+    time::{Duration, Instant},
+};
+
+use dalembert_tests::pty;
+use itertools::zip_eq;
+use serde_json::Value as Json;
+
+/// Runs `dalembert study` in a folder.
+fn study(folder: &Path, arguments: &[&str]) -> Output {
+    command(folder, arguments).output().expect("the program runs")
+}
+
+fn command(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(pty::program());
+    command
+        .current_dir(folder)
+        .arg("study")
+        .args(arguments)
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .env_remove("LC_ALL")
+        .env_remove("LC_MESSAGES")
+        .env("XDG_CONFIG_HOME", env!("CARGO_TARGET_TMPDIR"))
+        .env("LANG", "C.UTF-8");
+    command
+}
+
+fn said(output: &Output) -> String {
+    String::from_utf8_lossy(&[&output.stdout[..], &output.stderr[..]].concat()).into_owned()
+}
+
+/// Output of a study that is carried out.
+fn printed(folder: &Path, arguments: &[&str]) -> String {
+    let output = study(folder, arguments);
+    assert!(output.status.success(), "{arguments:?}: {}", said(&output));
+    String::from_utf8(output.stdout).expect("what is printed is UTF-8")
+}
+
+/// Reason of a study that is refused, and its exit status.
+fn refused(folder: &Path, arguments: &[&str]) -> (String, Option<i32>) {
+    let output = study(folder, arguments);
+    assert!(!output.status.success(), "{arguments:?} is carried out: {}", said(&output));
+    (said(&output), output.status.code())
+}
+
+/// A folder with the example: its plan and the problem of it.
+fn example() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    for name in ["fan.toml", "fan_study.toml"] {
+        fs::copy(xtask::root().join("examples").join(name), folder.path().join(name)).expect("an example");
+    }
+    folder
+}
+
+fn bytes(folder: &Path, name: &str) -> Vec<u8> {
+    fs::read(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+#[test]
+fn the_example_is_summarised() {
+    let folder = example();
+    let printed = printed(folder.path(), &["fan_study.toml"]);
+    for part in [
+        "Points  10000",
+        "standard deviation",
+        "Amplitude at this speed above 0.2 mm",
+        "Influence on Natural frequency",
+    ] {
+        assert!(printed.contains(part), "{part}:\n{printed}");
+    }
+}
+
+#[test]
+fn statistics_are_those_of_the_rows() {
+    let folder = example();
+    let text = printed(folder.path(), &["fan_study.toml", "--json", "-o", "table.csv"]);
+    let json: Json = serde_json::from_str(&text).expect("JSON");
+    let table = String::from_utf8(bytes(folder.path(), "table.csv")).expect("UTF-8");
+    let lines: Vec<&str> = table.lines().filter(|line| !line.starts_with('#')).collect();
+    assert_eq!(
+        lines[0],
+        "speed [rpm],mass [kg],support.cantilever.young [kN/mm^2],amplitude [mm],natural_frequency [rad/s],refusal"
+    );
+    let amplitudes: Vec<f64> = lines[1..]
+        .iter()
+        .map(|line| line.split(',').nth(3).expect("a cell").parse().expect("a number"))
+        .collect();
+    assert_eq!(amplitudes.len(), 10_000);
+    let count = amplitudes.len() as f64;
+    let mean = amplitudes.iter().sum::<f64>() / count;
+    let deviation = (amplitudes.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (count - 1.0)).sqrt();
+    let of = &json["answers"][0];
+    let near = |name: &str, value: f64| {
+        let found = of[name].as_f64().expect("a number");
+        assert!((found - value).abs() <= 1e-12 * value.abs(), "{name}: {found} is not {value}");
+    };
+    near("mean", mean);
+    near("deviation", deviation);
+    let above = amplitudes.iter().filter(|x| **x > 0.2).count();
+    assert_eq!(of["exceedances"][0]["count"], above);
+    assert_eq!(of["unit"], "mm");
+}
+
+#[test]
+fn threads_and_shards_give_the_same_bytes() {
+    let folder = example();
+    let whole = |name: &str, more: &[&str]| {
+        let arguments = [&["fan_study.toml", "--samples", "5000", "-o", name], more].concat();
+        printed(folder.path(), &arguments)
+    };
+    let summary = whole("one.csv", &["--threads", "1"]);
+    assert_eq!(summary, whole("three.csv", &["--threads", "3"]));
+    assert_eq!(bytes(folder.path(), "one.csv"), bytes(folder.path(), "three.csv"));
+    for shard in ["3/5", "1/5", "5/5", "2/5"] {
+        whole("parts.csv", &["--shard", shard]);
+    }
+    let merge = ["fan_study.toml", "--samples", "5000", "-o", "parts.csv", "--merge"];
+    let (why, status) = refused(folder.path(), &merge);
+    assert!(why.contains("shards are missing: 4/5") && status == Some(2), "{why}");
+    whole("parts.csv", &["--shard", "4/5"]);
+    assert_eq!(summary, printed(folder.path(), &merge));
+    assert_eq!(bytes(folder.path(), "one.csv"), bytes(folder.path(), "parts.csv"));
+    // A shard that is sent again is done.
+    let before = fs::metadata(folder.path().join("parts.shard-2-of-5.csv")).and_then(|file| file.modified());
+    whole("parts.csv", &["--shard", "2/5"]);
+    let after = fs::metadata(folder.path().join("parts.shard-2-of-5.csv")).and_then(|file| file.modified());
+    assert_eq!(before.ok(), after.ok());
+    // Shards of another number beside them are named.
+    whole("parts.csv", &["--shard", "1/2"]);
+    let (why, _) = refused(folder.path(), &[&merge[..], &["--force"]].concat());
+    assert!(why.contains("shards of 2, 5"), "{why}");
+}
+
+#[test]
+fn a_table_that_was_broken_off_goes_on_to_the_same_bytes() {
+    let folder = example();
+    let arguments = ["fan_study.toml", "--samples", "5000", "-o", "whole.csv"];
+    let summary = printed(folder.path(), &arguments);
+    let whole = bytes(folder.path(), "whole.csv");
+    // At every kind of place: in the header, behind it, within a row, behind a row, behind the last one.
+    let row = whole.iter().position(|byte| *byte == b'\n').expect("a line") + 1;
+    for at in [0, 7, row, whole.len() / 3, whole.len() / 2 + 5, whole.len() - 1, whole.len()] {
+        fs::write(folder.path().join("part.csv.part"), &whole[..at]).expect("a file");
+        let arguments = ["fan_study.toml", "--samples", "5000", "-o", "part.csv"];
+        assert_eq!(summary, printed(folder.path(), &arguments), "broken off at {at}");
+        assert_eq!(whole, bytes(folder.path(), "part.csv"), "broken off at {at}");
+        assert!(!folder.path().join("part.csv.part").exists());
+        fs::remove_file(folder.path().join("part.csv")).expect("the table");
+    }
+}
+
+#[test]
+fn a_study_that_is_killed_is_resumed() {
+    let folder = example();
+    let arguments = ["fan_study.toml", "--samples", "40000", "-o", "killed.csv"];
+    let part = folder.path().join("killed.csv.part");
+    let mut killed = 0;
+    for share in [1, 2] {
+        let mut child = command(folder.path(), &arguments).spawn().expect("the program runs");
+        let begun = Instant::now();
+        let length = || fs::metadata(&part).map_or(0, |file| file.len());
+        while length() < share * 1_000_000 && begun.elapsed() < Duration::from_mins(1) {
+            if child.try_wait().expect("a child").is_some() {
+                break;
+            }
+            thread::sleep(Duration::from_millis(1));
+        }
+        killed += usize::from(child.kill().is_ok());
+        child.wait().expect("a child");
+    }
+    assert!(killed > 0, "every run ended before it could be killed");
+    let summary = if folder.path().join("killed.csv").exists() {
+        None
+    } else {
+        Some(printed(folder.path(), &arguments))
+    };
+    let other = ["fan_study.toml", "--samples", "40000", "-o", "whole.csv"];
+    let whole = printed(folder.path(), &other);
+    assert!(summary.is_none_or(|summary| summary == whole));
+    assert_eq!(bytes(folder.path(), "whole.csv"), bytes(folder.path(), "killed.csv"));
+}
+
+#[test]
+fn a_part_of_another_plan_is_not_gone_on_with() {
+    let folder = example();
+    printed(folder.path(), &["fan_study.toml", "-o", "table.csv"]);
+    fs::rename(folder.path().join("table.csv"), folder.path().join("table.csv.part")).expect("a file");
+    let (why, status) = refused(folder.path(), &["fan_study.toml", "--seed", "2", "-o", "table.csv"]);
+    assert!(why.contains("is of another plan") && status == Some(2), "{why}");
+    let text = fs::read_to_string(folder.path().join("fan.toml")).expect("the problem");
+    fs::write(folder.path().join("fan.toml"), text.replace("1.2 m", "1.3 m")).expect("a file");
+    let (why, _) = refused(folder.path(), &["fan_study.toml", "-o", "table.csv"]);
+    assert!(why.contains("is of another plan"), "{why}");
+}
+
+#[test]
+fn a_table_or_a_plan_is_not_written_over() {
+    let folder = example();
+    let (why, _) = refused(folder.path(), &["fan_study.toml", "-o", "fan_study.toml", "--force"]);
+    assert!(why.contains("is the problem itself"), "{why}");
+    let (why, _) = refused(folder.path(), &["fan_study.toml", "-o", "fan.toml", "--force"]);
+    assert!(why.contains("is a problem file"), "{why}");
+    printed(folder.path(), &["fan_study.toml", "-o", "table.csv"]);
+    let (why, _) = refused(folder.path(), &["fan_study.toml", "-o", "table.csv"]);
+    assert!(why.contains("already exists"), "{why}");
+    printed(folder.path(), &["fan_study.toml", "-o", "table.csv", "--force"]);
+}
+
+#[test]
+fn points_that_are_refused_are_rows_with_their_reason() {
+    let folder = example();
+    let arguments =
+        ["fan.toml", "--vary", "mass=-10 kg..30 kg:5", "--answers", "amplitude", "-o", "table.csv"];
+    let summary = printed(folder.path(), &arguments);
+    assert!(
+        summary.contains("Points without an answer") && summary.contains("point 1: mass: must be above zero"),
+        "{summary}"
+    );
+    let table = String::from_utf8(bytes(folder.path(), "table.csv")).expect("UTF-8");
+    let rows: Vec<&str> = table.lines().skip(4).collect();
+    assert_eq!(rows[0], "-10,,mass: must be above zero; you wrote -10 kg");
+    assert_eq!(rows[1], "0,,mass: must be above zero; you wrote 0 kg");
+    assert!(rows[2].starts_with("10,") && rows[2].ends_with(','), "{}", rows[2]);
+}
+
+#[test]
+fn plans_that_do_not_fit_are_refused_with_place_and_repair() {
+    let folder = example();
+    let with = |plan: &str| {
+        fs::write(folder.path().join("plan.toml"), format!("problem = \"fan.toml\"\n{plan}"))
+            .expect("a plan");
+        refused(folder.path(), &["plan.toml"])
+    };
+    for (plan, words) in [
+        (
+            "[[vary]]\ninput = \"mas\"\nvalues = [1]\n",
+            "vary[1].input: `mas` is not a number among the inputs; did you mean `mass`?",
+        ),
+        ("[[vary]]\ninput = \"mass\"\nvalues = []\n", "vary[1].values: the list is empty"),
+        ("[[vary]]\ninput = \"mass\"\n", "vary[1]: write one of: values; from, to and points"),
+        ("[[vary]]\ninput = \"mass\"\nform = 3\n", "unknown field `form`"),
+        ("[[vary]]\ninput = \"mass\"\nfrom = \"1 m\"\nto = \"2 kg\"\npoints = 3\n", "vary[1].from"),
+        (
+            "[[vary]]\ninput = \"mass\"\nfrom = 1\nto = 2\npoints = 1000000000000\n",
+            "1000000000000 × 1 points are more than 1000000000",
+        ),
+        (
+            "[[vary]]\ninput = \"mass\"\nfrom = 0\nto = 2\npoints = 5\nscale = \"log\"\n",
+            "a logarithmic range lies above zero",
+        ),
+        ("[[vary]]\ninput = \"mass\"\ndistribution = \"normal\"\n", "vary[1].deviation: is missing"),
+        (
+            "[[vary]]\ninput = \"mass\"\ndistribution = \"normal\"\ndeviation = \"2 %\"\nmode = 3\n",
+            "vary[1].mode: does not belong here",
+        ),
+        ("[[vary]]\ninput = \"mass\"\ndistribution = \"data\"\ndata = \"none.csv\"\n", "none.csv"),
+        (
+            "samples = 5\n[[vary]]\ninput = \"mass\"\nvalues = [1]\n",
+            "samples: samples are drawn of inputs that have a distribution",
+        ),
+        (
+            "answers = [\"amplitud\"]\n[[vary]]\ninput = \"mass\"\nvalues = [1]\n",
+            "answers[1]: `amplitud` is not a number among the answers; did you mean `amplitude`?",
+        ),
+        (
+            "[[vary]]\ninput = \"mass\"\nvalues = [1]\n[[vary]]\ninput = \"mass\"\nvalues = [2]\n",
+            "mass varies twice",
+        ),
+        (
+            "[[vary]]\ninput = \"mass\"\nvalues = [1]\n[[limit]]\nanswer = \"amplitude\"\n",
+            "limit[1]: write above or below",
+        ),
+    ] {
+        let (why, status) = with(plan);
+        assert!(why.contains(words) && status == Some(2), "{plan}\n{why}");
+    }
+}
+
+#[test]
+fn tables_data_and_correlations_are_read_from_files_beside_the_plan() {
+    let folder = example();
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).expect("a file");
+    write("points.csv", "mass [g],speed [rpm]\n40000,900\n41000,950\n");
+    write("young.csv", "E [GPa]\n198\n200\n203\n205\n");
+    write(
+        "plan.toml",
+        "problem = \"fan.toml\"\nanswers = [\"amplitude\"]\nsamples = 4000\n\n[[vary]]\ntable = \"points.csv\"\n\n[[vary]]\ninput = \"support.cantilever.young\"\ndistribution = \"data\"\ndata = \"young.csv\"\n\n[[vary]]\ninput = \"unbalance\"\ndistribution = \"normal\"\ndeviation = \"5 %\"\n\n[[correlation]]\ninputs = [\"support.cantilever.young\", \"unbalance\"]\ncoefficient = 0.8\n",
+    );
+    let summary = printed(folder.path(), &["plan.toml", "-o", "table.csv"]);
+    assert!(summary.contains("Points  8000"), "{summary}");
+    let table = String::from_utf8(bytes(folder.path(), "table.csv")).expect("UTF-8");
+    let rows: Vec<Vec<f64>> = table
+        .lines()
+        .skip(4)
+        .map(|line| line.split(',').take(4).map(|cell| cell.parse().expect("a number")).collect())
+        .collect();
+    assert_eq!((rows[0][0], rows[0][1], rows[7999][0], rows[7999][1]), (40000.0, 900.0, 41000.0, 950.0));
+    let column = |at: usize| rows[..4000].iter().map(|row| row[at]).collect::<Vec<f64>>();
+    let centred = |values: Vec<f64>| {
+        let mean = values.iter().sum::<f64>() / values.len() as f64;
+        values.into_iter().map(|value| value - mean).collect::<Vec<f64>>()
+    };
+    let (young, unbalance) = (centred(column(2)), centred(column(3)));
+    let product = |a: &[f64], b: &[f64]| zip_eq(a, b).map(|(a, b)| a * b).sum::<f64>();
+    let correlation =
+        product(&young, &unbalance) / (product(&young, &young) * product(&unbalance, &unbalance)).sqrt();
+    // Of the values themselves, one of which is not normal, a little less than that of their normal scores.
+    assert!((0.72..0.82).contains(&correlation), "{correlation}");
+}
+
+#[test]
+fn a_plan_is_written_from_the_options_and_read_again() {
+    let folder = example();
+    let options = [
+        "fan.toml",
+        "--vary",
+        "speed=600..1800 rpm:13",
+        "--vary",
+        "mass=normal(2 %)",
+        "--samples",
+        "100",
+        "--limit",
+        "amplitude > 5 mm",
+    ];
+    let plan = printed(folder.path(), &[&options[..], &["--print-plan"]].concat());
+    fs::write(folder.path().join("plan.toml"), plan).expect("a plan");
+    assert_eq!(printed(folder.path(), &["plan.toml"]), printed(folder.path(), &options));
+}
+
+#[test]
+fn the_summary_is_a_report_in_both_languages() {
+    let folder = example();
+    printed(folder.path(), &["fan_study.toml", "--report", "summary.html"]);
+    let page = String::from_utf8(bytes(folder.path(), "summary.html")).expect("UTF-8");
+    assert!(page.contains("Statistics of the answers") && page.contains("<svg"), "{page}");
+    let printed = printed(folder.path(), &["fan_study.toml", "--lang", "pt-BR"]);
+    for part in ["Estatística dos resultados", "desvio-padrão", "mediana"] {
+        assert!(printed.contains(part), "{part}:\n{printed}");
+    }
+}

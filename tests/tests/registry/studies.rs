@@ -1,0 +1,89 @@
+//! Studies over the whole registry: a row is what the problem answers at that point, to the last bit.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use dalembert_core::{
+    Answer, Entry, FieldError, Record, SolveError, Stop, cases, registry,
+    study::{Amount, Design, DistributionKind, Rows, Sampling, Study, StudyPlan, Variation},
+    vary,
+};
+use dalembert_plugins as _;
+use dalembert_testkit::on_all_cores;
+use itertools::zip_eq;
+
+/// A plan that varies every number among the inputs by a percent.
+fn plan_of(entry: &Entry, record: &Record) -> StudyPlan {
+    let variation = |input: &vary::VariedInput| Variation {
+        input: Some(input.path.clone()),
+        distribution: Some(DistributionKind::Uniform),
+        tolerance: Some(Amount::Text("1e-3 %".to_owned())).filter(|_| input.si != 0.0),
+        ..Variation::default()
+    };
+    let inputs = vary::inputs(record);
+    StudyPlan {
+        problem: entry.about.id.to_owned(),
+        samples: Some(3),
+        sampling: Sampling::Sobol,
+        vary: inputs.iter().filter(|input| input.si != 0.0).take(60).map(variation).collect(),
+        ..StudyPlan::default()
+    }
+}
+
+#[test]
+fn a_row_is_what_the_problem_answers_at_that_point() {
+    let compared = AtomicUsize::new(0);
+    on_all_cores(registry(), |_, entry| {
+        let id = entry.about.id;
+        let case = cases::first(entry).unwrap_or_else(|| panic!("{id} has no case"));
+        let record = case.record(entry).unwrap_or_else(|errors| panic!("{id}: {errors:?}"));
+        let solution = entry.solve(&record, &Stop::new()).unwrap_or_else(|error| panic!("{id}: {error}"));
+        let mut plan = plan_of(entry, &record);
+        let no_data = |_: &str| panic!("{id}: the plan names no file");
+        // An input that the analysis cannot vary is left as it is.
+        let study = loop {
+            let design =
+                Design::new(&plan, &record, &no_data).unwrap_or_else(|errors| panic!("{id}: {errors:?}"));
+            match Study::new(entry, &record, &plan, design, &solution) {
+                Ok(study) => break study,
+                Err(SolveError::Fields(errors)) => {
+                    let is_wrong = |path: &str| errors.iter().any(|error: &FieldError| error.path == path);
+                    let before = plan.vary.len();
+                    plan.vary.retain(|variation| !is_wrong(variation.input.as_deref().unwrap_or_default()));
+                    assert!(plan.vary.len() < before, "{id}: {errors:?}");
+                }
+                Err(error) => panic!("{id}: {error}"),
+            }
+        };
+        let mut rows = Rows::default();
+        let points = study.design.points();
+        let mut evaluation = study.evaluation().unwrap_or_else(|error| panic!("{id}: {error}"));
+        evaluation.rows(0..points, &mut rows, &Stop::new()).unwrap_or_else(|error| panic!("{id}: {error}"));
+        let (inputs, answers) = (study.design.inputs.len(), study.answers.len());
+        let (mut shown, mut si) = (vec![0.0; inputs], vec![0.0; inputs]);
+        for point in 0..points {
+            study.design.point(point, &mut shown, &mut si);
+            let mut changed = record.clone();
+            for (input, si) in zip_eq(&study.design.inputs, &si) {
+                changed = vary::changed(&changed, &input.path, *si).expect("an input of the problem");
+            }
+            let row = &rows.answers[point as usize * answers..][..answers];
+            if let Some((_, why)) = rows.refused.iter().find(|(at, _)| *at as u64 == point) {
+                assert!(row.iter().all(|value| value.is_nan()), "{id}: point {point} has answers: {why:?}");
+                let is_outside = zip_eq(&study.design.inputs, &si).any(|(input, si)| !input.permits(*si));
+                assert!(is_outside || entry.solve(&changed, &Stop::new()).is_err(), "{id}: {why:?}");
+                continue;
+            }
+            let solved = entry.solve(&changed, &Stop::new()).unwrap_or_else(|error| panic!("{id}: {error}"));
+            for (answer, ours) in zip_eq(&study.answers, row) {
+                let name = answer.name.to_string();
+                let theirs = solved.answer(&name).and_then(Answer::si);
+                let theirs = theirs.map_or(f64::NAN, |si| answer.unit.value(si));
+                let is_same = ours.to_bits() == theirs.to_bits() || ours.is_nan() && theirs.is_nan();
+                assert!(is_same, "{id}: {name} of point {point} is {ours}, and {theirs} where it is solved");
+                compared.fetch_add(1, Ordering::Relaxed);
+            }
+        }
+    });
+    let compared = compared.into_inner();
+    assert!(compared > 2_000, "only {compared} answers were compared");
+}
