@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 
 pub mod bench;
+pub mod cluster;
 pub mod docs;
 pub mod find;
 pub mod new_analysis;

@@ -187,3 +187,7 @@ limit-text-write-an-answer-and-a-value-as-in-limit-amplitude-0-2-mm = --limit { 
 shard-text-write-the-number-of-the-part-and-of-all-parts-as-in-shard-3-16 = --shard { $text }: escreva o número da parte e o total de partes, como em --shard 3/16
 subject-path-why = { $subject }: { $path }: { $why }
 remaining = restantes
+
+## Slurm
+have-so-many-parts-solved-by-slurm-as-a-job-array-and-merge-them = Resolver tantas partes pelo Slurm, como um job array, e juntá-las
+an-option-of-sbatch-slurm-option-partition-long = Uma opção do sbatch: --slurm-option=--partition=long

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use dalembert_core::{Language, Locale, Text};
 
+use crate::completion;
+
 /// A machine-dynamics workbench: pick a problem, edit its inputs in any units, see the worked solution.
 #[derive(Debug, Parser)]
 #[command(
@@ -15,7 +17,7 @@ use dalembert_core::{Language, Locale, Text};
 #[expect(clippy::struct_excessive_bools, reason = "each is a flag of the command line")]
 pub(crate) struct Arguments {
     /// A problem file or the id of an analysis, to open in the workbench
-    #[arg(value_name = "FILE")]
+    #[arg(value_name = "FILE", add = completion::problems())]
     pub(crate) problem: Option<String>,
     /// Open the file read-only
     #[arg(long)]
@@ -81,6 +83,7 @@ pub(crate) struct List {
 #[derive(Debug, Args)]
 pub(crate) struct Show {
     /// The id of an analysis, such as vibration/rotating-unbalance
+    #[arg(add = completion::ids())]
     pub(crate) id: String,
     /// Print JSON
     #[arg(long)]
@@ -90,6 +93,7 @@ pub(crate) struct Show {
 #[derive(Debug, Args)]
 pub(crate) struct New {
     /// The id of an analysis, such as vibration/rotating-unbalance
+    #[arg(add = completion::ids())]
     pub(crate) id: String,
     /// Fill in the inputs of this published case, counted from 1; without it the values are left empty
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
@@ -105,14 +109,14 @@ pub(crate) struct New {
 #[derive(Debug, Args)]
 pub(crate) struct Solve {
     /// The id of an analysis, or a problem file; - reads the standard input
-    #[arg(value_name = "ID|FILE|-")]
+    #[arg(value_name = "ID|FILE|-", add = completion::problems())]
     pub(crate) problem: String,
     /// Start from the inputs of this published case, counted from 1; without it, --set starts from empty
     /// inputs, and an id alone solves case 1
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) case: Option<u32>,
     /// Change an input: mass="40 kg", masses[2].radius="0.1 m"; a table can be read from a file: samples=@data.csv
-    #[arg(long, value_name = "PATH=VALUE")]
+    #[arg(long, value_name = "PATH=VALUE", add = completion::settings())]
     pub(crate) set: Vec<String>,
     /// Define a quantity for formulas in inputs and questions: nu=0.3, 'G=E/(2*(1+nu))'
     #[arg(long = "let", value_name = "NAME=FORMULA")]
@@ -123,7 +127,7 @@ pub(crate) struct Solve {
     pub(crate) ask: Vec<String>,
     /// Give an answer whose value is known, for an input that is to be found: --set 'mass=?' --given
     /// 'natural_frequency=8.2 Hz'
-    #[arg(long, value_name = "ANSWER=VALUE")]
+    #[arg(long, value_name = "ANSWER=VALUE", add = completion::answers("="))]
     pub(crate) given: Vec<String>,
     /// Solve the same problem with an input changed beside it: 'weighted.mass=m + 2 kg'
     #[arg(long, value_name = "NAME.INPUT=FORMULA")]
@@ -147,7 +151,7 @@ pub(crate) struct Solve {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
     pub(crate) digits: Option<u8>,
     /// Unit of an answer, or of all answers of a name or a quantity: amplitude=um, force=lbf
-    #[arg(long, value_name = "ANSWER=UNIT")]
+    #[arg(long, value_name = "ANSWER=UNIT", add = completion::answers("="))]
     pub(crate) unit: Vec<String>,
     /// Units of everything that is shown: auto (the system that the inputs show), as-typed, SI, in-lbf-s, ft-slug-s,
     /// mm-t-s
@@ -158,16 +162,16 @@ pub(crate) struct Solve {
 #[derive(Debug, Args)]
 pub(crate) struct Find {
     /// The id of an analysis, or a problem file; - reads the standard input
-    #[arg(value_name = "ID|FILE|-")]
+    #[arg(value_name = "ID|FILE|-", add = completion::problems())]
     pub(crate) problem: String,
     /// Take the other inputs of this published case, counted from 1; default: case 1
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) case: Option<u32>,
     /// The input to find: mass, masses[2].radius
-    #[arg(long, value_name = "PATH")]
+    #[arg(long, value_name = "PATH", add = completion::numbers(""))]
     pub(crate) input: String,
     /// The answer or question, and the value that it is to have: 'natural_frequency=8.2 Hz'
-    #[arg(long, value_name = "ANSWER=VALUE")]
+    #[arg(long, value_name = "ANSWER=VALUE", add = completion::answers("="))]
     pub(crate) answer: String,
     /// Least value of the range to search; default: 1/1000 to 1000 times the value of case 1
     #[arg(long, value_name = "VALUE", requires = "to", allow_hyphen_values = true)]
@@ -187,14 +191,14 @@ pub(crate) struct Find {
 #[expect(clippy::struct_excessive_bools, reason = "each is a flag of the command line")]
 pub(crate) struct Study {
     /// A study plan, a problem file or the id of an analysis
-    #[arg(value_name = "PLAN|FILE|ID")]
+    #[arg(value_name = "PLAN|FILE|ID", add = completion::problems())]
     pub(crate) subject: String,
     /// Vary an input of a problem: speed='600..1800 rpm:13', speed=10..1000:31:log, mass='40 kg; 45 kg',
     /// mass='normal(2 %)', mass='uniform(38 kg; 42 kg)'
-    #[arg(long, value_name = "INPUT=VALUES")]
+    #[arg(long, value_name = "INPUT=VALUES", add = completion::numbers("="))]
     pub(crate) vary: Vec<String>,
     /// The answers, separated by commas; default: every answer that is a number
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', add = completion::answers(""))]
     pub(crate) answers: Vec<String>,
     /// A limit whose probability of being exceeded is wanted: 'amplitude > 0.2 mm'
     #[arg(long, value_name = "ANSWER>VALUE")]
@@ -220,6 +224,12 @@ pub(crate) struct Study {
     /// Merge the shards into the file
     #[arg(long, requires = "output", conflicts_with = "shard")]
     pub(crate) merge: bool,
+    /// Have so many parts solved by Slurm, as a job array, and merge them
+    #[arg(long, value_name = "PARTS", requires = "output", conflicts_with_all = ["shard", "merge"], value_parser = clap::value_parser!(u64).range(1..=10_000))]
+    pub(crate) slurm: Option<u64>,
+    /// An option of sbatch: --slurm-option=--partition=long
+    #[arg(long, value_name = "OPTION", requires = "slurm", allow_hyphen_values = true)]
+    pub(crate) slurm_option: Vec<String>,
     /// Number of threads; default: one for each processor
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
     pub(crate) threads: Option<u32>,
@@ -270,6 +280,7 @@ pub(crate) struct Verify {
 #[derive(Debug, Args)]
 pub(crate) struct Schema {
     /// The id of an analysis, such as vibration/rotating-unbalance
+    #[arg(add = completion::ids())]
     pub(crate) id: String,
 }
 

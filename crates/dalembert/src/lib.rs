@@ -5,6 +5,7 @@
 
 mod arguments;
 mod commands;
+mod completion;
 mod console;
 mod failure;
 mod output;
@@ -16,6 +17,7 @@ mod solving;
 use std::{ffi::OsString, path::PathBuf, process::ExitCode};
 
 use clap::FromArgMatches as _;
+use clap_complete::CompleteEnv;
 use dalembert_tui::settings::{self, Settings};
 
 use crate::{
@@ -33,6 +35,7 @@ pub fn main() -> ExitCode {
     let path = settings::path();
     let (settings, faults) = path.as_deref().map_or_else(Default::default, settings::read);
     let language = console::requested_language(&words, settings.language);
+    CompleteEnv::with_factory(|| arguments::command(language)).var(completion::VARIABLE).complete();
     let parsed = arguments::command(language)
         .try_get_matches_from(words)
         .and_then(|matches| Arguments::from_arg_matches(&matches));
@@ -79,7 +82,7 @@ fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, F
         Some(Command::Verify(verify)) => commands::verify::run(verify, console),
         Some(Command::Schema(schema)) => commands::schema::run(schema, console),
         Some(Command::Replay(replay)) => commands::replay::run(replay, set, console),
-        Some(Command::Completions(completions)) => commands::completions::run(completions, console),
+        Some(Command::Completions(completions)) => commands::completions::run(completions),
         Some(Command::Man(man)) => commands::man::run(man, console),
         Some(Command::Info) => commands::info::run(&set, console),
         Some(Command::Settings) => commands::settings::run(console),

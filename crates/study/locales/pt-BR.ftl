@@ -6,3 +6,9 @@ file-is-being-written-by-another-process-wait-for-it-or-stop-it = { $file } est�
 file-is-of-another-plan-problem-or-version-of-the-program-delete-it-or-choose-another-name = { $file } é de outro plano, problema ou versão do programa; apague-o ou escolha outro nome
 there-are-no-shards-of-file-run-them-with-shard-as-in-shard-1-4 = não há partes de { $file }; execute-as com --shard, como em --shard 1/4
 beside-file-there-are-shards-of-numbers-keep-those-of-one-number = ao lado de { $file } há partes de { $numbers }; conserve as de um só número
+
+## Slurm
+squeue-does-not-answer-job-job-may-still-run-start-the-same-command-again-later = squeue não responde; o job { $job } talvez ainda esteja em execução: repita o mesmo comando mais tarde
+shards-were-lost-times-times-missing-see-log = partes perdidas { $times } vezes: { $missing }; veja { $log }
+sbatch-why-run-this-on-a-machine-of-the-cluster = sbatch: { $why }; execute isto em uma máquina do cluster
+sbatch-refuses-the-job-why = sbatch recusa o job: { $why }

@@ -5,6 +5,7 @@
 //! | [`workers`] | solves the points on several threads and hands them on in their order |
 //! | [`table`] | writes rows as CSV and reads them back, to the last bit |
 //! | [`output`] | writes a table or a shard of it, goes on with one that was broken off, merges shards |
+//! | [`slurm`] | has the shards solved by a cluster |
 //! | [`data`] | reads CSV files that a plan names |
 //!
 //! A table is the same to the last byte on any number of threads, broken off and resumed or not, and merged from any
@@ -12,6 +13,7 @@
 
 pub mod data;
 pub mod output;
+pub mod slurm;
 pub mod table;
 pub mod workers;
 

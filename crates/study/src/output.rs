@@ -81,7 +81,7 @@ impl Run<'_> {
     pub fn summarise(&self) -> Result<Summary, StudyError> {
         let mut sums = self.accumulator();
         let points = self.study.design.points();
-        self.solve(0..points, 0, &mut sums, &mut |_| Ok(()))?;
+        self.solve(0..points, 0, &mut sums, None)?;
         Ok(sums.summary())
     }
 
@@ -102,7 +102,7 @@ impl Run<'_> {
         if from > range.end {
             return Err(foreign(&part.path));
         }
-        self.solve(from..range.end, done, &mut sums, &mut |text| part.write(text))?;
+        self.solve(from..range.end, done, &mut sums, Some(&mut part))?;
         part.finish(&path)?;
         Ok(sums.summary())
     }
@@ -185,11 +185,12 @@ impl Run<'_> {
         range: Range<u64>,
         mut done: u64,
         sums: &mut Accumulator,
-        take: &mut dyn FnMut(&str) -> Result<(), StudyError>,
+        mut part: Option<&mut Part>,
     ) -> Result<(), StudyError> {
+        let locale = part.is_some().then_some(self.locale);
         let (inputs, answers) = (self.study.design.inputs.len(), self.study.answers.len());
         (self.progress)(done);
-        workers::solve(self.study, range, self.threads, self.locale, self.stop, &mut |block| {
+        workers::solve(self.study, range, self.threads, locale, self.stop, &mut |block| {
             let rows = &block.rows;
             let mut refused = rows.refused.iter().peekable();
             let all = rows.inputs.chunks_exact(inputs).zip(rows.answers.chunks_exact(answers));
@@ -200,7 +201,9 @@ impl Run<'_> {
                 }
                 done += 1;
             }
-            take(&block.text)?;
+            if let Some(part) = &mut part {
+                part.write(&block.text)?;
+            }
             (self.progress)(done);
             Ok(())
         })

@@ -21,11 +21,12 @@ const AHEAD: usize = 2;
 pub struct SolvedBlock {
     /// The rows.
     pub rows: Rows,
-    /// The same as CSV.
+    /// The same as CSV, where a table is written.
     pub text: String,
 }
 
-/// Solves a range of points on so many threads; `take` receives the blocks in their order.
+/// Solves a range of points on so many threads; `take` receives the blocks in their order, as text too where `locale` is the
+/// language of their reasons.
 ///
 /// # Errors
 /// Those of `take`, after which nothing more is solved; [`Refusal::Stopped`].
@@ -36,7 +37,7 @@ pub fn solve(
     study: &Study<'_>,
     range: Range<u64>,
     threads: usize,
-    locale: &Locale,
+    locale: Option<&Locale>,
     stop: &Stop,
     take: &mut dyn FnMut(&SolvedBlock) -> Result<(), StudyError>,
 ) -> Result<(), StudyError> {
@@ -78,15 +79,17 @@ fn work(
     study: &Study<'_>,
     mut evaluation: Evaluation<'_>,
     blocks: Vec<Range<u64>>,
-    locale: &Locale,
+    locale: Option<&Locale>,
     stop: &Stop,
     sender: &SyncSender<SolvedBlock>,
 ) -> Result<(), Refusal> {
     for range in blocks {
         let mut block = SolvedBlock::default();
         evaluation.rows(range, &mut block.rows, stop)?;
-        let (inputs, answers) = (study.design.inputs.len(), study.answers.len());
-        table::write_rows(&mut block.text, &block.rows, inputs, answers, locale);
+        if let Some(locale) = locale {
+            let (inputs, answers) = (study.design.inputs.len(), study.answers.len());
+            table::write_rows(&mut block.text, &block.rows, inputs, answers, locale);
+        }
         if sender.send(block).is_err() {
             break;
         }

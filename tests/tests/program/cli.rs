@@ -496,6 +496,38 @@ fn the_other_subcommands_print_something() {
 }
 
 #[test]
+fn a_shell_is_offered_what_belongs_to_the_problem_on_the_line() {
+    let offered = |words: &[&str]| -> Vec<String> {
+        let words = [&["--", "dalembert"], words].concat();
+        let output = run(&words, &[("DALEMBERT_COMPLETE", "fish")]);
+        let lines = stdout(&output);
+        lines.lines().map(|line| line.split('\t').next().unwrap_or(line).to_owned()).collect()
+    };
+    let (_folder, file) = file(b"format = 2\nanalysis = \"vibration/rotating-unbalance\"\n[inputs]\nmass = \"40 kg\"\nunbalance = \"0.1 kg*m\"\nspeed = \"900 rpm\"\nsupport.stiffness.stiffness = \"400 kN/m\"\ndamping.ratio.ratio = \"0.05\"\n");
+    for (words, wanted, count) in [
+        (&["solve", "vibration/rotating-u"][..], FAN, 1),
+        (&["show", "vibration/rotating-u"], FAN, 1),
+        (&["vibration/rotating-u"], FAN, 1),
+        (&["solve", FAN, "--set", "support."], "support.cantilever.length=", 3),
+        (&["solve", &file, "--set", "support."], "support.stiffness.stiffness=", 1),
+        (&["solve", FAN, "--unit", "amplitude"], "amplitude=", 1),
+        (&["find", FAN, "--input", "spe"], "speed", 1),
+        (&["study", FAN, "--vary", "spe"], "speed=", 1),
+        (&["study", FAN, "--answers", "natural"], "natural_frequency", 1),
+        (&["study", FAN, "--sampling", "so"], "sobol", 1),
+    ] {
+        let offered = offered(words);
+        assert!(offered.iter().any(|value| value == wanted), "{words:?}: {offered:?}");
+        assert_eq!(offered.len(), count, "{words:?}: {offered:?}");
+    }
+    let offered = stdout(&run(
+        &["--", "dalembert", "solve", "vibration/rotating-u"],
+        &[("DALEMBERT_COMPLETE", "fish"), ("LANG", "pt_BR.UTF-8")],
+    ));
+    assert!(offered.contains("Desbalanceamento"), "{offered}");
+}
+
+#[test]
 fn a_reader_that_leaves_is_no_failure() {
     let mut child = Command::new(pty::program())
         .args(["verify", "--json"])

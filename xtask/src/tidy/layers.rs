@@ -17,7 +17,10 @@ const BELOW: [(&str, &[&str]); 15] = [
     ("crates/dalembert", &["core", "mechanics", "plugins", "report", "study", "tui", "units"]),
     ("plugins/*", &["core", "mechanics", "numerics", "units"]),
     ("crates/testkit", &["core", "mechanics", "numerics", "plot", "report", "terminal", "units"]),
-    ("tests", &["", "core", "mechanics", "numerics", "plugins", "report", "testkit", "tui", "units"]),
+    (
+        "tests",
+        &["", "core", "mechanics", "numerics", "plugins", "report", "study", "testkit", "tui", "units"],
+    ),
     ("xtask", &[]),
 ];
 

@@ -373,7 +373,6 @@ impl Values {
 
     /// Percentiles, the width of the bins that they were counted in, and the histogram.
     fn distribution(mut self) -> (Vec<f64>, f64, Histogram) {
-        self.exact.sort_unstable_by(f64::total_cmp);
         let (least, largest) = (self.least.unwrap_or(0.0), self.largest.unwrap_or(0.0));
         let shares = PERCENTILES.iter().map(|percent| percent / 100.0);
         let width = (largest - least) / BARS as f64;
@@ -389,6 +388,11 @@ impl Values {
         match &self.bins {
             None => {
                 self.exact.iter().for_each(|value| count(*value, 1));
+                let mut ranks: Vec<usize> =
+                    shares.clone().flat_map(|share| ranks_about(&self.exact, share)).collect();
+                ranks.sort_unstable();
+                ranks.dedup();
+                put_in_order(&mut self.exact, &ranks);
                 (shares.map(|share| quantile_of_sorted(&self.exact, share)).collect(), 0.0, histogram)
             }
             Some(bins) => {
@@ -420,6 +424,23 @@ impl Bins {
         }
         self.from + BINS as f64 * self.width
     }
+}
+
+/// The places of the two values that a quantile lies between.
+fn ranks_about(values: &[f64], share: f64) -> [usize; 2] {
+    let last = values.len().saturating_sub(1);
+    let below = (share * last as f64).floor() as usize;
+    [below.min(last), (below + 1).min(last)]
+}
+
+/// Puts the values of these ascending ranks where they stand in ascending order: all that quantiles need, in less time than sorting.
+fn put_in_order(values: &mut [f64], ranks: &[usize]) {
+    let Some(&rank) = ranks.get(ranks.len() / 2).filter(|rank| **rank < values.len()) else { return };
+    let (below, above) = ranks.split_at(ranks.len() / 2);
+    let (smaller, _, larger) = values.select_nth_unstable_by(rank, f64::total_cmp);
+    put_in_order(smaller, below);
+    let above: Vec<usize> = above[1..].iter().map(|above| above - rank - 1).collect();
+    put_in_order(larger, &above);
 }
 
 /// Wilson's interval of a probability, from the number of hits of so many trials.

@@ -2,17 +2,20 @@
 
 use std::process::ExitCode;
 
-use crate::{
-    arguments::{self, Completions},
-    console::{Console, print},
-    failure::Failure,
-};
+use clap_complete::env::Shells;
 
-/// Prints the completion script of a shell.
-pub(crate) fn run(completions: &Completions, console: &Console) -> Result<ExitCode, Failure> {
+use crate::{arguments::Completions, completion::VARIABLE, console::print, failure::Failure};
+
+/// Prints the script by which a shell asks the program for completions.
+pub(crate) fn run(completions: &Completions) -> Result<ExitCode, Failure> {
+    let name = completions.shell.to_string();
+    let shells = Shells::builtins();
+    let shell =
+        shells.completer(&name).ok_or_else(|| Failure::Fault(format!("no completions for {name}")))?;
     let mut script = Vec::new();
-    let mut command = arguments::command(console.locale.language);
-    clap_complete::generate(completions.shell, &mut command, "dalembert", &mut script);
+    shell
+        .write_registration(VARIABLE, "dalembert", "dalembert", "dalembert", &mut script)
+        .map_err(Failure::Output)?;
     print(&String::from_utf8_lossy(&script))?;
     Ok(ExitCode::SUCCESS)
 }

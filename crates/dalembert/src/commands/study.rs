@@ -2,6 +2,8 @@
 
 use std::{
     cell::RefCell,
+    env,
+    ffi::OsString,
     io::IsTerminal as _,
     path::{Path, PathBuf},
     process::ExitCode,
@@ -19,6 +21,7 @@ use dalembert_report::{DocumentFormat, json_text, study_document, text};
 use dalembert_study::{
     StudyError, data,
     output::{Run, Shard},
+    slurm::Cluster,
     table,
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -110,7 +113,13 @@ fn carry_out(asked: &arguments::Study, run: &Run<'_>, problem: &LoadedProblem) -
     if shard.is_none() || asked.force {
         output::allowed(&written, Path::new(&asked.subject), asked.force)?;
     }
-    let solved = if asked.merge {
+    if let Some(shards) = asked.slurm {
+        let command = command_of_shards();
+        let cluster = Cluster { command: &command, table: path, shards, options: &asked.slurm_option };
+        let points = run.study.design.points();
+        cluster.run(&|done| (run.progress)(points * done / shards)).map_err(failure)?;
+    }
+    let solved = if asked.merge || asked.slurm.is_some() {
         run.merge(path)
     } else if shard.is_some() && written.exists() && !asked.force {
         run.read(&written, shard)
@@ -118,6 +127,22 @@ fn carry_out(asked: &arguments::Study, run: &Run<'_>, problem: &LoadedProblem) -
         solving::guarded(problem.entry, || run.write(path, shard))?
     };
     solved.map_err(failure)
+}
+
+/// The command line without what concerns the cluster, the threads and the summary.
+fn command_of_shards() -> Vec<OsString> {
+    let mut words = env::args_os().skip(1);
+    let mut command: Vec<OsString> = env::current_exe().map(OsString::from).into_iter().collect();
+    while let Some(word) = words.next() {
+        let text = word.to_string_lossy();
+        let (option, has_value) = (text.split('=').next().unwrap_or_default(), text.contains('='));
+        match option {
+            "--slurm" | "--slurm-option" | "--threads" | "--report" if !has_value => drop(words.next()),
+            "--slurm" | "--slurm-option" | "--threads" | "--report" | "--json" | "--force" => {}
+            _ => command.push(word),
+        }
+    }
+    command
 }
 
 /// The plan: a file, or a problem with the options of the command line; and the folder that its files are in.
