@@ -12,3 +12,4 @@ mod ode;
 mod polynomial;
 mod real;
 mod roots;
+mod sparse;
