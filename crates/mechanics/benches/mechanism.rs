@@ -6,7 +6,10 @@
 use std::{hint::black_box, time::Instant};
 
 use dalembert_mechanics::planar::{Model, PlanarRun, RelativeCoordinate, SweepResult, Trajectory};
-use models::{Driven, andrews, crank_rocker, driven_slider, driven_squeezer, four_bars, six_bar};
+use models::{
+    Driven, andrews, angles_of_drag_links, crank_rocker, drag_links, driven_slider, driven_squeezer,
+    four_bars, six_bar,
+};
 
 #[path = "../tests/mechanics/models.rs"]
 mod models;
@@ -33,6 +36,7 @@ fn main() {
             positions(name, &driven, count, goal);
         }
     }
+    chains();
     squeezer(1e-8, 1e-7, "≤ 0.4 ms");
     squeezer(1e-11, 1e-10, "≤ 1 ms");
     for (n, goal) in [(1, "≤ 1 ms"), (10, "≤ 5 ms"), (40, "≤ 15 ms"), (100, "≤ 40 ms")] {
@@ -52,9 +56,42 @@ fn main() {
 }
 
 /// A turn of the crank in so many positions, with velocities, accelerations and reactions.
-fn positions(name: &str, (system, drawn): &Driven, count: usize, goal: &str) {
-    let turn = std::f64::consts::TAU;
-    let values: Vec<f64> = (0..count).map(|n| drawn[0][2] + turn * n as f64 / count as f64).collect();
+fn positions(name: &str, driven: &Driven, count: usize, goal: &str) {
+    let (time, gap, _) = swept(driven, count);
+    let each = time / count as f64 * 1e3;
+    println!("{name}, {count} positions, two ways to {gap:.0e}\t{time:.0} µs, {each:.0} ns each\t{goal}");
+}
+
+/// Chains of four-bars, each held against its closed form: the time grows with their number.
+fn chains() {
+    let [two, hundred] = [2, 100].map(|n| {
+        let driven = drag_links(n, [3.0, 0.5]);
+        let (time, gap, swept) = swept(&driven, 360);
+        let off = turn(&driven, 360).into_iter().enumerate().flat_map(|(at, value)| {
+            let angles = angles_of_drag_links(n, value);
+            let off = |(body, angle): (usize, f64)| (swept.positions(at)[body][2] - angle).abs();
+            angles.into_iter().enumerate().map(off).collect::<Vec<_>>()
+        });
+        let off = off.fold(0.0, f64::max);
+        println!(
+            "chain of {n} four-bars, 360 positions, two ways to {gap:.0e}, closed form to {off:.0e} rad\t{time:.0} µs\t"
+        );
+        assert!(gap < 1e-9 && off < 1e-9, "the chain is not where it should be");
+        time
+    });
+    println!("chain of 100 four-bars, 360 positions, over two\t{:.1}\t≤ 60", hundred / two);
+}
+
+/// The values of a turn of the crank.
+fn turn((_, drawn): &Driven, count: usize) -> Vec<f64> {
+    (0..count).map(|n| drawn[0][2] + std::f64::consts::TAU * n as f64 / count as f64).collect()
+}
+
+/// A turn of the crank in so many positions: the median time, µs, the largest difference of the driving torque by virtual
+/// power and by Newton and Euler over the largest torque, and the positions.
+fn swept(driven: &Driven, count: usize) -> (f64, f64, SweepResult) {
+    let (system, drawn) = driven;
+    let values = turn(driven, count);
     let mut sweep = system.sweep(drawn, 0).expect("the crank drives the mechanism");
     let mut swept = SweepResult::default();
     let rounds = 40_000 / count + 3;
@@ -67,16 +104,11 @@ fn positions(name: &str, (system, drawn): &Driven, count: usize, goal: &str) {
         .collect();
     times.sort_by(f64::total_cmp);
     let time = times[rounds / 2];
-    // Virtual power, and Newton with Euler.
     let driver = system.equations().len() - 1;
     let largest = (0..count).fold(0.0f64, |most, n| most.max(swept.effort(n).abs()));
     let gap =
         (0..count).fold(0.0f64, |most, n| most.max((swept.effort(n) - swept.multipliers(n)[driver]).abs()));
-    let each = time / count as f64 * 1e3;
-    println!(
-        "{name}, {count} positions, two ways to {:.0e}\t{time:.0} µs, {each:.0} ns each\t{goal}",
-        gap / largest
-    );
+    (time, gap / largest, swept)
 }
 
 /// Crank angle of Andrews' mechanism at 0.03 s, by extrapolation in 80-bit arithmetic.

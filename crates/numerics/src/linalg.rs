@@ -12,6 +12,7 @@ mod exact;
 mod lowest;
 mod nonsymmetric;
 mod pencil;
+mod sparse;
 
 use faer::MatRef;
 use nalgebra::{DMatrix, DVector};
@@ -23,6 +24,7 @@ pub use self::{
     lowest::lowest_modes,
     nonsymmetric::{ComplexEigen, complex_eigen, complex_eigenvalues},
     pencil::{generalised_eigen, generalised_eigenvalues},
+    sparse::SparseMatrix,
 };
 
 /// Below this reciprocal condition number of the scaled matrix a system counts as singular: fewer than three

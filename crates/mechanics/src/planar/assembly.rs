@@ -1,7 +1,5 @@
 //! Position analysis: an initial guess of the positions from angles, and the assembly of the mechanism near a guess.
 
-use nalgebra::{DMatrix, DVector};
-
 use super::{
     Equation, Model, PlanarError, PlanarJoint, PlanarMechanism,
     kinematics::Constraints,
@@ -13,7 +11,7 @@ use super::{
     },
     vectors::largest,
 };
-use dalembert_numerics::linalg::Elimination;
+use dalembert_numerics::linalg::{Elimination, SparseMatrix};
 
 /// Positions of the bodies before the mechanism is assembled.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,7 +61,8 @@ impl Model {
         let columns: Vec<usize> = (0..3 * angles.len()).filter(|column| column % 3 != 2).collect();
         let (positions, residual) = model.fit_origins(spread(GUESS_SPREAD), &rows, &columns)?;
         let (_, jacobian) = model.row_scaled(&positions)?;
-        let free = Elimination::new(&jacobian.select_rows(&rows).select_columns(&columns))?.null_space()?;
+        let free =
+            Elimination::of_sparse(&jacobian.select_rows(&rows).select_columns(&columns))?.null_space()?;
         let is_open = |body: usize| origins.get(body).is_none_or(Option::is_none);
         let is_free = |body: usize| {
             free.iter().any(|motion| motion[2 * body..][..2].iter().any(|x| x.abs() > GUESS_FREE_COMPONENT))
@@ -107,13 +106,13 @@ impl Model {
         for _ in 0..GUESS_MAX_ITERATIONS {
             let (residuals, jacobian) = self.row_scaled(&positions)?;
             let jacobian = jacobian.select_rows(rows).select_columns(columns);
-            let residual = DVector::from_iterator(rows.len(), rows.iter().map(|&row| residuals[row]));
-            norm = residual.norm();
-            let mut normal = jacobian.tr_mul(&jacobian);
-            for at in 0..normal.nrows() {
-                normal[(at, at)] += GUESS_REGULARISATION;
+            let residual: Vec<f64> = rows.iter().map(|&row| residuals[row]).collect();
+            norm = sum_of_squares(&residual).sqrt();
+            let mut normal = jacobian.transpose().times_transpose();
+            for at in 0..normal.columns() {
+                normal.add_to_diagonal(at, GUESS_REGULARISATION);
             }
-            let step = Elimination::new(&normal)?.solve(jacobian.tr_mul(&residual).as_slice())?;
+            let step = Elimination::of_sparse(&normal)?.solve(&jacobian.transposed_times(&residual))?;
             for (at, step) in positions.iter_mut().zip(step.chunks_exact(2)) {
                 (at[0], at[1]) = (at[0] - step[0], at[1] - step[1]);
             }
@@ -139,13 +138,13 @@ impl Model {
             if largest <= ASSEMBLY_RESIDUAL * self.reach(&positions) || stalled > ASSEMBLY_MAX_STALLED {
                 break;
             }
-            let mut normal = &jacobian * jacobian.transpose();
-            for at in 0..normal.nrows() {
-                normal[(at, at)] += damping * f64::min(1.0, largest / self.length);
+            let mut normal = jacobian.times_transpose();
+            for at in 0..normal.columns() {
+                normal.add_to_diagonal(at, damping * f64::min(1.0, largest / self.length));
             }
-            let multipliers = Elimination::new(&normal)?.solve(&residuals)?;
-            let change = jacobian.tr_mul(&DVector::from_vec(multipliers));
-            let tried = self.displaced(&positions, change.as_slice(), -1.0);
+            let multipliers = Elimination::of_sparse(&normal)?.solve(&residuals)?;
+            let change = jacobian.transposed_times(&multipliers);
+            let tried = self.displaced(&positions, &change, -1.0);
             let (new_residuals, new_jacobian) = self.row_scaled(&tried)?;
             let new_square = sum_of_squares(&new_residuals);
             if new_square < square {
@@ -184,22 +183,25 @@ impl Model {
     }
 
     /// Residuals and Jacobian with the drivers at their own values, row-scaled.
-    fn row_scaled(&self, positions: &[[f64; 3]]) -> Result<(Vec<f64>, DMatrix<f64>), PlanarError> {
+    fn row_scaled(&self, positions: &[[f64; 3]]) -> Result<(Vec<f64>, SparseMatrix), PlanarError> {
         row_scaled(self.constraints(positions))
     }
 }
 
 /// Residuals and Jacobian, each row over its largest entry: residuals in m for every measure.
-fn row_scaled(constraints: Constraints) -> Result<(Vec<f64>, DMatrix<f64>), PlanarError> {
+fn row_scaled(constraints: Constraints) -> Result<(Vec<f64>, SparseMatrix), PlanarError> {
     let Constraints { mut residuals, mut jacobian } = constraints;
-    if residuals.iter().chain(jacobian.iter()).any(|x| !x.is_finite()) {
+    let entries = jacobian.rows().iter().flatten().map(|(_, entry)| entry);
+    if residuals.iter().chain(entries).any(|x| !x.is_finite()) {
         return Err(PlanarError::NotFinite);
     }
-    for (residual, mut row) in residuals.iter_mut().zip(jacobian.row_iter_mut()) {
-        let largest = row.amax();
+    for (residual, row) in residuals.iter_mut().zip(jacobian.rows_mut()) {
+        let largest = row.iter().fold(0.0f64, |most, (_, entry)| most.max(entry.abs()));
         if largest > 0.0 {
             *residual /= largest;
-            row /= largest;
+            for (_, entry) in row {
+                *entry /= largest;
+            }
         }
     }
     Ok((residuals, jacobian))

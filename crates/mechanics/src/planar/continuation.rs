@@ -142,7 +142,7 @@ impl Model {
 
     /// The sign of the determinant of some of the equations, and their smallest pivot over the largest.
     fn sign(&self, positions: &[[f64; 3]], rows: &[usize]) -> Result<[f64; 2], PlanarError> {
-        let elimination = Elimination::new(&self.constraints(positions).jacobian.select_rows(rows))?;
+        let elimination = Elimination::of_sparse(&self.constraints(positions).jacobian.select_rows(rows))?;
         Ok([elimination.sign(), elimination.smallest_pivot()])
     }
 
@@ -161,7 +161,7 @@ impl Model {
             let Constraints { residuals, jacobian } = self.constraints_at(&positions, driver_values);
             let residuals: Vec<f64> = rows.iter().map(|&row| residuals[row]).collect();
             let is_closed = largest(&residuals) <= ROUNDINGS_OF_RESIDUAL * rounding;
-            let elimination = Elimination::new(&jacobian.select_rows(rows)).ok()?;
+            let elimination = Elimination::of_sparse(&jacobian.select_rows(rows)).ok()?;
             if elimination.rank() < rows.len() {
                 return None;
             }

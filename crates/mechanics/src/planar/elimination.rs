@@ -237,8 +237,15 @@ impl PivotOrder {
     /// Eliminates the Jacobian of a position, given by its places.
     #[inline(always)]
     pub(super) fn eliminate<S: SimdReal>(&self, jacobian: &[S], factors: &mut LuFactors<S>) {
-        let Self { pivots, removals, updates, others, first_loop, .. } = self;
-        let LuFactors { jacobian: w, inverses, ratios } = factors;
+        self.eliminate_rows(jacobian, factors);
+        self.set_ratios(factors);
+    }
+
+    /// The same without the ratios that back substitution takes.
+    #[inline(always)]
+    pub(super) fn eliminate_rows<S: SimdReal>(&self, jacobian: &[S], factors: &mut LuFactors<S>) {
+        let Self { pivots, removals, updates, first_loop, .. } = self;
+        let LuFactors { jacobian: w, inverses, .. } = factors;
         let (given, filled) = w.split_at_mut(jacobian.len());
         given.copy_from_slice(jacobian);
         filled.fill(S::from(0.0));
@@ -257,8 +264,16 @@ impl PivotOrder {
                 update = one.updates;
             }
             removal = pivot.removals;
+        }
+    }
+
+    /// The ratios of the entries to the right of each pivot to it.
+    #[inline(always)]
+    pub(super) fn set_ratios<S: SimdReal>(&self, factors: &mut LuFactors<S>) {
+        let LuFactors { jacobian: w, inverses, ratios } = factors;
+        for (pivot, inverse) in self.pivots.iter().zip(&*inverses) {
             let [from, to] = pivot.others;
-            for (ratio, (place, _)) in ratios[from..to].iter_mut().zip(&others[from..to]) {
+            for (ratio, (place, _)) in ratios[from..to].iter_mut().zip(&self.others[from..to]) {
                 *ratio = -w[*place as usize] * *inverse;
             }
         }

@@ -58,7 +58,7 @@ impl Model {
         positions: &[[f64; 3]],
         velocities: &[[f64; 3]],
     ) -> Result<ForwardDynamics, PlanarError> {
-        let elimination = Elimination::new(&self.constraints(positions).jacobian)?;
+        let elimination = Elimination::of_sparse(&self.constraints(positions).jacobian)?;
         let loads = self.scaled_forces(positions, velocities);
         let mut rhs = self.quadratic_velocity_terms(positions, velocities);
         for (rhs, driver) in rhs[self.first_driver()..].iter_mut().zip(&self.mechanism.drivers) {

@@ -10,7 +10,7 @@ use super::{
     ConstraintTerm, Model, PlanarError, PlanarState,
     measure::{bias, gradient, poses, rate},
 };
-use dalembert_numerics::linalg::Elimination;
+use dalembert_numerics::linalg::{Elimination, SparseMatrix};
 
 /// Mobility of a mechanism: the number of its degrees of freedom.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -28,7 +28,7 @@ pub(super) struct Constraints {
     /// The constraint residuals `Φ(q, t)`, m or rad.
     pub(super) residuals: Vec<f64>,
     /// The constraint Jacobian `Φ_q` by the scaled coordinates, m × 3n.
-    pub(super) jacobian: DMatrix<f64>,
+    pub(super) jacobian: SparseMatrix,
 }
 
 impl Model {
@@ -40,13 +40,13 @@ impl Model {
     /// The same with the drivers at other values.
     pub(super) fn constraints_at(&self, positions: &[[f64; 3]], driver_values: &[f64]) -> Constraints {
         let poses = poses(positions);
-        let mut jacobian = DMatrix::zeros(self.equations.len(), 3 * positions.len());
+        let mut rows = Vec::with_capacity(self.equations.len());
         let mut residuals = Vec::with_capacity(self.equations.len());
         let of_joints = self.equations[..self.first_driver()].iter();
         let constants = of_joints.map(|equation| equation.constant.unwrap_or(0.0));
         let constants = constants.chain(driver_values.iter().copied());
-        for (row, (equation, constant)) in self.equations.iter().zip(constants).enumerate() {
-            let mut left = 0.0;
+        for (equation, constant) in self.equations.iter().zip(constants) {
+            let (mut left, mut row) = (0.0, Vec::with_capacity(6));
             for term in &equation.terms {
                 let gradient = gradient(&term.measure, &poses);
                 let [value, rate] = match &term.profile {
@@ -60,15 +60,15 @@ impl Model {
                 for (frame, part) in term.measure.bodies().into_iter().zip([gradient.from, gradient.to]) {
                     if let Some(body) = frame {
                         let factor = term.weight * rate;
-                        jacobian[(row, 3 * body)] += factor * part[0];
-                        jacobian[(row, 3 * body + 1)] += factor * part[1];
-                        jacobian[(row, 3 * body + 2)] += factor * part[2] / self.length;
+                        let entries = [factor * part[0], factor * part[1], factor * part[2] / self.length];
+                        add(&mut row, 3 * body, entries);
                     }
                 }
             }
             residuals.push(left - constant);
+            rows.push(row);
         }
-        Constraints { residuals, jacobian }
+        Constraints { residuals, jacobian: SparseMatrix::new(3 * positions.len(), rows) }
     }
 
     /// The quadratic velocity terms `γ` of the equations: minus the accelerations of their left sides when no body
@@ -101,8 +101,7 @@ impl Model {
     /// `NotFinite`.
     pub fn mobility(&self, positions: &[[f64; 3]]) -> Result<Mobility, PlanarError> {
         let joints = self.first_driver();
-        let jacobian = self.constraints(positions).jacobian.rows(0, joints).into_owned();
-        let elimination = Elimination::new(&jacobian)?;
+        let elimination = self.eliminated_joints(positions)?;
         let mut redundant: Vec<usize> =
             elimination.dependent_rows().iter().map(|&row| self.owners[row]).collect();
         redundant.sort_unstable();
@@ -115,13 +114,19 @@ impl Model {
         })
     }
 
+    /// The eliminated Jacobian of the joints alone.
+    fn eliminated_joints(&self, positions: &[[f64; 3]]) -> Result<Elimination, PlanarError> {
+        let joints: Vec<usize> = (0..self.first_driver()).collect();
+        Ok(Elimination::of_sparse(&self.constraints(positions).jacobian.select_rows(&joints))?)
+    }
+
     /// The eliminated Jacobian of joints and drivers, ready to be solved for velocities, accelerations and multipliers.
     ///
     /// # Errors
     /// `UnderDriven`, `OverDriven`, `DeadCentre`; `NotFinite`.
     pub(super) fn factored(&self, positions: &[[f64; 3]]) -> Result<Elimination, PlanarError> {
         let jacobian = self.constraints(positions).jacobian;
-        let elimination = Elimination::new(&jacobian)?;
+        let elimination = Elimination::of_sparse(&jacobian)?;
         let unknowns = 3 * self.mechanism.bodies.len();
         let drivers = self.mechanism.drivers.len();
         if elimination.rank() == unknowns && elimination.dependent_rows().is_empty() {
@@ -136,11 +141,11 @@ impl Model {
             return Err(PlanarError::UnderDriven { free: free - drivers, singular });
         }
         // Of the motions that the joints leave, which driver moves none that the others do not?
-        let joints = Elimination::new(&jacobian.rows(0, self.first_driver()).into_owned())?;
-        let basis = joints.null_space()?;
+        let basis = self.eliminated_joints(positions)?.null_space()?;
         let driven = DMatrix::from_fn(drivers, basis.len().max(1), |driver, column| {
             basis.get(column).map_or(0.0, |motion| {
-                jacobian.row(self.first_driver() + driver).iter().zip(motion).map(|(a, b)| a * b).sum()
+                let row = &jacobian.rows()[self.first_driver() + driver];
+                row.iter().map(|&(column, entry)| entry * motion[column]).sum()
             })
         });
         let dependent = Elimination::new(&driven)?.dependent_rows().first().copied();
@@ -204,5 +209,15 @@ impl Model {
                 Ok(self.unscaled(&elimination.solve(&unit)?))
             })
             .collect()
+    }
+}
+
+/// Adds entries from a column on to a row of the Jacobian.
+fn add(row: &mut Vec<(usize, f64)>, column: usize, entries: [f64; 3]) {
+    for (column, entry) in (column..).zip(entries).filter(|(_, entry)| *entry != 0.0) {
+        match row.iter_mut().find(|(other, _)| *other == column) {
+            Some((_, sum)) => *sum += entry,
+            None => row.push((column, entry)),
+        }
     }
 }

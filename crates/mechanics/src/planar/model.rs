@@ -13,6 +13,8 @@
 
 mod check;
 
+use std::ops::Range;
+
 use self::check::check;
 use super::{
     BodyPoint, ConstraintTerm, Equation, PlanarError, PlanarLoad, PlanarMechanism, Pose, RelativeCoordinate,
@@ -107,6 +109,12 @@ impl Model {
     /// The joint that an equation belongs to; the drivers count on after the joints.
     pub fn owner(&self, equation: usize) -> usize {
         self.owners[equation]
+    }
+
+    /// The indices of the equations of a joint; the drivers count on after the joints.
+    pub fn equations_of(&self, owner: usize) -> Range<usize> {
+        let from = self.owners.partition_point(|of| *of < owner);
+        from..self.owners.partition_point(|of| *of <= owner)
     }
 
     /// The number of equations of the joints, which is the index of the first driver's equation.

@@ -1,17 +1,14 @@
 //! Joint reactions from the Lagrange multipliers, and their resultant on the ground.
 
-use super::{
-    BodyFrame, Model, PlanarLoad, PlanarState,
-    measure::{gradient, poses},
-};
+use super::{BodyFrame, Model, PlanarLoad, PlanarState, Pose, measure::poses};
 
 impl Model {
     /// The parts between which a joint or driver exerts forces, in the order of its points; the drivers count on after
     /// the joints, as in [`owner`](Model::owner).
     pub fn connected_parts(&self, owner: usize) -> Vec<BodyFrame> {
         let mut parts = Vec::new();
-        for (equation, of) in self.equations.iter().zip(&self.owners) {
-            let lengths = equation.terms.iter().filter(|term| *of == owner && !term.measure.is_angle());
+        for equation in &self.equations[self.equations_of(owner)] {
+            let lengths = equation.terms.iter().filter(|term| !term.measure.is_angle());
             for part in lengths.flat_map(|term| term.measure.bodies()) {
                 if !parts.contains(&part) {
                     parts.push(part);
@@ -31,11 +28,14 @@ impl Model {
         positions: &[[f64; 3]],
         multipliers: &[f64],
     ) -> [f64; 2] {
-        let poses = poses(positions);
+        let pose = |frame: BodyFrame| frame.map_or(Pose::ground(), |body| Pose::new(positions[body]));
         let mut force = [0.0; 2];
-        for ((equation, of), multiplier) in self.equations.iter().zip(&self.owners).zip(multipliers) {
-            for term in equation.terms.iter().filter(|term| *of == owner && !term.measure.is_angle()) {
-                let gradient = gradient(&term.measure, &poses);
+        for equation in self.equations_of(owner) {
+            let multiplier = multipliers[equation];
+            let terms = &self.equations[equation].terms;
+            for term in terms.iter().filter(|term| !term.measure.is_angle()) {
+                let [from, to] = term.measure.bodies().map(pose);
+                let gradient = term.measure.gradient([&from, &to]);
                 let rate = term.profile.as_ref().map_or(1.0, |profile| profile.at(gradient.value)[1]);
                 for (on, [x, y, _]) in term.measure.bodies().into_iter().zip([gradient.from, gradient.to]) {
                     if on == part {

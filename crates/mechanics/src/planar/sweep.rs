@@ -13,7 +13,7 @@ use super::{
     Model, PlanarError, PlanarLoad, PlanarState,
     elimination::PivotOrder,
     layout::{EquationLayout, Position},
-    tolerances::{MAX_LOOP_EQUATIONS, MIN_DIVIDED, SWEEP_PASSED_RESIDUAL, SWEEP_RESIDUAL},
+    tolerances::{MIN_DIVIDED, SWEEP_PASSED_RESIDUAL, SWEEP_RESIDUAL},
 };
 use dalembert_numerics::{
     givens::ordering,
@@ -50,8 +50,6 @@ struct FixedElimination {
     layout: EquationLayout,
     /// The elimination of the explicit coordinates.
     order: PivotOrder,
-    /// The loop equations that it leaves: places and numbers of tree coordinates.
-    loops: Vec<Vec<(usize, usize)>>,
     /// The tree coordinates from which a sweep begins.
     start: Vec<f64>,
     one: Station<f64>,
@@ -166,21 +164,24 @@ impl SweepResult {
 }
 
 impl FixedElimination {
-    /// None if the loops do not determine the tree coordinates, or are too many.
+    /// None if the loops do not determine the tree coordinates.
     fn new(model: &Model, positions: &[[f64; 3]]) -> Option<Self> {
         let layout = &model.layout;
-        if layout.loops.len() != layout.tree.len() || layout.tree.len() > MAX_LOOP_EQUATIONS {
+        if layout.loops.len() != layout.tree.len() {
             return None;
         }
         let mut position: Position = layout.position(&model.equations);
         let start = model.tree_coordinates(positions);
         layout.evaluate(&start, &mut position);
         let (order, reduced) = PivotOrder::of_explicit(layout, &position.jacobian, model.masses.len());
-        let number = |column: usize| layout.tree.iter().position(|tree| *tree == column);
+        let mut numbers = vec![None; model.masses.len()];
+        for (number, &column) in layout.tree.iter().enumerate() {
+            numbers[column] = Some(number);
+        }
         let mut loops = Vec::new();
         for row in reduced {
             let row: Option<Vec<(usize, usize)>> =
-                row.into_iter().map(|(place, column)| Some((place, number(column)?))).collect();
+                row.into_iter().map(|(place, column)| Some((place, numbers[column]?))).collect();
             loops.push(row?);
         }
         let [rows, tree] = ordering(&loops);
@@ -199,7 +200,6 @@ impl FixedElimination {
             one: Station::new(model, &layout, &loops, &order),
             layout,
             order,
-            loops,
             start,
         })
     }
@@ -212,8 +212,8 @@ impl FixedElimination {
         values: &[f64],
         result: &mut SweepResult,
     ) -> usize {
-        let Self { layout, order, loops, start, one, many } = self;
-        let path = Path { model, layout, order, loops, driver };
+        let Self { layout, order, start, one, many } = self;
+        let path = Path { model, layout, order, driver };
         if !one.begin(&path, from, |number, _| start[number]) {
             return 0;
         }

@@ -96,9 +96,6 @@ pub(super) const ROUNDINGS_OF_STALLED_CORRECTION: f64 = 1e3;
 
 // Sweep: continuation on a fixed elimination, several positions at once.
 
-/// Loop equations up to which their dense factorisation is faster than the general elimination: its cost grows with the
-/// cube.
-pub(super) const MAX_LOOP_EQUATIONS: usize = 12;
 /// Values below which a sweep is not divided among SIMD lanes: the way to the start of each lane would cost more.
 pub(super) const MIN_DIVIDED: usize = 4 * WIDTH;
 /// Smallest step, relative to the distance of two values: the general continuation takes over.

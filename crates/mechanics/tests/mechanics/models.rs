@@ -207,3 +207,49 @@ pub(crate) fn driven_squeezer(rates: [f64; 2]) -> Driven {
     let (system, drawn) = andrews();
     turned_by(system.mechanism().clone(), &drawn, rates)
 }
+
+/// The distance of two neighbouring pivots on the ground, and the length of the couplers, of [`drag_links`], m.
+const DRAG_LINKS: [f64; 2] = [0.15, 0.8];
+
+/// The angles of the cranks of [`drag_links`] with the first at an angle, one after the other by the triangle of two
+/// pivots and a circle about each.
+pub(crate) fn angles_of_drag_links(n: usize, first: f64) -> Vec<f64> {
+    let [ground, coupler] = DRAG_LINKS;
+    let mut angles = vec![first];
+    for k in 0..n {
+        // The end of the crank, from the next pivot.
+        let [x, y] = [angles[k].cos() - ground, angles[k].sin()];
+        let far = x.hypot(y);
+        let ahead = y.atan2(x) + ((1.0 + far * far - coupler * coupler) / (2.0 * far)).acos() - angles[k];
+        angles.push(angles[k] + ahead.rem_euclid(std::f64::consts::TAU));
+    }
+    angles
+}
+
+/// Four-bars in a row, each of which turns the first crank of the next, all by whole turns: `n + 1` cranks of 1 m, then
+/// `n` couplers; their rods have 1 kg/m.
+pub(crate) fn drag_links(n: usize, rates: [f64; 2]) -> Driven {
+    let [ground, coupler] = DRAG_LINKS;
+    let rod = |length: f64| PlanarBody { mass: length, inertia: length.powi(3) / 12.0 };
+    let mut joints: Vec<PlanarJoint> =
+        (0..=n).map(|k| pin(BodyPoint::ground([ground * k as f64, 0.0]), along(k, 1.0, 0.0))).collect();
+    for k in 0..n {
+        joints.push(pin(along(k, 1.0, 1.0), along(n + 1 + k, coupler, 0.0)));
+        joints.push(pin(along(k + 1, 1.0, 1.0), along(n + 1 + k, coupler, coupler)));
+    }
+    let angles = angles_of_drag_links(n, 0.3);
+    let end = |k: usize, part: f64| [ground * k as f64 + part * angles[k].cos(), part * angles[k].sin()];
+    let cranks = (0..=n).map(|k| [end(k, 0.5)[0], end(k, 0.5)[1], angles[k]]);
+    let couplers = (0..n).map(|k| {
+        let ([ax, ay], [bx, by]) = (end(k, 1.0), end(k + 1, 1.0));
+        [f64::midpoint(ax, bx), f64::midpoint(ay, by), (by - ay).atan2(bx - ax)]
+    });
+    let drawn: Vec<[f64; 3]> = cranks.chain(couplers).collect();
+    let mechanism = PlanarMechanism {
+        bodies: [vec![rod(1.0); n + 1], vec![rod(coupler); n]].concat(),
+        joints,
+        gravity: [0.0, -9.81],
+        ..PlanarMechanism::default()
+    };
+    turned_by(mechanism, &drawn, rates)
+}

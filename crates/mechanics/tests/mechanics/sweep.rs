@@ -10,7 +10,9 @@ use dalembert_mechanics::planar::{
 
 use crate::{
     close::{close, found},
-    models::{Driven, crank_rocker, driven_slider, driven_squeezer, six_bar},
+    models::{
+        Driven, angles_of_drag_links, crank_rocker, drag_links, driven_slider, driven_squeezer, six_bar,
+    },
 };
 
 /// Every position of a sweep against [`Model::continue_to`] and [`Model::kinetostatics`].
@@ -63,6 +65,24 @@ fn a_sweep_is_what_following_position_by_position_gives() {
     // Few positions, far apart, and backwards with a standstill.
     held(&crank_rocker([0.0, 5.0]), &[0.3, 2.9, -4.0, -4.0, 9.0], 1e-11);
     held(&six_bar([-3.0, 0.0]), &turn(0.3, 70).into_iter().rev().collect::<Vec<_>>(), 1e-11);
+}
+
+/// Two ways through each position, and the closed form of each four-bar.
+#[test]
+fn chains_of_many_loops_are_swept_as_they_are_followed() {
+    for (n, count) in [(8, 90), (20, 45), (100, 40)] {
+        let chain = drag_links(n, [3.0, 0.5]);
+        let values = turn(0.3, count);
+        held(&chain, &values, 1e-10);
+        let mut swept = SweepResult::default();
+        found(found(chain.0.sweep(&chain.1, 0)).over(&values, &mut swept));
+        for (at, value) in values.iter().enumerate() {
+            for (body, angle) in angles_of_drag_links(n, *value).into_iter().enumerate() {
+                let off = swept.positions(at)[body][2] - angle;
+                assert!(off.abs() < 1e-11, "crank {body} of {n} at {value}: off by {off:e}");
+            }
+        }
+    }
 }
 
 #[test]

@@ -14,3 +14,4 @@ mod polynomial;
 mod real;
 mod roots;
 mod sampling;
+mod sparse;

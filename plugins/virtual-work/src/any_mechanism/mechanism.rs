@@ -254,9 +254,9 @@ impl Mechanism {
                 (0..=STEPS).map(|step| from + (to - from) * step as f64 / STEPS as f64).collect();
             let mut swept = SweepResult::default();
             let end = this.system.sweep(positions, 0).map_err(refuse)?.over(&values, &mut swept);
-            // A whole turn goes as far as the mechanism does.
+            // A whole turn goes as far as the mechanism does, if it goes at all.
             if let Err(error) = end
-                && !(closed && matches!(error, PlanarError::Limit { .. }))
+                && !(closed && swept.reached() > 1 && matches!(error, PlanarError::Limit { .. }))
             {
                 sheet.warn(|| {
                     let reached = swept.reached().checked_sub(1).map_or(from, |last| values[last]);

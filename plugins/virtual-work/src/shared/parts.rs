@@ -9,7 +9,7 @@ use dalembert_core::{Inputs, Reference, Text};
 use dalembert_mechanics::planar;
 use nalgebra::Vector3;
 
-pub(crate) use assembled::{Parts, carried};
+pub(crate) use assembled::{Parts, carried, owners};
 
 /// A rigid body, in axes of its own.
 #[derive(Clone, Debug, Inputs)]

@@ -55,7 +55,7 @@ fn rods(n: usize, upright: u32) -> String {
 /// A driven chain keeps its plots, however many loops it has.
 #[test]
 fn a_driven_chain_of_many_loops_has_all_its_plots() {
-    for loops in [1, 13, 20] {
+    for loops in [1, 13, 20, 100] {
         let text = String::from("format = 2\nanalysis = \"virtual-work/mechanism\"\n[inputs]\n")
             + &rods(loops, 60)
             + "[[inputs.drivers]]\nname = \"crank\"\n\

@@ -24,8 +24,6 @@ pub(super) struct Path<'a> {
     pub(super) layout: &'a EquationLayout,
     /// The elimination of the explicit coordinates.
     pub(super) order: &'a PivotOrder,
-    /// The entries of each loop equation: places and numbers of tree coordinates.
-    pub(super) loops: &'a [Vec<(usize, usize)>],
     /// The driver that is swept.
     pub(super) driver: usize,
 }
@@ -159,7 +157,9 @@ impl<S: SimdReal> Station<S> {
             Some(correction) => {
                 let [sign, smallest_pivot] = self.loops.determinant();
                 let displacement = h.abs() * self.largest_first;
-                let rounding = ROUNDINGS_OF_CORRECTION * (SWEEP_RESIDUAL * path.model.length);
+                // What rounding leaves open in a loop moves all loops that follow.
+                let loops = self.tree.len() as f64;
+                let rounding = ROUNDINGS_OF_CORRECTION * (SWEEP_RESIDUAL * path.model.length) * loops;
                 let stays = (0..S::COUNT).all(|lane| {
                     let (correction, displacement) = (correction.lane(lane), displacement.lane(lane));
                     let sign_changes = sign.lane(lane) * self.sign.lane(lane) <= 0.0;
@@ -217,16 +217,14 @@ impl<S: SimdReal> Station<S> {
             path.layout.evaluate(&self.tree, &mut self.position);
             let open = largest(path.layout.largest_residual(&self.position)) / length;
             let is_stalled = open <= SWEEP_STALLED_RESIDUAL && open > STALLED_RESIDUAL * last;
-            path.order.eliminate(&self.position.jacobian, &mut self.factors);
-            for (row, entries) in path.loops.iter().enumerate() {
-                let row = &mut self.loops.entries()[row * path.loops.len()..(row + 1) * path.loops.len()];
-                row.fill(S::from(0.0));
-                for &(place, number) in entries {
-                    row[number] = self.factors.entry(place);
-                }
-            }
-            self.loops.factor();
+            path.order.eliminate_rows(&self.position.jacobian, &mut self.factors);
+            let Self { loops, factors, .. } = self;
+            loops.factor(
+                #[inline(always)]
+                |place| factors.entry(place),
+            );
             if open <= residual || is_stalled {
+                path.order.set_ratios(&mut self.factors);
                 return Some(total);
             }
             last = open;

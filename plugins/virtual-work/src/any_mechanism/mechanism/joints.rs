@@ -1,5 +1,7 @@
 //! Joint reactions of a mechanism: in the axes of the ground, in those of the bodies, and over the range.
 
+use std::ops::Range;
+
 use dalembert_core::{
     Axis, Exhibit, Plot, Series, TableExhibit, Text, Worksheet,
     exhibit::{Cell, Column},
@@ -10,7 +12,7 @@ use super::{Sample, Solved};
 use crate::{
     shared::{
         built::{check_pin, turned},
-        parts::{Connection, Joint, PartLoad, carried, verbatim},
+        parts::{Connection, Joint, PartLoad, carried, owners, verbatim},
     },
     sources::HAUG,
 };
@@ -71,8 +73,8 @@ impl Solved<'_> {
     }
 
     /// The joints of the mechanism that a joint of the form stands for.
-    fn owners(&self, row: usize) -> impl Iterator<Item = usize> {
-        self.rows.iter().enumerate().filter(move |(_, of)| **of == row).map(|(owner, _)| owner)
+    pub(super) fn owners(&self, row: usize) -> Range<usize> {
+        owners(self.rows, row)
     }
 
     /// The force of a joint on a part, in the axes of the ground.

@@ -1,10 +1,12 @@
 //! Transmission angles of the links of a mechanism.
 
+use std::collections::BTreeSet;
+
 use dalembert_core::{
     TableExhibit, Text,
     exhibit::{Cell, Column},
 };
-use dalembert_mechanics::planar::{BodyPoint, PlanarState};
+use dalembert_mechanics::planar::{BodyPoint, Model, PlanarState, SweepResult};
 
 use super::{Sample, Solved};
 use crate::shared::parts::Joint;
@@ -29,7 +31,13 @@ impl Solved<'_> {
     ) -> TableExhibit {
         let velocities = self.dynamics.coefficients[0].clone();
         let here = PlanarState { velocities, ..self.state.clone() };
-        let there: Vec<PlanarState> = samples.iter().filter_map(|sample| self.moving(sample)).collect();
+        let with_speed = |state: PlanarState| {
+            let size = |[x, y, turn]: &[f64; 3]| x.hypot(*y).max(turn.abs() * self.system.size());
+            let fastest = state.velocities.iter().map(size).fold(0.0, f64::max);
+            (state, fastest)
+        };
+        let here = with_speed(here);
+        let there: Vec<(PlanarState, f64)> = self.moving(samples).into_iter().map(with_speed).collect();
         let mut rows = Vec::new();
         for link in links {
             let [(_, a), (_, b)] = link.ends;
@@ -73,13 +81,17 @@ impl Solved<'_> {
                 links.push(TwoForceLink { name: &connection.name, ends });
             }
         }
-        for (body, part) in self.parts.bodies.iter().enumerate() {
+        let mut rows_of = vec![Vec::new(); self.parts.bodies.len()];
+        for row in 0..self.parts.joints.len() {
+            for body in self.held(row) {
+                rows_of[body].push(row);
+            }
+        }
+        for ((body, part), rows) in self.parts.bodies.iter().enumerate().zip(rows_of) {
             let mut ends = Vec::new();
             let mut is_link = true;
-            for (row, connection) in self.parts.joints.iter().enumerate() {
-                if !self.holds(row, body) {
-                    continue;
-                }
+            for row in rows {
+                let connection = &self.parts.joints[row];
                 match connection.joint {
                     Joint::Pin { a, b } if pin(a).on.is_some() && pin(b).on.is_some() => {
                         let own = if pin(a).on == Some(body) { a } else { b };
@@ -95,29 +107,35 @@ impl Solved<'_> {
         links
     }
 
-    /// Returns true if a joint belongs to a body.
-    fn holds(&self, row: usize, body: usize) -> bool {
-        self.system.equations().iter().enumerate().any(|(equation, of)| {
-            self.rows.get(self.system.owner(equation)) == Some(&row)
-                && of.terms.iter().any(|term| term.measure.bodies().contains(&Some(body)))
-        })
+    /// The bodies that a joint belongs to.
+    fn held(&self, row: usize) -> BTreeSet<usize> {
+        let equations =
+            self.owners(row).flat_map(|owner| &self.system.equations()[self.system.equations_of(owner)]);
+        let terms = equations.flat_map(|equation| &equation.terms);
+        terms.flat_map(|term| term.measure.bodies()).flatten().collect()
     }
 
-    /// A position with velocities: those of the virtual motion where the driver is at rest.
-    fn moving(&self, sample: &Sample) -> Option<PlanarState> {
-        if self.system.mechanism().drivers.iter().any(|driver| driver.velocity != 0.0) {
-            return Some(sample.state.clone());
+    /// The positions of the range with velocities: those of the virtual motion where the only driver is at rest.
+    fn moving(&self, samples: &[Sample]) -> Vec<PlanarState> {
+        let [first, ..] = samples else { return Vec::new() };
+        let mut mechanism = self.system.mechanism().clone();
+        if mechanism.drivers.iter().any(|driver| driver.velocity != 0.0) {
+            return samples.iter().map(|sample| sample.state.clone()).collect();
         }
-        let (_, dynamics) = self.system.kinetostatics(&sample.state.positions).ok()?;
-        let velocities = dynamics.coefficients.into_iter().next()?;
-        Some(PlanarState { velocities, ..sample.state.clone() })
+        mechanism.drivers[0].velocity = 1.0;
+        let values: Vec<f64> = samples.iter().map(|sample| sample.value).collect();
+        let positions = &first.state.positions;
+        let mut swept = SweepResult::default();
+        // The same positions were followed for the samples, so they are again.
+        let _end = Model::new(&mechanism, positions)
+            .and_then(|system| system.sweep(positions, 0)?.over(&values, &mut swept));
+        (0..swept.reached()).map(|n| swept.state(n)).collect()
     }
 
-    /// The transmission angle at the first of two points of a link; none where it is at rest.
-    fn transmission(&self, ends: [BodyPoint; 2], state: &PlanarState) -> Option<f64> {
+    /// The transmission angle at the first of two points of a link, in a position with the largest velocity of a body;
+    /// none where it is at rest.
+    fn transmission(&self, ends: [BodyPoint; 2], (state, fastest): &(PlanarState, f64)) -> Option<f64> {
         let [[at, velocity, _], [other, ..]] = ends.map(|end| self.system.point(end, state));
-        let size = |[x, y, turn]: &[f64; 3]| x.hypot(*y).max(turn.abs() * self.system.size());
-        let fastest = state.velocities.iter().map(size).fold(0.0, f64::max);
         let line = [at[0] - other[0], at[1] - other[1]];
         let speed = velocity[0].hypot(velocity[1]);
         if speed <= STILL * fastest {

@@ -1,5 +1,7 @@
 //! The mechanism that its parts make.
 
+use std::ops::Range;
+
 use dalembert_core::{Reference, Refusal, Text, Worksheet};
 use dalembert_mechanics::planar::{self, InitialGuess, Model, PlanarError, Profile, RelativeCoordinate};
 use nalgebra::Vector3;
@@ -239,6 +241,11 @@ impl Parts<'_> {
     }
 }
 
+/// The joints of the mechanism that the joint in a row of the form stands for, with the rows of all in ascending order.
+pub(crate) fn owners(rows: &[usize], row: usize) -> Range<usize> {
+    rows.partition_point(|of| *of < row)..rows.partition_point(|of| *of <= row)
+}
+
 /// Reaction of the joint in a row of the form on its second point: the force along x and y, or across a line or along a
 /// rod; the couple. What is below that part of the largest effort is rounding alone, and zero.
 pub(crate) fn carried(
@@ -250,16 +257,14 @@ pub(crate) fn carried(
 ) -> [Option<f64>; 3] {
     let mut carried = [None; 3];
     let largest = multipliers.iter().fold(0.0f64, |most, x| most.max(x.abs()));
-    for (equation, described) in system.equations().iter().enumerate() {
-        let joint = system.owner(equation);
-        if rows.get(joint) != Some(&row) {
-            continue;
-        }
+    for (joint, equation) in
+        owners(rows, row).flat_map(|joint| system.equations_of(joint).map(move |equation| (joint, equation)))
+    {
         let meets = matches!(
             system.mechanism().joints.get(joint),
             Some(planar::PlanarJoint::Pin { .. } | planar::PlanarJoint::Weld { .. })
         );
-        let place = match described.terms[0].measure {
+        let place = match system.equations()[equation].terms[0].measure {
             RelativeCoordinate::Angle { .. } => 2,
             _ => usize::from(meets && carried[0].is_some()),
         };
