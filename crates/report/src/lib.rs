@@ -37,7 +37,7 @@ pub use crate::{
     text::text,
     typst::typst,
     units::{show_answer_in, show_answers_in},
-    worked::{WorkedProblem, document},
+    worked::{WorkedProblem, document, document_without_figures},
 };
 
 dalembert_core::messages!("../locales/pt-BR.ftl");

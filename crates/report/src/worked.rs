@@ -51,6 +51,15 @@ impl WorkedProblem<'_> {
 
 /// The worked solution as a user reads it: problem, inputs, answers, steps, figures and tables, checks, warnings, sources.
 pub fn document(worked: &WorkedProblem<'_>, locale: &Locale) -> Document {
+    written(worked, locale, true)
+}
+
+/// The same without figures, for a text that cannot show them: to lay them out takes longer than all the rest.
+pub fn document_without_figures(worked: &WorkedProblem<'_>, locale: &Locale) -> Document {
+    written(worked, locale, false)
+}
+
+fn written(worked: &WorkedProblem<'_>, locale: &Locale, with_figures: bool) -> Document {
     let about = worked.entry.about;
     let locale = &locale.at(about.id);
     let say = |words: &'static str| Text::from(words).render(locale);
@@ -72,7 +81,7 @@ pub fn document(worked: &WorkedProblem<'_>, locale: &Locale) -> Document {
             blocks.push(Block::Heading(say("No answer")));
             blocks.push(Block::Paragraph(why.render(locale)));
         }
-        Ok(solution) => solved(solution, &mut blocks, locale),
+        Ok(solution) => solved(solution, &mut blocks, with_figures, locale),
     }
     if !about.sources.is_empty() {
         blocks.push(Block::Heading(say("Sources")));
@@ -83,7 +92,7 @@ pub fn document(worked: &WorkedProblem<'_>, locale: &Locale) -> Document {
     if locale.style.ascii { document.map(&|text| ascii(text)) } else { document }
 }
 
-fn solved(solution: &Solution, blocks: &mut Vec<Block>, locale: &Locale) {
+fn solved(solution: &Solution, blocks: &mut Vec<Block>, with_figures: bool, locale: &Locale) {
     let say = |words: &'static str| Text::from(words).render(locale);
     blocks.push(Block::Heading(say("Answers")));
     for (n, answers) in solution.answers.chunk_by(|a, b| a.problem == b.problem).enumerate() {
@@ -108,7 +117,9 @@ fn solved(solution: &Solution, blocks: &mut Vec<Block>, locale: &Locale) {
         }
     }
     for exhibit in &solution.exhibits {
-        blocks.extend(figure(exhibit, locale).map(Block::Figure));
+        if with_figures {
+            blocks.extend(figure(exhibit, locale).map(Block::Figure));
+        }
         match exhibit {
             Exhibit::Table(table) => blocks.push(Block::Table(written_table(table, locale))),
             Exhibit::Plot(plot) => blocks.extend(plotted(plot, locale)),

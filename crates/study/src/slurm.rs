@@ -15,9 +15,9 @@ use crate::{StudyError, output::Shard};
 
 /// Times that lost shards are sent again.
 const MOST_ROUNDS: usize = 5;
-/// Time between two looks at the queue.
+/// Interval at which the queue is examined.
 const INTERVAL: Duration = Duration::from_secs(1);
-/// Looks at the queue that may fail one after another, as they do while the controller is started again.
+/// Failures of `squeue` one after another that are waited out: the controller may be started again.
 const MOST_FAILURES: usize = 600;
 
 /// A study that a cluster carries out.

@@ -508,7 +508,7 @@ fn a_shell_is_offered_what_belongs_to_the_problem_on_the_line() {
         (&["solve", "vibration/rotating-u"][..], FAN, 1),
         (&["show", "vibration/rotating-u"], FAN, 1),
         (&["vibration/rotating-u"], FAN, 1),
-        (&["solve", FAN, "--set", "support."], "support.cantilever.length=", 3),
+        (&["solve", FAN, "--set", "support."], "support.cantilever.length=", 4),
         (&["solve", &file, "--set", "support."], "support.stiffness.stiffness=", 1),
         (&["solve", FAN, "--unit", "amplitude"], "amplitude=", 1),
         (&["find", FAN, "--input", "spe"], "speed", 1),

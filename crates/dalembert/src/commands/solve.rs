@@ -4,7 +4,8 @@ use std::{ffi::OsStr, path::Path, process::ExitCode};
 
 use dalembert_core::{Locale, Solution, Text, UnitSetting};
 use dalembert_report::{
-    DocumentFormat, WorkedProblem, csv, csv_tables, document, json, json_text, show_answers_in, text,
+    DocumentFormat, WorkedProblem, csv, csv_tables, document, document_without_figures, json, json_text,
+    show_answers_in, text,
 };
 use dalembert_tui::glyphs::filter_untrusted;
 use dalembert_units as units;
@@ -67,7 +68,11 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
     let set = matches!(paper, DocumentFormat::Html | DocumentFormat::Latex | DocumentFormat::Typst);
     locale.style.ascii &= !set;
     let plain = |words: &str| if set { filter_untrusted(words).into_owned() } else { console.plain(words) };
-    let document = document(&worked, &locale).map(&plain);
+    let document = match paper {
+        DocumentFormat::Text => document_without_figures(&worked, &locale),
+        _ => document(&worked, &locale),
+    };
+    let document = document.map(&plain);
     match &solve.output {
         _ if paper == DocumentFormat::Text => put(solve, &text(&document, console.width))?,
         None => print(&paper.write(&document, None, &locale))?,
@@ -114,7 +119,7 @@ fn put(solve: &Solve, text: &str) -> Result<(), Failure> {
 pub(crate) fn print_worked(problem: &LoadedProblem, console: &Console) -> Result<ExitCode, Failure> {
     let outcome = outcome(problem, &[])?;
     let worked = problem.worked(&outcome);
-    console.print(document(&worked, &console.locale))?;
+    console.print(document_without_figures(&worked, &console.locale))?;
     status(&worked, console)
 }
 
