@@ -186,7 +186,7 @@ impl Slurm {
              SwitchType=switch/none\nMpiDefault=none\nJobAcctGatherType=jobacct_gather/none\n\
              AccountingStorageType=accounting_storage/none\nSelectType=select/cons_tres\n\
              SelectTypeParameters=CR_Core\nSchedulerParameters=sched_interval=1,batch_sched_delay=0\n\
-             ReturnToService=2\nSlurmdParameters=config_overrides\nMaxArraySize=10001\n\
+             ReturnToService=2\nSlurmdTimeout=10\nSlurmdParameters=config_overrides\nMaxArraySize=10001\n\
              NodeName={host} NodeAddr=127.0.0.1 CPUs={cores} State=UNKNOWN\n\
              PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP\n"
         );
@@ -223,10 +223,9 @@ impl Slurm {
 
     /// Kills the daemon of the node and the tasks that it runs.
     fn kill_node(&self) -> Result<()> {
-        for pattern in ["^slurmd", "slurmstepd"] {
+        for pattern in ["^slurmd", "study fan_study.toml .*--shard"] {
             let _ = Command::new("pkill").args(["-9", "-f", pattern]).status()?;
         }
-        let _ = Command::new("pkill").args(["-9", "-f", "study fan_study.toml .*--shard"]).status()?;
         Ok(())
     }
 

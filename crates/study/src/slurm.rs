@@ -49,7 +49,12 @@ impl Cluster<'_> {
             let mut failures = 0;
             loop {
                 thread::sleep(INTERVAL);
-                progress(self.shards - self.missing().len() as u64);
+                let missing = self.missing();
+                progress(self.shards - missing.len() as u64);
+                // The queue may keep tasks of a node that died after their shards were written.
+                if missing.is_empty() {
+                    return Ok(());
+                }
                 match is_queued(&job) {
                     Some(true) => failures = 0,
                     Some(false) => break,
