@@ -232,6 +232,19 @@ fn points_that_are_refused_are_rows_with_their_reason() {
 }
 
 #[test]
+fn points_that_do_not_meet_a_condition_are_refused() {
+    let folder = example();
+    let plan = "problem = \"fan.toml\"\nanswers = [\"amplitude\"]\n[[vary]]\ninput = \"mass\"\nvalues = [\"20 kg\", \"40 kg\", \"60 kg\"]\n[[condition]]\nanswer = \"natural_frequency\"\nbelow = \"120 rad/s\"\n";
+    fs::write(folder.path().join("plan.toml"), plan).expect("a plan");
+    printed(folder.path(), &["plan.toml", "-o", "table.csv"]);
+    let table = String::from_utf8(bytes(folder.path(), "table.csv")).expect("UTF-8");
+    let rows: Vec<&str> = table.lines().skip(4).collect();
+    // ωₙ = √(451389 N/m / m): 150.2, 106.2 and 86.7 rad/s.
+    assert_eq!(rows[0], "20,,,the condition is not met: Natural frequency below 120 rad/s");
+    assert!(rows[1..].iter().all(|row| row.ends_with(',') && !row.contains(",,")), "{rows:?}");
+}
+
+#[test]
 fn plans_that_do_not_fit_are_refused_with_place_and_repair() {
     let folder = example();
     let with = |plan: &str| {

@@ -189,11 +189,11 @@ impl Evaluation<'_> {
                 *value = answer.unit.value(*value);
             }
             if values.iter().all(|value| value.is_finite())
-                && let Some(broken) =
-                    conditions.iter().find(|condition| condition.is_exceeded(values[condition.answer]))
+                && let Some(unmet) =
+                    conditions.iter().find(|condition| !condition.is_exceeded(values[condition.answer]))
             {
                 values.fill(f64::NAN);
-                rows.refused.push((row, broken.reason(&answers[broken.answer])));
+                rows.refused.push((row, unmet.reason(&answers[unmet.answer])));
             }
         }
         rows.refused.sort_by_key(|(row, _)| *row);
@@ -210,7 +210,7 @@ impl Rows {
 }
 
 impl AnswerLimit {
-    /// Reason of a point that breaks it as a condition.
+    /// Reason of a point that does not meet it as a condition.
     fn reason(&self, answer: &Answer) -> Text {
         let text = if self.above {
             Text::new("the condition is not met: {answer} above {limit}")

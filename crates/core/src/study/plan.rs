@@ -53,7 +53,7 @@ pub struct StudyPlan {
     /// Limits whose probability of being exceeded is asked for.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub limit: Vec<Limit>,
-    /// Conditions that every point must meet: one that does not is refused.
+    /// Conditions that every point must meet, an answer above or below a value: one that does not is refused.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub condition: Vec<Limit>,
 }
@@ -167,16 +167,16 @@ pub struct Correlation {
     pub coefficient: f64,
 }
 
-/// A limit of an answer.
+/// A limit of an answer, or a condition that it must meet.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Limit {
     /// The answer.
     pub answer: String,
-    /// Values above this one exceed the limit.
+    /// Values above this one exceed the limit, or meet the condition.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub above: Option<Amount>,
-    /// Values below this one exceed the limit.
+    /// Values below this one exceed the limit, or meet the condition.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub below: Option<Amount>,
 }
