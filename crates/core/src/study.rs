@@ -9,7 +9,7 @@ mod statistics;
 
 pub use self::{
     design::Design,
-    evaluation::{Evaluation, Rows, Study},
+    evaluation::{Evaluation, Row, Rows, Study},
     plan::{
         Amount, Correlation, DataColumn, DistributionKind, Limit, ReadData, Sampling, Spacing, StudyPlan,
         Variation,

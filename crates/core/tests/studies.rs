@@ -1,5 +1,6 @@
 //! Statistics and designs of studies, compared with sums over all rows and with closed forms.
 
+use dalembert_core::Text;
 use dalembert_core::study::{Accumulator, AnswerLimit, BLOCK, PERCENTILES};
 use dalembert_numerics::random::{normal_pair, uniform};
 use itertools::zip_eq;
@@ -65,7 +66,7 @@ fn points_without_an_answer_are_counted_and_left_out() {
     let mut sums = Accumulator::new(1, 2, Vec::new());
     for n in 0..10_000 {
         let x = f64::from(n);
-        let why = || format!("point {n} is odd");
+        let why = Text::new("point {n} is odd").with("n", n);
         match n % 2 {
             0 => sums.push(&[x], &[x, 1.0], None),
             _ => sums.push(&[x], &[f64::NAN, f64::NAN], Some(&why)),
@@ -73,7 +74,8 @@ fn points_without_an_answer_are_counted_and_left_out() {
     }
     let summary = sums.summary();
     assert_eq!((summary.points, summary.refused), (10_000, 5_000));
-    assert_eq!(summary.first_refusal, Some((2, "point 1 is odd".to_owned())));
+    let first = summary.first_refusal.map(|(point, why)| (point, why.english()));
+    assert_eq!(first, Some((2, "point 1 is odd".to_owned())));
     near(summary.answers[0].mean, 4999.0, 1e-14, "mean");
     near(summary.answers[0].correlations[0], 1.0, 1e-12, "correlation");
     // A constant has no spread, no correlation and no bars.

@@ -87,6 +87,24 @@ pub(crate) struct ProblemSource<'a> {
     pub(crate) units: Option<UnitSetting>,
 }
 
+impl<'a> ProblemSource<'a> {
+    /// A problem as it is.
+    pub(crate) fn named(named: &'a str) -> Self {
+        Self {
+            named,
+            case: None,
+            changes: &[],
+            define: &[],
+            ask: &[],
+            given: &[],
+            configuration: &[],
+            options: ProblemOptions::OF_SOLVE,
+            strict: false,
+            units: None,
+        }
+    }
+}
+
 /// Options of the command line that change inputs and give answers.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ProblemOptions {

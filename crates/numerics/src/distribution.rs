@@ -93,8 +93,8 @@ impl Distribution {
     }
 }
 
-/// The value below which a share of ascending values lies, with straight lines between them: definition 7 of R. J. Hyndman
-/// and Y. Fan, *Am. Stat.* 50 (1996). Of no values 0.
+/// The value below which a share of ascending values lies, with straight lines between them: definition 7 of R. J.
+/// Hyndman and Y. Fan, *Am. Stat.* 50 (1996). Of no values 0.
 pub fn quantile_of_sorted(values: &[f64], share: f64) -> f64 {
     let place = share * values.len().saturating_sub(1) as f64;
     let below = (place.floor() as usize).min(values.len().saturating_sub(1));
@@ -107,8 +107,8 @@ pub fn quantile_of_sorted(values: &[f64], share: f64) -> f64 {
 
 /// The standard normal number below which a share lies, for shares strictly between 0 and 1, to within 2·10⁻¹⁵.
 ///
-/// Rational approximations of M. J. Wichura, *Algorithm AS 241: The Percentage Points of the Normal Distribution*, Appl. Stat. 37 (1988), routine
-/// PPND16.
+/// Rational approximations of M. J. Wichura, *Algorithm AS 241: The Percentage Points of the Normal Distribution*,
+/// Appl. Stat. 37 (1988), routine PPND16.
 pub fn normal_quantile(share: f64) -> f64 {
     let off = share - 0.5;
     if off.abs() <= 0.425 {

@@ -40,9 +40,9 @@ fn permuted(at: u64, count: u64, key: u64) -> u64 {
 
 /// The coordinate of a point of the scrambled Sobol' sequence, strictly between 0 and 1.
 ///
-/// Direction numbers of S. Joe and F. Y. Kuo, *SIAM J. Sci. Comput.* 30 (2008), file `new-joe-kuo-6`; scrambled after Owen
-/// by the hash of B. Burley, *Practical Hash-based Owen Scrambling*, JCGT 9 (2020), listings 2 and 3. The first `2ⁿ` points hold one in
-/// every interval of width `2⁻ⁿ` of each dimension.
+/// Direction numbers of S. Joe and F. Y. Kuo, *SIAM J. Sci. Comput.* 30 (2008), file `new-joe-kuo-6`; scrambled after
+/// Owen by the hash of S. Laine and T. Karras (B. Burley, *Practical Hash-based Owen Scrambling*, JCGT 9, 2020). The first
+/// `2ⁿ` points hold one in every interval of width `2⁻ⁿ` of each dimension.
 ///
 /// # Panics
 /// From [`SOBOL_DIMENSIONS`] or [`SOBOL_POINTS`] on.

@@ -28,7 +28,7 @@ pub fn study_document(study: &Study<'_>, title: &str, summary: &Summary, locale:
         lines.push(named(&words("Points without an answer"), summary.refused.to_string()));
     }
     if let Some((point, why)) = &summary.first_refusal {
-        let first = Text::new("point {point}: {why}").with("point", point).with("why", why);
+        let first = Text::new("point {point}: {why}").with("point", point).with_text("why", why.clone());
         lines.push(named(&words("The first of them"), say(&first)));
     }
     blocks.push(Block::Lines(lines));
@@ -82,7 +82,7 @@ pub fn study_document(study: &Study<'_>, title: &str, summary: &Summary, locale:
     for (answer, of) in all() {
         blocks.extend(influence(study, answer, of, locale));
         blocks.extend(distribution(&say(&answer.title()), &answer.unit, of, locale));
-        let plot = of.histogram.plot(answer);
+        let plot = of.histogram.plot(answer, |value| answer.unit.si(value));
         blocks.extend(plot.and_then(|plot| figure(&Exhibit::Plot(plot), locale)).map(Block::Figure));
     }
     Document { title: title.to_owned(), blocks }

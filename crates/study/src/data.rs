@@ -4,8 +4,8 @@ use std::path::Path;
 
 use dalembert_core::{Text, study::DataColumn};
 
-/// Reads the columns of a CSV file whose first line has headings, with the unit in brackets: `mass [kg],speed [rpm]`. Lines that
-/// begin with `#` are skipped; columns are separated by commas, or by semicolons where the headings are.
+/// Reads the columns of a CSV file whose first line has headings, with the unit in brackets: `mass [kg],speed [rpm]`.
+/// Lines that begin with `#` are skipped; columns are separated by commas, or by semicolons where the headings are.
 ///
 /// # Errors
 /// Why the file cannot be read, with the line of a cell that is no number.

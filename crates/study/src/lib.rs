@@ -1,4 +1,5 @@
-//! Studies of any size, in files: the points of a [`Study`](dalembert_core::study::Study) are solved by all cores and written as they come.
+//! Studies of any size, in files: the points of a [`Study`](dalembert_core::study::Study) are solved by all cores and
+//! written as they come.
 //!
 //! | module | what it does |
 //! |---|---|

@@ -74,7 +74,7 @@ impl Shard {
 }
 
 impl Run<'_> {
-    /// Solves all points, or those of a shard, without writing a table.
+    /// Solves all points without writing a table.
     ///
     /// # Errors
     /// [`StudyError::Solve`] once stopped.
@@ -85,11 +85,12 @@ impl Run<'_> {
         Ok(sums.summary())
     }
 
-    /// Solves all points, or those of a shard, into a table, and goes on with one that was broken off. Until it is whole its name ends
-    /// in `.part`.
+    /// Solves all points, or those of a shard, into a table, and goes on with one that was broken off. Until it is whole
+    /// its name ends in `.part`.
     ///
     /// # Errors
-    /// A file that cannot be read or written; a begun table of another plan, or one that another process is writing; [`StudyError::Solve`] once stopped.
+    /// A file that cannot be read or written; a begun table of another plan, or one that another process is writing;
+    /// [`StudyError::Solve`] once stopped.
     pub fn write(&self, table: &Path, shard: Option<Shard>) -> Result<Summary, StudyError> {
         let path = shard.map_or_else(|| table.to_owned(), |shard| shard.path(table));
         let points = self.study.design.points();
@@ -176,8 +177,7 @@ impl Run<'_> {
 
     fn push(&self, row: &ReadRow, sums: &mut Accumulator) {
         let (inputs, answers) = row.numbers.split_at(self.study.design.inputs.len());
-        let why = || row.refusal.clone();
-        sums.push(inputs, answers, if row.refusal.is_empty() { None } else { Some(&why) });
+        sums.push(inputs, answers, row.refusal.as_ref());
     }
 
     fn solve(
@@ -188,17 +188,10 @@ impl Run<'_> {
         mut part: Option<&mut Part>,
     ) -> Result<(), StudyError> {
         let locale = part.is_some().then_some(self.locale);
-        let (inputs, answers) = (self.study.design.inputs.len(), self.study.answers.len());
         (self.progress)(done);
         workers::solve(self.study, range, self.threads, locale, self.stop, &mut |block| {
-            let rows = &block.rows;
-            let mut refused = rows.refused.iter().peekable();
-            let all = rows.inputs.chunks_exact(inputs).zip(rows.answers.chunks_exact(answers));
-            for (row, (inputs, answers)) in all.enumerate() {
-                match refused.next_if(|(at, _)| *at == row) {
-                    None => sums.push(inputs, answers, None),
-                    Some((_, why)) => sums.push(inputs, answers, Some(&|| why.render(self.locale))),
-                }
+            for row in block.rows.iter() {
+                sums.push(row.inputs, row.answers, row.refusal);
                 done += 1;
             }
             if let Some(part) = &mut part {
@@ -239,14 +232,10 @@ impl Part {
 
     /// Begins the table anew.
     fn restart(&mut self, header: &str) -> Result<(), StudyError> {
-        let begun = || -> io::Result<()> {
-            self.file.get_mut().set_len(0)?;
-            self.file.seek(SeekFrom::Start(0))?;
-            self.file.write_all(header.as_bytes())?;
-            self.file.flush()
-        };
-        let mut begun = begun;
-        begun().map_err(StudyError::of_file(&self.path))
+        let file = &mut self.file;
+        let begun = file.get_mut().set_len(0).and_then(|()| file.seek(SeekFrom::Start(0)));
+        let begun = begun.and_then(|_| file.write_all(header.as_bytes())).and_then(|()| file.flush());
+        begun.map_err(StudyError::of_file(&self.path))
     }
 
     /// Reads the rows that are there, and cuts off one that was not finished. The number of rows.

@@ -1,11 +1,12 @@
 //! Rows of a study as CSV.
 //!
-//! Above the rows stand lines that begin with `#`, with the version of the program, the fingerprint of plan and problem and the number of
-//! points, and the headings: `mass [kg],speed [rpm],amplitude [mm],refusal`. Numbers are in the units of the headings, with the
-//! fewest digits that are read as the same number. A cell is empty where there is no answer; the last column says why.
+//! Above the rows stand lines that begin with `#`, with the version of the program, the fingerprint of plan and problem
+//! and the number of points, and the headings: `mass [kg],speed [rpm],amplitude [mm],refusal`. Numbers are in the units
+//! of the headings, with the fewest digits that are read as the same number. A cell is empty where there is no answer;
+//! the last column says why.
 
 use dalembert_core::{
-    Locale,
+    Locale, Text,
     study::{Rows, Study, StudyPlan},
 };
 use sha2::{Digest as _, Sha256};
@@ -53,19 +54,17 @@ fn quoted(text: &str) -> String {
 }
 
 /// Appends rows to a text.
-pub fn write_rows(text: &mut String, rows: &Rows, inputs: usize, answers: usize, locale: &Locale) {
+pub fn write_rows(text: &mut String, rows: &Rows, locale: &Locale) {
     let mut buffer = ryu::Buffer::new();
-    let mut refused = rows.refused.iter().peekable();
-    let all = rows.inputs.chunks_exact(inputs).zip(rows.answers.chunks_exact(answers));
-    for (row, (inputs, answers)) in all.enumerate() {
-        for number in inputs.iter().chain(answers) {
+    for row in rows.iter() {
+        for number in row.inputs.iter().chain(row.answers) {
             if number.is_finite() {
                 let written = buffer.format_finite(*number);
                 *text += written.strip_suffix(".0").unwrap_or(written);
             }
             text.push(',');
         }
-        if let Some((_, why)) = refused.next_if(|(at, _)| *at == row) {
+        if let Some(why) = row.refusal {
             *text += &quoted(&why.render(locale));
         }
         text.push('\n');
@@ -77,8 +76,8 @@ pub fn write_rows(text: &mut String, rows: &Rows, inputs: usize, answers: usize,
 pub struct ReadRow {
     /// Inputs and answers; NaN where a cell is empty.
     pub numbers: Vec<f64>,
-    /// Reason of a refusal; empty where there is none.
-    pub refusal: String,
+    /// Reason of a refusal.
+    pub refusal: Option<Text>,
 }
 
 /// A reader of the rows below a header.
@@ -95,6 +94,6 @@ pub fn read_row(record: &csv::StringRecord, numbers: usize, row: &mut ReadRow) -
     for cell in record.iter().take(numbers) {
         row.numbers.push(if cell.is_empty() { f64::NAN } else { cell.parse().ok()? });
     }
-    record[numbers].clone_into(&mut row.refusal);
+    row.refusal = Some(&record[numbers]).filter(|why| !why.is_empty()).map(Text::verbatim);
     Some(())
 }

@@ -25,8 +25,8 @@ pub struct SolvedBlock {
     pub text: String,
 }
 
-/// Solves a range of points on so many threads; `take` receives the blocks in their order, as text too where `locale` is the
-/// language of their reasons.
+/// Solves a range of points on so many threads; `take` receives the blocks in their order, as text too where `locale` is
+/// the language of their reasons.
 ///
 /// # Errors
 /// Those of `take`, after which nothing more is solved; [`Refusal::Stopped`].
@@ -51,7 +51,7 @@ pub fn solve(
             receivers.push(receiver);
             let evaluation = study.evaluation()?;
             let own: Vec<Range<u64>> = blocks.iter().skip(first).step_by(threads).cloned().collect();
-            workers.push(scope.spawn(move || work(study, evaluation, own, locale, stop, &sender)));
+            workers.push(scope.spawn(move || work(evaluation, own, locale, stop, &sender)));
         }
         let mut taken = Ok(());
         for (n, _) in blocks.iter().enumerate() {
@@ -76,7 +76,6 @@ pub fn solve(
 
 /// Solves the blocks of a thread until nobody takes them any more.
 fn work(
-    study: &Study<'_>,
     mut evaluation: Evaluation<'_>,
     blocks: Vec<Range<u64>>,
     locale: Option<&Locale>,
@@ -87,8 +86,7 @@ fn work(
         let mut block = SolvedBlock::default();
         evaluation.rows(range, &mut block.rows, stop)?;
         if let Some(locale) = locale {
-            let (inputs, answers) = (study.design.inputs.len(), study.answers.len());
-            table::write_rows(&mut block.text, &block.rows, inputs, answers, locale);
+            table::write_rows(&mut block.text, &block.rows, locale);
         }
         if sender.send(block).is_err() {
             break;

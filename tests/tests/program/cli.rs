@@ -20,16 +20,8 @@ const FAN: &str = "vibration/rotating-unbalance";
 
 /// Runs the program without a terminal, in English unless the environment says otherwise.
 fn run(arguments: &[&str], environment: &[(&str, &str)]) -> Output {
-    let mut command = Command::new(pty::program());
-    command
-        .args(arguments)
-        .stdin(Stdio::null())
-        .env_remove("LC_ALL")
-        .env_remove("LC_MESSAGES")
-        // No settings but those of the test.
-        .env("XDG_CONFIG_HOME", env!("CARGO_TARGET_TMPDIR"))
-        .env("LANG", "C.UTF-8");
-    command.envs(environment.iter().copied());
+    let mut command = crate::program();
+    command.args(arguments).envs(environment.iter().copied());
     command.output().expect("the program runs")
 }
 

@@ -6,3 +6,19 @@ mod replay;
 mod study;
 mod workbench;
 mod workflows;
+
+use std::process::{Command, Stdio};
+
+use dalembert_tests::pty;
+
+/// The program without a terminal, in English and with no settings but those of the test.
+fn program() -> Command {
+    let mut command = Command::new(pty::program());
+    command
+        .stdin(Stdio::null())
+        .env_remove("LC_ALL")
+        .env_remove("LC_MESSAGES")
+        .env("XDG_CONFIG_HOME", env!("CARGO_TARGET_TMPDIR"))
+        .env("LANG", "C.UTF-8");
+    command
+}

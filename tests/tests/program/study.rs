@@ -8,7 +8,6 @@ use std::{
     time::{Duration, Instant},
 };
 
-use dalembert_tests::pty;
 use itertools::zip_eq;
 use serde_json::Value as Json;
 
@@ -18,18 +17,8 @@ fn study(folder: &Path, arguments: &[&str]) -> Output {
 }
 
 fn command(folder: &Path, arguments: &[&str]) -> Command {
-    let mut command = Command::new(pty::program());
-    command
-        .current_dir(folder)
-        .arg("study")
-        .args(arguments)
-        .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .env_remove("LC_ALL")
-        .env_remove("LC_MESSAGES")
-        .env("XDG_CONFIG_HOME", env!("CARGO_TARGET_TMPDIR"))
-        .env("LANG", "C.UTF-8");
+    let mut command = crate::program();
+    command.current_dir(folder).arg("study").args(arguments).stdout(Stdio::piped()).stderr(Stdio::piped());
     command
 }
 

@@ -58,23 +58,25 @@ fn a_row_is_what_the_problem_answers_at_that_point() {
         let points = study.design.points();
         let mut evaluation = study.evaluation().unwrap_or_else(|error| panic!("{id}: {error}"));
         evaluation.rows(0..points, &mut rows, &Stop::new()).unwrap_or_else(|error| panic!("{id}: {error}"));
-        let (inputs, answers) = (study.design.inputs.len(), study.answers.len());
+        let inputs = study.design.inputs.len();
         let (mut shown, mut si) = (vec![0.0; inputs], vec![0.0; inputs]);
-        for point in 0..points {
+        for (point, row) in zip_eq(0..points, rows.iter().collect::<Vec<_>>()) {
             study.design.point(point, &mut shown, &mut si);
             let mut changed = record.clone();
             for (input, si) in zip_eq(&study.design.inputs, &si) {
                 changed = vary::changed(&changed, &input.path, *si).expect("an input of the problem");
             }
-            let row = &rows.answers[point as usize * answers..][..answers];
-            if let Some((_, why)) = rows.refused.iter().find(|(at, _)| *at as u64 == point) {
-                assert!(row.iter().all(|value| value.is_nan()), "{id}: point {point} has answers: {why:?}");
+            if let Some(why) = row.refusal {
+                assert!(
+                    row.answers.iter().all(|value| value.is_nan()),
+                    "{id}: point {point} has answers: {why:?}"
+                );
                 let is_outside = zip_eq(&study.design.inputs, &si).any(|(input, si)| !input.permits(*si));
                 assert!(is_outside || entry.solve(&changed, &Stop::new()).is_err(), "{id}: {why:?}");
                 continue;
             }
             let solved = entry.solve(&changed, &Stop::new()).unwrap_or_else(|error| panic!("{id}: {error}"));
-            for (answer, ours) in zip_eq(&study.answers, row) {
+            for (answer, ours) in zip_eq(&study.answers, row.answers) {
                 let name = answer.name.to_string();
                 let theirs = solved.answer(&name).and_then(Answer::si);
                 let theirs = theirs.map_or(f64::NAN, |si| answer.unit.value(si));

@@ -341,18 +341,16 @@ impl Planned {
                 })
             }
         };
-        match found {
-            Err(SolveError::Refused(Refusal::Stopped)) => Err(Refusal::Stopped),
-            Err(error) => {
-                row.fill(f64::NAN);
-                Ok(Some(match error {
-                    SolveError::Refused(Refusal::NoAnswer(why)) => why,
-                    SolveError::Fields(errors) => first_reason(errors),
-                    SolveError::Refused(Refusal::Stopped) => NO_VALUE.into(),
-                }))
+        let why = match found {
+            Ok(()) => return Ok(None),
+            Err(SolveError::Refused(Refusal::Stopped)) => return Err(Refusal::Stopped),
+            Err(SolveError::Refused(Refusal::NoAnswer(why))) => why,
+            Err(SolveError::Fields(errors)) => {
+                errors.into_iter().next().map_or_else(|| NO_VALUE.into(), |error| error.why)
             }
-            Ok(()) => Ok(None),
-        }
+        };
+        row.fill(f64::NAN);
+        Ok(Some(why))
     }
 
     /// Gives the levers the numbers of a point, and the formulas their values; why, where a formula has none.
@@ -373,10 +371,6 @@ impl Planned {
 
 /// Reason of a point at which an input has no value.
 const NO_VALUE: &str = "an input has no value";
-
-fn first_reason(errors: Vec<FieldError>) -> Text {
-    errors.into_iter().next().map_or_else(|| NO_VALUE.into(), |error| error.why)
-}
 
 impl Readings {
     /// Reads the wanted answers of a record in whose plan the formulas have their values.

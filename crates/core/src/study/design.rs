@@ -9,7 +9,7 @@ use dalembert_numerics::{
     sampling::{SOBOL_DIMENSIONS, SOBOL_POINTS, latin_hypercube, sobol},
 };
 use dalembert_units::{self as units, Unit};
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use super::plan::{Amount, DataColumn, DistributionKind, ReadData, Sampling, Spacing, StudyPlan, Variation};
 use crate::{
@@ -139,14 +139,13 @@ impl Design {
             Sampling::LatinHypercube => latin_hypercube(self.seed, self.samples, sample, at as u64),
             Sampling::Sobol => sobol(self.seed, sample, at),
         };
+        // Correlation is that of the normal scores.
+        let scores = self.correlation.as_ref().map(|root| {
+            let independent = (0..self.drawn.len()).map(|at| normal_quantile(quantile(at)));
+            root * DVector::from_iterator(self.drawn.len(), independent)
+        });
         for (at, drawn) in self.drawn.iter().enumerate() {
-            let share = match &self.correlation {
-                None => quantile(at),
-                Some(root) => {
-                    let score = |n: usize| root[(at, n)] * normal_quantile(quantile(n));
-                    normal_cumulative((0..self.drawn.len()).map(score).sum())
-                }
-            };
+            let share = scores.as_ref().map_or_else(|| quantile(at), |scores| normal_cumulative(scores[at]));
             shown[drawn.input] = drawn.distribution.quantile(share);
             si[drawn.input] = self.inputs[drawn.input].unit.si(shown[drawn.input]);
         }
@@ -501,10 +500,7 @@ fn range(
 
 /// An amount of an input, in SI.
 fn amount(input: &VariedInput, path: &str, amount: &Amount) -> Result<f64, FieldError> {
-    let si = match amount {
-        Amount::Number(number) => input.unit.si(*number),
-        Amount::Text(text) => input.read(text).map_err(|why| FieldError::new(path, why))?,
-    };
+    let si = amount.si(&input.unit, input.measure.kind()).map_err(|why| FieldError::new(path, why))?;
     if si.is_finite() { Ok(si) } else { Err(FieldError::new(path, "is not a finite number")) }
 }
 
@@ -524,7 +520,7 @@ fn unit_of(path: &str, column: &DataColumn, input: &VariedInput) -> Result<Unit,
 }
 
 /// An SI value in a unit, with the digits that were written where rounding has changed the last one.
-fn shown(unit: &Unit, si: f64) -> f64 {
+pub(super) fn shown(unit: &Unit, si: f64) -> f64 {
     let value = unit.value(si);
     let written = format!("{value:.14e}").parse().unwrap_or(value);
     if unit.si(written) == si { written } else { value }

@@ -2,8 +2,10 @@
 
 use std::ops::Range;
 
+use dalembert_units::Kind;
+
 use super::{
-    design::Design,
+    design::{Design, shown},
     plan::{Amount, Limit, StudyPlan},
     statistics::AnswerLimit,
 };
@@ -29,12 +31,23 @@ pub struct Study<'a> {
 /// Points of a study with their answers.
 #[derive(Clone, Debug, Default)]
 pub struct Rows {
-    /// The inputs, row by row, in the units of the design.
-    pub inputs: Vec<f64>,
-    /// The answers, row by row, in their units; NaN where there is none.
-    pub answers: Vec<f64>,
+    /// Numbers of inputs and answers of a row.
+    widths: [usize; 2],
+    inputs: Vec<f64>,
+    answers: Vec<f64>,
     /// The rows without an answer, counted from 0, ascending, and why.
-    pub refused: Vec<(usize, Text)>,
+    refused: Vec<(usize, Text)>,
+}
+
+/// A point of a study with its answers.
+#[derive(Clone, Copy, Debug)]
+pub struct Row<'r> {
+    /// The inputs, in the units of the design.
+    pub inputs: &'r [f64],
+    /// The answers, in their units; NaN where there is none.
+    pub answers: &'r [f64],
+    /// Reason for which the point has no answer.
+    pub refusal: Option<&'r Text>,
 }
 
 /// The plain reading of a study, for one thread.
@@ -154,6 +167,7 @@ impl Evaluation<'_> {
         let Study { design, answers, conditions, .. } = self.study;
         let (inputs, wanted) = (design.inputs.len(), answers.len());
         let count = (range.end - range.start) as usize;
+        rows.widths = [inputs, wanted];
         rows.inputs.clear();
         rows.inputs.resize(count * inputs, 0.0);
         rows.answers.clear();
@@ -202,6 +216,17 @@ impl Evaluation<'_> {
 }
 
 impl Rows {
+    /// The rows in their order.
+    pub fn iter(&self) -> impl Iterator<Item = Row<'_>> {
+        let [inputs, answers] = self.widths.map(|width| width.max(1));
+        let mut refused = self.refused.iter().peekable();
+        let rows = self.inputs.chunks_exact(inputs).zip(self.answers.chunks_exact(answers)).enumerate();
+        rows.map(move |(row, (inputs, answers))| {
+            let refusal = refused.next_if(|(at, _)| *at == row).map(|(_, why)| why);
+            Row { inputs, answers, refusal }
+        })
+    }
+
     /// Refuses a row for a reason that goes before any other.
     fn refuse(&mut self, row: usize, why: Text) {
         self.refused.retain(|(refused, _)| *refused != row);
@@ -240,13 +265,6 @@ fn answer(solution: &Solution, path: &str, name: &str) -> Result<Answer, FieldEr
 
 /// A value of an answer in its unit.
 fn in_unit_of(answer: &Answer, path: &str, value: &Amount) -> Result<f64, FieldError> {
-    match value {
-        Amount::Number(number) => Ok(*number),
-        Amount::Text(text) => {
-            let kind = dalembert_units::Kind::of(&answer.unit);
-            let read = dalembert_units::read_quantity(text, &answer.unit, kind);
-            let read = read.map_err(|error| FieldError::new(path, crate::reading::text(&error)))?;
-            Ok(answer.unit.value(read.si))
-        }
-    }
+    let si = value.si(&answer.unit, Kind::of(&answer.unit)).map_err(|why| FieldError::new(path, why))?;
+    Ok(shown(&answer.unit, si))
 }

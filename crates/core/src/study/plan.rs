@@ -1,8 +1,9 @@
 //! Plan of a study as it is written in a file: which inputs vary, and how, and which answers are wanted.
 
+use dalembert_units::{self as units, Kind, Unit};
 use serde::{Deserialize, Serialize};
 
-use crate::Text;
+use crate::{Text, reading};
 
 /// The plan of a study.
 ///
@@ -128,6 +129,18 @@ pub enum Amount {
     Number(f64),
     /// A number with its unit.
     Text(String),
+}
+
+impl Amount {
+    /// The value in SI; a number alone is in `unit`.
+    pub(super) fn si(&self, unit: &Unit, kind: Kind) -> Result<f64, Text> {
+        match self {
+            Amount::Number(number) => Ok(unit.si(*number)),
+            Amount::Text(text) => units::read_quantity(text, unit, kind)
+                .map(|read| read.si)
+                .map_err(|error| reading::text(&error)),
+        }
+    }
 }
 
 /// Spacing of the values of a range.

@@ -49,27 +49,26 @@ pub(super) fn scatter(
     stop: &Stop,
 ) -> Result<StudyResult, SolveError> {
     let again = || Perturbed::new(entry, record, vary::inputs(record), vec![answer.name.to_string()]);
-    again()?;
-    let drawn = move |sample: usize, (at, input): (usize, &VariedInput)| {
-        let share = uniform(seed, sample as u64, at as u64);
-        (at, input.si + sensitivity::tolerance(input, tolerances, usual) * distribution.within(share))
+    let with_tolerance = |input: &VariedInput| [input.si, sensitivity::tolerance(input, tolerances, usual)];
+    let inputs: Vec<[f64; 2]> = again()?.inputs.iter().map(with_tolerance).collect();
+    let inputs = &inputs;
+    let point = move |sample: usize| -> Vec<(usize, f64)> {
+        let share = |at: usize| uniform(seed, sample as u64, at as u64);
+        let drawn = inputs.iter().enumerate();
+        drawn.map(|(at, [si, tolerance])| (at, si + tolerance * distribution.within(share(at)))).collect()
     };
     let samples = samples.clamp(FEWEST, MOST_SAMPLES);
     let threads = thread::available_parallelism().map_or(1, usize::from);
     let share = samples.div_ceil(threads);
-    // Each thread has its own reading of the problem; a sample is a function of its number, so their order is always the same.
+    // Each thread has its own reading of the problem; a sample is a function of its number, so their order is always the
+    // same.
     let solved: Vec<Result<Vec<f64>, SolveError>> = thread::scope(|scope| {
         let threads: Vec<_> = (0..threads)
             .map(|thread| {
                 scope.spawn(move || {
                     let mut again = again()?;
                     let own = thread * share..((thread + 1) * share).min(samples);
-                    let mut solve = |sample: usize| {
-                        let point: Vec<_> =
-                            again.inputs.iter().enumerate().map(|input| drawn(sample, input)).collect();
-                        Ok(again.with(&point, stop)?[0])
-                    };
-                    own.map(&mut solve).collect()
+                    own.map(|sample| Ok(again.with(&point(sample), stop)?[0])).collect()
                 })
             })
             .collect();
@@ -85,10 +84,9 @@ pub(super) fn scatter(
 
 fn reported(answer: &Answer, values: &[f64]) -> StudyResult {
     let mut sums = Accumulator::new(0, 1, Vec::new());
+    let no_answer = Text::default();
     for value in values {
-        let no_answer = || String::new();
-        let refusal: Option<&dyn Fn() -> String> = if value.is_finite() { None } else { Some(&no_answer) };
-        sums.push(&[], &[answer.unit.value(*value)], refusal);
+        sums.push(&[], &[*value], Some(&no_answer).filter(|_| !value.is_finite()));
     }
     let summary = sums.summary();
     let of = &summary.answers[0];
@@ -98,7 +96,7 @@ fn reported(answer: &Answer, values: &[f64]) -> StudyResult {
     let mut numbers = Vec::new();
     if of.count >= 2 {
         let [low, high] = [0, PERCENTILES.len() - 1].map(|at| of.percentiles[at]);
-        numbers = [of.mean, of.deviation, low, high].map(|value| answer.unit.si(value)).to_vec();
+        numbers = vec![of.mean, of.deviation, low, high];
         remarks.push(
             Text::new("mean {mean}, standard deviation {deviation}")
                 .with_quantity("mean", numbers[0], unit)
@@ -109,7 +107,7 @@ fn reported(answer: &Answer, values: &[f64]) -> StudyResult {
                 .with_quantity("low", numbers[2], unit)
                 .with_quantity("high", numbers[3], unit),
         );
-        plot = of.histogram.plot(answer).map(|plot| plot.band("95 %", numbers[2], numbers[3], true));
+        plot = of.histogram.plot(answer, |si| si).map(|plot| plot.band("95 %", numbers[2], numbers[3], true));
     }
     if summary.refused > 0 {
         remarks.push(

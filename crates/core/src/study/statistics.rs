@@ -1,8 +1,8 @@
 //! Statistics of the answers of a study, from rows in their order.
 //!
-//! Sums run over blocks of [`BLOCK`] rows, and the blocks are combined in their order (P. Pébay, *Formulas for Robust, One-Pass Parallel
-//! Computation of Covariances and Arbitrary-Order Statistical Moments*, Sandia report SAND2008-6212): the statistics are
-//! the same to the last bit however many threads or machines computed the rows.
+//! Sums run over blocks of [`BLOCK`] rows, and the blocks are combined in their order (P. Pébay, *Formulas for Robust,
+//! One-Pass Parallel Computation of Covariances and Arbitrary-Order Statistical Moments*, Sandia report SAND2008-6212):
+//! the statistics are the same to the last bit however many threads or machines computed the rows.
 
 use dalembert_numerics::distribution::quantile_of_sorted;
 use serde::Serialize;
@@ -30,7 +30,8 @@ pub struct Summary {
     /// Points without an answer.
     pub refused: u64,
     /// The first of them, counted from 1, and why it is one.
-    pub first_refusal: Option<(u64, String)>,
+    #[serde(skip)]
+    pub first_refusal: Option<(u64, Text)>,
     /// Of each answer, in its unit.
     pub answers: Vec<AnswerStatistics>,
 }
@@ -110,7 +111,7 @@ pub struct Accumulator {
     rows: Vec<f64>,
     points: u64,
     refused: u64,
-    first_refusal: Option<(u64, String)>,
+    first_refusal: Option<(u64, Text)>,
     answers: Vec<AnswerSums>,
 }
 
@@ -176,13 +177,13 @@ impl Accumulator {
     }
 
     /// Takes the next row: its inputs, its answers, NaN where there is none, and why the point was refused, if it was.
-    pub fn push(&mut self, inputs: &[f64], answers: &[f64], refusal: Option<&dyn Fn() -> String>) {
+    pub fn push(&mut self, inputs: &[f64], answers: &[f64], refusal: Option<&Text>) {
         self.rows.extend_from_slice(inputs);
         self.rows.extend_from_slice(answers);
         self.points += 1;
         if let Some(why) = refusal {
             self.refused += 1;
-            self.first_refusal.get_or_insert_with(|| (self.points, why()));
+            self.first_refusal.get_or_insert_with(|| (self.points, why.clone()));
         }
         if self.rows.len() == BLOCK * (self.inputs + self.answers.len()) {
             self.take_block();
@@ -220,10 +221,11 @@ impl Accumulator {
 }
 
 impl Histogram {
-    /// The relative frequencies of an answer as a plot; `None` where all values are one.
-    pub fn plot(&self, answer: &Answer) -> Option<Plot> {
+    /// The relative frequencies of an answer as a plot; `None` where all values are one. `si` converts the values that
+    /// were counted.
+    pub fn plot(&self, answer: &Answer, si: impl Fn(f64) -> f64) -> Option<Plot> {
         let all: u64 = self.counts.iter().sum();
-        let place = |n: usize| answer.unit.si(self.from + n as f64 * self.width);
+        let place = |n: usize| si(self.from + n as f64 * self.width);
         let mut outline = vec![(place(0), 0.0)];
         for (n, count) in self.counts.iter().enumerate() {
             let share = *count as f64 / all as f64;
@@ -433,7 +435,8 @@ fn ranks_about(values: &[f64], share: f64) -> [usize; 2] {
     [below.min(last), (below + 1).min(last)]
 }
 
-/// Puts the values of these ascending ranks where they stand in ascending order: all that quantiles need, in less time than sorting.
+/// Puts the values of these ascending ranks where they stand in ascending order: all that quantiles need, in less time
+/// than sorting.
 fn put_in_order(values: &mut [f64], ranks: &[usize]) {
     let Some(&rank) = ranks.get(ranks.len() / 2).filter(|rank| **rank < values.len()) else { return };
     let (below, above) = ranks.split_at(ranks.len() / 2);

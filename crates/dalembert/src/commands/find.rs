@@ -23,20 +23,15 @@ pub(crate) fn run(find: &Find, console: &Console) -> Result<ExitCode, Failure> {
     let changes = [format!("{}={range}", find.input)];
     let given = [find.answer.clone()];
     let asked = ProblemSource {
-        named: &find.problem,
         case: find.case.or_else(|| analysis(&find.problem).map(|_| 1)),
         changes: &changes,
-        define: &[],
-        ask: &[],
         given: &given,
-        configuration: &[],
         options: ProblemOptions {
             input: "--input",
             given: "--answer",
             given_form: "write an answer and its value, as in --answer 'natural_frequency=8.2 Hz'",
         },
-        strict: false,
-        units: None,
+        ..ProblemSource::named(&find.problem)
     };
     let problem = problem::read(&asked, console)?;
     let outcome = solving::solve(problem.entry, &problem.record)?;

@@ -32,7 +32,7 @@ use crate::{
     console::{Console, print},
     failure::Failure,
     output,
-    problem::{self, LoadedProblem, ProblemOptions, ProblemSource},
+    problem::{self, LoadedProblem, ProblemSource},
     snippet, solving,
 };
 
@@ -82,7 +82,7 @@ pub(crate) fn run(asked: &arguments::Study, console: &Console) -> Result<ExitCod
     let summary = carry_out(asked, &run, &problem)?;
     bar.finish_and_clear();
     if asked.json {
-        print(&json_text(&json(&study, &summary)))?;
+        print(&json_text(&json(&study, &summary, &locale)))?;
     }
     let document = study_document(&study, &title(&problem, &locale), &summary, &locale);
     match &asked.report {
@@ -215,19 +215,7 @@ fn problem_of(plan: &StudyPlan, folder: &Path, console: &Console) -> Result<Load
         Some(_) => plan.problem.clone(),
         None => beside.to_string_lossy().into_owned(),
     };
-    let source = ProblemSource {
-        named: &named,
-        case: None,
-        changes: &[],
-        define: &[],
-        ask: &[],
-        given: &[],
-        configuration: &[],
-        options: ProblemOptions::OF_SOLVE,
-        strict: false,
-        units: None,
-    };
-    problem::read(&source, console)
+    problem::read(&ProblemSource::named(&named), console)
 }
 
 /// The inputs of a problem as a text, for the fingerprint of a study.
@@ -248,43 +236,30 @@ fn variation(text: &str) -> Option<Variation> {
     let amount = |text: &str| Some(Amount::Text(text.trim().to_owned())).filter(|_| !text.trim().is_empty());
     if let Some((name, parameters)) = values.strip_suffix(')').and_then(|values| values.split_once('(')) {
         let parameters: Vec<&str> = parameters.split(';').map(str::trim).collect();
-        let of = |distribution| Variation { distribution: Some(distribution), ..variation.clone() };
-        return Some(match (name.trim(), &parameters[..]) {
-            ("normal", [deviation]) => {
-                Variation { deviation: amount(deviation), ..of(DistributionKind::Normal) }
+        use DistributionKind::{Data, Lognormal, Normal, Triangular, Uniform};
+        let kind = match name.trim() {
+            "uniform" => Uniform,
+            "normal" => Normal,
+            "triangular" => Triangular,
+            "lognormal" => Lognormal,
+            "data" => Data,
+            _ => return None,
+        };
+        let drawn = Variation { distribution: Some(kind), ..variation };
+        return Some(match (kind, &parameters[..]) {
+            (Normal | Lognormal, [deviation]) => Variation { deviation: amount(deviation), ..drawn },
+            (Normal | Lognormal, [mean, deviation]) => {
+                Variation { mean: amount(mean), deviation: amount(deviation), ..drawn }
             }
-            ("normal", [mean, deviation]) => {
-                Variation { mean: amount(mean), deviation: amount(deviation), ..of(DistributionKind::Normal) }
+            (Uniform, [tolerance]) => Variation { tolerance: amount(tolerance), ..drawn },
+            (Uniform | Triangular, [from, to]) => Variation { from: amount(from), to: amount(to), ..drawn },
+            (Triangular, [from, mode, to]) => {
+                Variation { from: amount(from), mode: amount(mode), to: amount(to), ..drawn }
             }
-            ("lognormal", [deviation]) => {
-                Variation { deviation: amount(deviation), ..of(DistributionKind::Lognormal) }
+            (Data, [file]) => Variation { data: Some((*file).to_owned()), ..drawn },
+            (Data, [file, column]) => {
+                Variation { data: Some((*file).to_owned()), column: Some((*column).to_owned()), ..drawn }
             }
-            ("lognormal", [mean, deviation]) => Variation {
-                mean: amount(mean),
-                deviation: amount(deviation),
-                ..of(DistributionKind::Lognormal)
-            },
-            ("uniform", [tolerance]) => {
-                Variation { tolerance: amount(tolerance), ..of(DistributionKind::Uniform) }
-            }
-            ("uniform", [from, to]) => {
-                Variation { from: amount(from), to: amount(to), ..of(DistributionKind::Uniform) }
-            }
-            ("triangular", [from, to]) => {
-                Variation { from: amount(from), to: amount(to), ..of(DistributionKind::Triangular) }
-            }
-            ("triangular", [from, mode, to]) => Variation {
-                from: amount(from),
-                mode: amount(mode),
-                to: amount(to),
-                ..of(DistributionKind::Triangular)
-            },
-            ("data", [file]) => Variation { data: Some((*file).to_owned()), ..of(DistributionKind::Data) },
-            ("data", [file, column]) => Variation {
-                data: Some((*file).to_owned()),
-                column: Some((*column).to_owned()),
-                ..of(DistributionKind::Data)
-            },
             _ => return None,
         });
     }
@@ -366,8 +341,10 @@ fn report(
 }
 
 /// The summary as JSON: statistics of each answer in its unit.
-fn json(study: &Study<'_>, summary: &Summary) -> serde_json::Value {
+fn json(study: &Study<'_>, summary: &Summary, locale: &Locale) -> serde_json::Value {
     let mut all = serde_json::to_value(summary).unwrap_or_default();
+    let first = summary.first_refusal.as_ref();
+    all["first_refusal"] = serde_json::json!(first.map(|(point, why)| (point, why.render(locale))));
     let answers = all["answers"].as_array_mut().into_iter().flatten().zip(&study.answers);
     for (value, answer) in answers {
         value["answer"] = answer.name.to_string().into();

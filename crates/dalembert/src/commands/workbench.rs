@@ -24,18 +24,7 @@ const FIRST: &str = "vibration/rotating-unbalance";
 pub(crate) fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, Failure> {
     let named = arguments.problem.as_deref();
     if !console.interactive {
-        let asked = ProblemSource {
-            named: named.unwrap_or(FIRST),
-            case: None,
-            changes: &[],
-            define: &[],
-            ask: &[],
-            given: &[],
-            configuration: &[],
-            options: problem::ProblemOptions::OF_SOLVE,
-            strict: false,
-            units: None,
-        };
+        let asked = ProblemSource::named(named.unwrap_or(FIRST));
         return print_worked(&problem::read(&asked, console)?, console);
     }
     if named.is_some_and(problem::is_standard_input) {
