@@ -7,6 +7,7 @@
 //! | linear algebra | [`linalg`], [`givens`] |
 //! | differential equations | [`ode`], with events and dense output |
 //! | roots and extremes | [`roots`], [`nonlinear`], [`polynomial`], [`extremes`] |
+//! | minimum under constraints | [`optimisation`] |
 //! | quadrature | [`quadrature`], [`gauss_legendre`] |
 //! | special functions | [`elliptic`], [`bessel`] |
 //! | sets of numbers | [`intervals`] |
@@ -38,6 +39,7 @@ pub mod intervals;
 pub mod linalg;
 pub mod nonlinear;
 pub mod ode;
+pub mod optimisation;
 pub mod polynomial;
 pub mod quadrature;
 pub mod random;
