@@ -5805,3 +5805,7 @@ load-on-each-isolator = carga em cada isolador
 power-of-the-damper = potência do amortecedor
 stress-under-dead-load = tensão sob a carga permanente
 the-last-digit-of-the-source-is-rounded-up = o último algarismo da fonte está arredondado para cima
+the-dampers-couple-the-modes-their-complex-modes-are-found-of-at-most-most-degrees-of-freedom-enter = os amortecedores acoplam os modos: os modos complexos são obtidos com no máximo { $most } graus de liberdade; dê fatores de amortecimento ou amortecimento de Rayleigh
+chain-of-2000-equal-masses = Cadeia de 2000 massas iguais
+j-2-k-m-sin-j-2-n-1-2-for-dampers-in-proportion-to-the-springs = ω_j = 2√(k/m) sen(jπ/(2(n + 1))), ζ = βω/2 para amortecedores proporcionais às molas
+the-lowest-modes-are-found-from-the-bands-of-the-matrices = Os modos mais baixos são obtidos das bandas das matrizes.

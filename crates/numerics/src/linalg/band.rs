@@ -126,7 +126,7 @@ impl SymmetricBand {
     }
 
     /// `x·A x` with twice the digits, and the same with every term made positive: what rounding is measured by.
-    pub(super) fn energy(&self, x: &[f64]) -> (f64, f64) {
+    pub fn energy(&self, x: &[f64]) -> (f64, f64) {
         let (mut total, mut size) = (Sum::default(), 0.0);
         for row in 0..self.size {
             let (first, entries) = self.row(row);

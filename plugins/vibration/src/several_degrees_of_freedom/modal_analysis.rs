@@ -8,7 +8,7 @@ use nalgebra::DMatrix;
 
 use crate::{
     shared::system::{
-        Assembled, System, assemble,
+        self, Assembled, System, assemble,
         damping::{ModalDamping, SystemDamping, in_modes},
         modal_properties::modal_properties,
         modes::{SHOWN, WorkedModes, find, largest_one},
@@ -16,6 +16,8 @@ use crate::{
     },
     sources::{EWINS, RAO},
 };
+
+mod banded;
 
 /// So many modes are filmed.
 const FILMED: usize = 4;
@@ -64,6 +66,11 @@ impl Analysis for ModalAnalysis {
     };
 
     fn solve<W: Worksheet>(&self, given: &ModalAnalysisGiven<W>, sheet: W) -> Result<(), Refusal> {
+        if let Some(system) = system::banded::banded(&self.system)?
+            && self.solve_banded(given, &system, sheet)?
+        {
+            return Ok(());
+        }
         let system = assemble(&self.system, &given.system, sheet)?;
         let found = find(&system, sheet)?;
         sheet.keep_going()?;

@@ -3,8 +3,9 @@
 use dalembert_core::{Inputs, Refusal, Symbol, Text, Worksheet};
 use dalembert_mechanics::Real;
 use dalembert_numerics::linalg::MOST_DENSE;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
+pub(crate) mod banded;
 pub(crate) mod damping;
 pub(crate) mod modal_properties;
 pub(crate) mod modes;
@@ -16,7 +17,7 @@ use crate::sources::RAO;
 /// Up to so many degrees of freedom the entries of the matrices are written out.
 const WRITTEN: usize = 3;
 
-/// The most degrees of freedom of these analyses, which solve again at every keystroke.
+/// The most degrees of freedom of full matrices, which are solved again at every key.
 pub(crate) const MOST: usize = 500;
 
 /// Vibrating system.
@@ -35,7 +36,7 @@ pub enum System {
     /// Equal masses, springs and dampers in a chain
     Uniform {
         /// Number of masses.
-        #[input(min = 1, max = 500)]
+        #[input(min = 1, max = 100000)]
         count: usize,
         /// Mass of each.
         #[input("m", "kg", positive)]
@@ -155,6 +156,39 @@ pub(crate) struct Assembled<N> {
     pub(crate) two: Option<([N; 2], [N; 3])>,
     /// True if all coordinates are parallel displacements: a motion of the ground moves all alike.
     pub(crate) parallel: bool,
+}
+
+/// Products of the matrices of a system with displacements, whether they are full or banded.
+pub(crate) trait SystemMatrices {
+    /// Number of degrees of freedom.
+    fn size(&self) -> usize;
+
+    /// True if all coordinates are parallel displacements.
+    fn is_parallel(&self) -> bool;
+
+    /// `M x`.
+    fn momenta(&self, shape: &DVector<f64>) -> DVector<f64>;
+
+    /// `xᵀK x`, and the same with every term made positive: what rounding is measured by.
+    fn stiffness_product(&self, shape: &DVector<f64>) -> (f64, f64);
+}
+
+impl<N> SystemMatrices for Assembled<N> {
+    fn size(&self) -> usize {
+        self.mass.nrows()
+    }
+
+    fn is_parallel(&self) -> bool {
+        self.parallel
+    }
+
+    fn momenta(&self, shape: &DVector<f64>) -> DVector<f64> {
+        &self.mass * shape
+    }
+
+    fn stiffness_product(&self, shape: &DVector<f64>) -> (f64, f64) {
+        (shape.dot(&(&self.stiffness * shape)), shape.abs().dot(&(self.stiffness.abs() * shape.abs())))
+    }
 }
 
 impl<N> Assembled<N> {
@@ -356,11 +390,16 @@ fn matrices<W: Worksheet>(entries: &[Entry], sheet: W) -> Result<Assembled<W::Nu
 }
 
 fn not_too_many(n: usize) -> Result<(), Refusal> {
-    if n <= MOST {
+    at_most(n, MOST)
+}
+
+/// Refuses more degrees of freedom than can be solved.
+pub(crate) fn at_most(n: usize, most: usize) -> Result<(), Refusal> {
+    if n <= most {
         return Ok(());
     }
     let why = Text::new("{have} degrees of freedom exceed the limit of {most} for interactive solution");
-    Err(Refusal::because(why.with("have", n).with("most", MOST)))
+    Err(Refusal::because(why.with("have", n).with("most", most)))
 }
 
 /// The symbol of an entry of a matrix, counted from 0.

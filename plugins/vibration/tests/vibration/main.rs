@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
 
 mod firing_orders;
+mod large_systems;
 mod rotors;
 mod shaft_clearance;
 mod springs;

@@ -98,17 +98,14 @@ pub(crate) fn in_modes<W: Worksheet>(
     sheet: W,
 ) -> Result<ModalDamping, Refusal> {
     let n = modes.squares.len();
-    let from_diagonal = |decays: Vec<f64>| {
-        let matrix = DMatrix::from_fn(n, n, |i, j| if i == j { decays[i] } else { 0.0 });
-        let momenta = mass * &modes.shapes;
-        let physical = &momenta * &matrix * momenta.transpose();
-        ModalDamping { matrix, physical, proportional: true }
-    };
-    let rayleigh = |alpha: f64, beta: f64| {
-        from_diagonal(modes.squares.iter().map(|square| alpha + beta * square).collect())
-    };
-    let damped = match (damping, given) {
-        (SystemDamping::Dampers, _) => {
+    let damped = match decays(damping, given, &modes.squares, sheet)? {
+        Some(decays) => {
+            let matrix = DMatrix::from_fn(n, n, |i, j| if i == j { decays[i] } else { 0.0 });
+            let momenta = mass * &modes.shapes;
+            let physical = &momenta * &matrix * momenta.transpose();
+            ModalDamping { matrix, physical, proportional: true }
+        }
+        None => {
             let mut matrix = modes.damping(dampers);
             let proportional = is_proportional(&matrix);
             if proportional {
@@ -116,19 +113,31 @@ pub(crate) fn in_modes<W: Worksheet>(
             }
             ModalDamping { matrix, physical: dampers.clone(), proportional }
         }
+    };
+    if damped.physical.iter().all(|entry| entry.is_finite()) {
+        return Ok(damped);
+    }
+    Err(Refusal::because("these inputs lead to a damping that cannot be represented"))
+}
+
+/// 2ζω of modes with these squares of their frequencies; `None` where it follows from dampers. Writes α and β where they
+/// follow from two points.
+pub(crate) fn decays<W: Worksheet>(
+    damping: &SystemDamping,
+    given: &SystemDampingGiven<W>,
+    squares: &[f64],
+    sheet: W,
+) -> Result<Option<Vec<f64>>, Refusal> {
+    let rayleigh =
+        |alpha: f64, beta: f64| squares.iter().map(|square| alpha + beta * square).collect::<Vec<f64>>();
+    Ok(Some(match (damping, given) {
+        (SystemDamping::Dampers, _) => return Ok(None),
         (SystemDamping::Ratio { ratio }, _) => {
-            from_diagonal(modes.squares.iter().map(|square| 2.0 * ratio * square.sqrt()).collect())
+            squares.iter().map(|square| 2.0 * ratio * square.sqrt()).collect()
         }
         (SystemDamping::Ratios { ratios }, _) => {
             let ratio = |mode: usize| ratios[mode.min(ratios.len() - 1)].ratio;
-            from_diagonal(
-                modes
-                    .squares
-                    .iter()
-                    .enumerate()
-                    .map(|(mode, square)| 2.0 * ratio(mode) * square.sqrt())
-                    .collect(),
-            )
+            squares.iter().enumerate().map(|(mode, square)| 2.0 * ratio(mode) * square.sqrt()).collect()
         }
         (SystemDamping::Rayleigh { alpha, beta }, _) => rayleigh(*alpha, *beta),
         (
@@ -160,9 +169,5 @@ pub(crate) fn in_modes<W: Worksheet>(
             rayleigh(alpha.value(), beta.value())
         }
         _ => unreachable!("what is given is made from the damping"),
-    };
-    if damped.physical.iter().all(|entry| entry.is_finite()) {
-        return Ok(damped);
-    }
-    Err(Refusal::because("these inputs lead to a damping that cannot be represented"))
+    }))
 }

@@ -10,7 +10,7 @@ use nalgebra::{Complex, DVector};
 mod checks;
 
 use super::{
-    Assembled,
+    Assembled, SystemMatrices,
     damping::ModalDamping,
     modes::{self, SHOWN, WorkedModes},
 };
@@ -27,7 +27,8 @@ pub(crate) fn modal_properties<W: Worksheet>(
 ) -> Result<(), Refusal> {
     masses(system, found, shapes, sheet);
     if damped.any() && damped.proportional {
-        ratios(found, damped, sheet);
+        let shown = ratios(found, &damped.decays(), sheet);
+        sheet.verify(|| check_roots(found, damped, shown, sheet));
     } else if damped.any() {
         complex(system, damped, found, sheet)?;
     }
@@ -35,18 +36,18 @@ pub(crate) fn modal_properties<W: Worksheet>(
 }
 
 /// Modal masses and, where the coordinates are parallel, the share of each mode in a motion of the ground.
-fn masses<W: Worksheet>(
-    system: &Assembled<W::Num>,
+pub(crate) fn masses<W: Worksheet>(
+    system: &impl SystemMatrices,
     found: &WorkedModes<W::Num>,
     shapes: &[Vec<f64>],
     sheet: W,
 ) {
     let unit = DVector::from_element(system.size(), 1.0);
-    let total = unit.dot(&(&system.mass * &unit));
+    let total = unit.dot(&system.momenta(&unit));
     let mut effective_sum = 0.0;
     for (mode, frequency) in found.frequencies.iter().enumerate() {
         let shape = DVector::from_column_slice(&shapes[mode]);
-        let momenta = &system.mass * &shape;
+        let momenta = system.momenta(&shape);
         let mass = sheet.numerical(
             ("μ", mode + 1),
             "kg",
@@ -64,7 +65,7 @@ fn masses<W: Worksheet>(
             sheet.answer(("modal_stiffness", mode + 1), "Modal stiffness", stiffness);
             sheet.verify(|| checks::stiffness(system, &shape, mode + 1, stiffness, sheet));
         }
-        if system.parallel {
+        if system.is_parallel() {
             let excitation = unit.dot(&momenta);
             let nothing = excitation.abs() <= 1e-12 * momenta.lp_norm(1);
             let excited = sheet.numerical(
@@ -83,13 +84,18 @@ fn masses<W: Worksheet>(
             sheet.answer(("effective_mass", mode + 1), "Effective mass", effective);
         }
     }
-    if system.parallel && found.frequencies.len() == system.size() {
+    if system.is_parallel() && found.frequencies.len() == system.size() {
         sheet.check("the effective masses add up to the total mass", effective_sum.into(), total.into());
     }
 }
 
-/// Damping ratios where the damping leaves the modes alone.
-fn ratios<W: Worksheet>(found: &WorkedModes<W::Num>, damped: &ModalDamping, sheet: W) {
+/// Damping ratios where the damping leaves the modes alone, by 2ζω of each mode. Returns the modes that oscillate, with
+/// natural frequency, damping ratio and damped frequency.
+pub(crate) fn ratios<W: Worksheet>(
+    found: &WorkedModes<W::Num>,
+    decays: &[f64],
+    sheet: W,
+) -> Vec<(usize, [f64; 3])> {
     let mut shown = Vec::new();
     for (mode, frequency) in found.frequencies.iter().enumerate() {
         if frequency.value() == 0.0 {
@@ -98,7 +104,7 @@ fn ratios<W: Worksheet>(found: &WorkedModes<W::Num>, damped: &ModalDamping, shee
         let decay = sheet.numerical(
             ("γ", mode + 1),
             "1/s",
-            damped.decay(mode),
+            decays[mode],
             ("Damping of the mode φᵀCφ/φᵀMφ: C does not couple the modes, so the mode shapes are unchanged", RAO.at("§6.15")),
         );
         let ratio = sheet.step(
@@ -125,25 +131,31 @@ fn ratios<W: Worksheet>(found: &WorkedModes<W::Num>, damped: &ModalDamping, shee
             });
         }
     }
-    sheet.verify(|| {
-        // The roots of the whole damped system, one after another.
-        if let Ok(all) = complex_modes(&found.modes, &damped.physical)
-            && found.modes.squares[0] > 0.0
-        {
-            for (mode, numbers) in shown {
-                checks::root(numbers, mode, &all, sheet);
-            }
-            let lowest =
-                all.iter().filter(|mode| mode.root.im > 0.0).map(ComplexMode::natural).reduce(f64::min);
-            if let (Some(lowest), true) = (lowest, damped.decay(0) < 1.99 * found.modes.squares[0].sqrt()) {
-                sheet.check_zero(
-                    "the lowest root of det(λ²M + λC + K) = 0 lies at the lowest natural frequency",
-                    (lowest - found.modes.squares[0].sqrt()).into(),
-                    found.modes.squares[found.modes.squares.len() - 1].sqrt(),
-                );
-            }
+    shown
+}
+
+/// Compares the damped modes with the roots of the whole damped system, one after another.
+fn check_roots<W: Worksheet>(
+    found: &WorkedModes<W::Num>,
+    damped: &ModalDamping,
+    shown: Vec<(usize, [f64; 3])>,
+    sheet: W,
+) {
+    if let Ok(all) = complex_modes(&found.modes, &damped.physical)
+        && found.modes.squares[0] > 0.0
+    {
+        for (mode, numbers) in shown {
+            checks::root(numbers, mode, &all, sheet);
         }
-    });
+        let lowest = all.iter().filter(|mode| mode.root.im > 0.0).map(ComplexMode::natural).reduce(f64::min);
+        if let (Some(lowest), true) = (lowest, damped.decay(0) < 1.99 * found.modes.squares[0].sqrt()) {
+            sheet.check_zero(
+                "the lowest root of det(λ²M + λC + K) = 0 lies at the lowest natural frequency",
+                (lowest - found.modes.squares[0].sqrt()).into(),
+                found.modes.squares[found.modes.squares.len() - 1].sqrt(),
+            );
+        }
+    }
 }
 
 /// Complex modes, for damping that couples the modes.

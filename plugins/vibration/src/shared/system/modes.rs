@@ -61,20 +61,35 @@ pub(crate) fn find<W: Worksheet>(
             sheet.verify(|| agreement(&two, &modes, sheet));
             two.frequencies.to_vec()
         }
-        None => (0..modes.squares.len().min(SHOWN))
-            .map(|mode| {
-                let square = modes.squares[mode];
-                let why = if square == 0.0 {
-                    Text::new("Rigid body mode: the system moves as a whole, no spring is stretched")
-                } else {
-                    Text::new("Eigenvalue, λ = ω²: root of det(K − λM) = 0, found numerically")
-                };
-                let square = sheet.numerical(("λ", mode + 1), "rad^2/s^2", square, (why, RAO.at("§6.10")));
-                sheet.step(("ω", mode + 1), "rad/s", square.sqrt(), "Natural frequency")
-            })
-            .collect(),
+        None => frequencies(&modes, sheet),
     };
-    sheet.verify(|| checks(system, &modes, &frequencies, sheet));
+    sheet.verify(|| {
+        let shapes = &modes.shapes;
+        let products = [&system.mass, &system.stiffness].map(|matrix| shapes.transpose() * matrix * shapes);
+        let largest = modes.squares.last().copied().unwrap_or(0.0);
+        checks(&products, largest, &frequencies, sheet);
+    });
+    coinciding(&modes, sheet);
+    Ok(WorkedModes { modes, frequencies })
+}
+
+/// The natural frequencies of the first modes, as roots of the frequency equation.
+pub(crate) fn frequencies<W: Worksheet>(modes: &NaturalModes, sheet: W) -> Vec<W::Num> {
+    let frequency = |mode: usize| {
+        let square = modes.squares[mode];
+        let why = if square == 0.0 {
+            Text::new("Rigid body mode: the system moves as a whole, no spring is stretched")
+        } else {
+            Text::new("Eigenvalue, λ = ω²: root of det(K − λM) = 0, found numerically")
+        };
+        let square = sheet.numerical(("λ", mode + 1), "rad^2/s^2", square, (why, RAO.at("§6.10")));
+        sheet.step(("ω", mode + 1), "rad/s", square.sqrt(), "Natural frequency")
+    };
+    (0..modes.squares.len().min(SHOWN)).map(frequency).collect()
+}
+
+/// Warns of modes of one frequency.
+pub(crate) fn coinciding<W: Worksheet>(modes: &NaturalModes, sheet: W) {
     let same = (1..modes.squares.len()).find(|&mode| {
         let (a, b) = (modes.squares[mode - 1], modes.squares[mode]);
         b > 0.0 && (b - a) <= COINCIDING * b
@@ -88,7 +103,6 @@ pub(crate) fn find<W: Worksheet>(
             .with("second", mode + 1)
         });
     }
-    Ok(WorkedModes { modes, frequencies })
 }
 
 /// The closed form of two degrees of freedom against the eigenproblem.
@@ -124,25 +138,26 @@ pub(crate) fn agreement<W: Worksheet>(two: &TwoModes<W::Num>, modes: &NaturalMod
     }
 }
 
-/// Orthogonality in M and in K, and the energy of each mode.
-fn checks<W: Worksheet>(system: &Assembled<W::Num>, modes: &NaturalModes, frequencies: &[W::Num], sheet: W) {
-    let n = modes.squares.len();
+/// Orthogonality in M and in K, and the energy of each mode, by `ΦᵀMΦ` and `ΦᵀKΦ`; `largest` is the largest ω² of the system.
+pub(crate) fn checks<W: Worksheet>(
+    [mass, stiffness]: &[DMatrix<f64>; 2],
+    largest: f64,
+    frequencies: &[W::Num],
+    sheet: W,
+) {
+    let n = mass.ncols();
     let off_diagonal = |a: &DMatrix<f64>| {
         (0..n).flat_map(|j| (0..j).map(move |i| (i, j))).map(|at| a[at].abs()).fold(0.0, f64::max)
     };
-    let shapes = &modes.shapes;
-    let mass = shapes.transpose() * &system.mass * shapes;
     sheet.check_zero(
         "the modes are orthogonal with respect to the mass matrix: φᵢᵀMφⱼ = 0",
-        off_diagonal(&mass).into(),
+        off_diagonal(mass).into(),
         1.0,
     );
-    let stiffness = shapes.transpose() * &system.stiffness * shapes;
-    let largest = modes.squares.last().copied().unwrap_or(0.0);
     if largest > 0.0 {
         sheet.check_zero(
             "the modes are orthogonal with respect to the stiffness matrix: φᵢᵀKφⱼ = 0",
-            off_diagonal(&stiffness).into(),
+            off_diagonal(stiffness).into(),
             largest,
         );
     }

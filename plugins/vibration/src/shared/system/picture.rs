@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use dalembert_core::{Animation, Drawing, Ink, Point, Sketch, Text};
 
-use super::{ChainEnds, System};
+use super::{ChainEnds, System, banded::size};
 
 /// Distance from mass to mass, and half the width of a mass.
 const STEP: f64 = 2.0;
@@ -29,17 +29,6 @@ pub(crate) fn mode(system: &System, place: usize, shape: &[f64]) -> Animation {
         sketch(system, &moved, false)
     });
     Sketch::animation(Text::new("Mode {mode}").with("mode", place), frames, 2.0)
-}
-
-fn size(system: &System) -> usize {
-    match system {
-        System::Chain { masses, .. } => masses.len(),
-        System::String { masses, .. } => masses.len(),
-        System::Uniform { count, .. } => *count,
-        System::Matrices { entries } => {
-            entries.iter().map(|entry| entry.row.max(entry.column)).fold(0.0, f64::max) as usize
-        }
-    }
 }
 
 fn sketch(system: &System, moved: &[f64], labels: bool) -> Sketch {

@@ -4,19 +4,18 @@ use dalembert_core::{Text, Worksheet};
 use dalembert_mechanics::vibration::modes::ComplexMode;
 use nalgebra::{Complex, DMatrix, DVector};
 
-use crate::shared::system::{Assembled, damping::ModalDamping};
+use crate::shared::system::{Assembled, SystemMatrices, damping::ModalDamping};
 
 /// A modal stiffness, from the stiffness matrix.
 pub(super) fn stiffness<W: Worksheet>(
-    system: &Assembled<W::Num>,
+    system: &impl SystemMatrices,
     shape: &DVector<f64>,
     mode: usize,
     stiffness: W::Num,
     sheet: W,
 ) {
-    let other = shape.dot(&(&system.stiffness * shape));
     // Of stiff springs that hardly stretch, little is left.
-    let size = shape.abs().dot(&(system.stiffness.abs() * shape.abs()));
+    let (other, size) = system.stiffness_product(shape);
     sheet.check_sum(
         Text::new("mode {mode}: modal stiffness from the stiffness matrix, φᵀKφ").with("mode", mode),
         stiffness,

@@ -1,0 +1,144 @@
+//! Modal analysis of large systems: the lowest modes by the bands of the matrices.
+
+use dalembert_core::{Axis, Cell, Column, Exhibit, Plot, Refusal, Series, TableExhibit, Text, Worksheet};
+use dalembert_mechanics::vibration::modes::NaturalModes;
+use dalembert_numerics::linalg::{LinalgError, lowest_modes};
+use nalgebra::DVector;
+
+use super::{FILMED, ModalAnalysis, ModalAnalysisGiven, nodes};
+use crate::shared::system::{
+    MOST, SystemMatrices as _,
+    banded::{BandedSystem, times},
+    damping::decays,
+    modal_properties::{masses, ratios},
+    modes::{SHOWN, WorkedModes, checks, coinciding, frequencies, largest_one, refusal},
+    picture,
+};
+
+/// The share of `Cφ` by which dampers may couple a mode to others.
+const COUPLED: f64 = 1e-9;
+/// The most numbers of a mode shape that are listed and drawn.
+const LISTED: usize = 500;
+
+impl ModalAnalysis {
+    /// Writes the lowest modes of a large system. False where its dampers couple the modes, so that they are found from full
+    /// matrices.
+    ///
+    /// # Errors
+    /// A system without modes; dampers that couple the modes of a system that is too large for full matrices.
+    pub(super) fn solve_banded<W: Worksheet>(
+        &self,
+        given: &ModalAnalysisGiven<W>,
+        system: &BandedSystem,
+        sheet: W,
+    ) -> Result<bool, Refusal> {
+        let n = system.size();
+        let modes = lowest(system)?;
+        let decays = match decays(&self.damping, &given.damping, &modes.squares, sheet)? {
+            Some(decays) => decays,
+            None => match of_dampers(system, &modes) {
+                Some(decays) => decays,
+                None if n <= MOST => return Ok(false),
+                None => {
+                    let why = Text::new(
+                        "the dampers couple the modes: their complex modes are found of at most {most} degrees of freedom; enter damping ratios or Rayleigh damping",
+                    );
+                    return Err(Refusal::because(why.with("most", MOST)));
+                }
+            },
+        };
+        let frequencies = frequencies(&modes, sheet);
+        sheet.verify(|| {
+            checks(&system.products(&modes.shapes), system.largest_square(), &frequencies, sheet);
+        });
+        coinciding(&modes, sheet);
+        sheet.keep_going()?;
+        let shapes = self.normalised(&modes.shapes)?;
+        for (mode, frequency) in frequencies.iter().enumerate() {
+            sheet.answer(("frequency", mode + 1), "Natural frequency", *frequency);
+        }
+        for (mode, shape) in shapes.iter().enumerate().filter(|_| n <= LISTED) {
+            sheet.answer_list(("mode", mode + 1), "Mode shape", "1", shape);
+            let nodes = if system.is_parallel() { nodes(shape) } else { Vec::new() };
+            if !nodes.is_empty() {
+                sheet.answer_list(("nodes", mode + 1), "Nodes (position in mass spacings)", "1", &nodes);
+            }
+        }
+        let found = WorkedModes { modes, frequencies };
+        masses(system, &found, &shapes, sheet);
+        if decays.iter().any(|decay| *decay > 0.0) {
+            ratios(&found, &decays, sheet);
+        }
+        self.show_banded(&found, &decays, &shapes, sheet);
+        Ok(true)
+    }
+
+    fn show_banded<W: Worksheet>(
+        &self,
+        found: &WorkedModes<W::Num>,
+        decays: &[f64],
+        shapes: &[Vec<f64>],
+        sheet: W,
+    ) {
+        sheet.show(|| Exhibit::Drawing(picture::at_rest(&self.system)));
+        sheet.show(|| {
+            let series = shapes.iter().take(FILMED).enumerate().map(|(mode, shape)| {
+                let largest = largest_one(shape);
+                let every = largest.len().div_ceil(LISTED);
+                let points = largest.iter().enumerate().step_by(every);
+                let points = points.map(|(row, x)| ((row + 1) as f64, *x)).collect();
+                Series::line(Text::new("mode {mode}").with("mode", mode + 1), points)
+            });
+            Exhibit::Plot(Plot::new(
+                "Mode shapes, largest component = 1",
+                Axis::linear("coordinate", "1"),
+                Axis::linear("amplitude over the maximum amplitude", "1"),
+                series.collect(),
+            ))
+        });
+        sheet.show(|| {
+            let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
+            let mut columns = vec![column("mode", "1"), column("ω", "rad/s"), column("f", "Hz")];
+            let is_damped = decays.iter().any(|decay| *decay > 0.0);
+            columns.extend(is_damped.then(|| column("ζ", "1")));
+            let rows = found.modes.squares.iter().zip(decays).enumerate().map(|(mode, (square, decay))| {
+                let frequency = square.sqrt();
+                let ratio = if frequency > 0.0 { (decay / frequency / 2.0).into() } else { Cell::Empty };
+                let mut row = vec![Cell::Number((mode + 1) as f64), frequency.into(), frequency.into()];
+                row.extend(is_damped.then_some(ratio));
+                row
+            });
+            Exhibit::Table(TableExhibit {
+                title: "Natural frequencies".into(),
+                columns,
+                rows: rows.collect(),
+                foot: Vec::new(),
+            })
+        });
+    }
+}
+
+/// The lowest modes, with `φᵀMφ = 1`.
+fn lowest(system: &BandedSystem) -> Result<NaturalModes, Refusal> {
+    let found = lowest_modes(&system.stiffness, &system.mass, SHOWN).map_err(|error| match error {
+        LinalgError::NotPositiveDefinite { matrix: "stiffness", .. } => Refusal::because(
+            "the stiffness matrix is indefinite: the rest position is unstable and does not vibrate",
+        ),
+        error => refusal(error.into()),
+    })?;
+    // What is below rounding of the largest entry is the frequency of a motion as a whole.
+    let rounding = 1e-14 * system.largest_square() / system.size() as f64;
+    let squares = found.values.iter().map(|square| if *square <= rounding { 0.0 } else { *square });
+    Ok(NaturalModes { squares: squares.collect(), shapes: found.vectors })
+}
+
+/// 2ζω of the modes by dampers that couple none of them, `Cφ = 2ζω Mφ`; `None` where they couple one.
+fn of_dampers(system: &BandedSystem, modes: &NaturalModes) -> Option<Vec<f64>> {
+    let decay = |shape: DVector<f64>| {
+        let force = times(&system.damping, &shape);
+        let decay = shape.dot(&force);
+        let rest = &force - decay * system.momenta(&shape);
+        (rest.amax() <= COUPLED * force.amax()).then_some(decay)
+    };
+    modes.shapes.column_iter().map(|shape| decay(shape.into_owned())).collect()
+}
