@@ -254,7 +254,7 @@ pub mod derive_support {
         read: impl Fn(&[f64], &[Unit]) -> Option<T>,
     ) -> Option<Vec<T>> {
         match value {
-            Value::Table(table) => table.rows.iter().map(|row| read(row, &table.units)).collect(),
+            Value::Table(table) => table.rows().map(|row| read(row, &table.units)).collect(),
             _ => mismatch(field_path, "a table is needed here", errors),
         }
     }

@@ -1,10 +1,13 @@
 //! Record of the inputs as read: values in SI with the units they were written in.
 
-use std::sync::Arc;
+use std::{
+    slice::{ChunksExact, ChunksExactMut},
+    sync::Arc,
+};
 
 use dalembert_units::{Quantity, Unit, VectorQuantity};
 
-use crate::{Field, Shape, definitions::Plan, path::Segment};
+use crate::{Field, Goal, Shape, definitions::Plan, path::Segment};
 
 /// A value of some [`Shape`].
 #[derive(Clone, Debug, PartialEq)]
@@ -48,10 +51,34 @@ pub enum Value {
 pub struct NumberTable {
     /// The units the columns were written in.
     pub units: Vec<Unit>,
-    /// The rows, in SI.
-    pub rows: Vec<Vec<f64>>,
+    /// The numbers in SI, row after row; shared by the copies of a problem.
+    numbers: Arc<Vec<f64>>,
     /// True for each column of numbers whose unit is named neither by the heading nor by a cell, and is assumed.
     pub assumed: Vec<bool>,
+}
+
+impl NumberTable {
+    /// A table without rows.
+    pub fn new(units: Vec<Unit>) -> Self {
+        let assumed = vec![false; units.len()];
+        Self { units, numbers: Arc::default(), assumed }
+    }
+
+    /// The rows, in SI.
+    pub fn rows(&self) -> ChunksExact<'_, f64> {
+        self.numbers.chunks_exact(self.units.len().max(1))
+    }
+
+    /// The rows, to be changed.
+    pub fn rows_mut(&mut self) -> ChunksExactMut<'_, f64> {
+        Arc::make_mut(&mut self.numbers).chunks_exact_mut(self.units.len().max(1))
+    }
+
+    /// Adds a row, a number for each column in SI.
+    pub(crate) fn push(&mut self, row: &[f64]) {
+        debug_assert_eq!(row.len(), self.units.len());
+        Arc::make_mut(&mut self.numbers).extend_from_slice(row);
+    }
 }
 
 /// The values of a list of fields, in the order of the fields.
@@ -75,6 +102,11 @@ impl Record {
     /// The values of a list of fields.
     pub fn new(fields: &'static [Field], values: Vec<Value>) -> Self {
         Self { fields, values, plan: None }
+    }
+
+    /// The requirements of answers that unknowns are found from.
+    pub fn goals(&self) -> impl Iterator<Item = Goal> {
+        self.plan.iter().flat_map(|plan| plan.goals())
     }
 
     /// The value of the field of that name.

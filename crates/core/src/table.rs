@@ -14,7 +14,7 @@ use self::heading::Heading;
 use crate::{Field, Shape, Text, reading, record::NumberTable, uff};
 
 /// The longest table that is read, in bytes.
-const LONGEST_TABLE: usize = 16 << 20;
+const LONGEST_TABLE: usize = 256 << 20;
 /// The most faults that are listed.
 const MOST_FAULTS: usize = 20;
 
@@ -90,11 +90,8 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<NumberTable,
     if uff::is_universal(text.as_bytes()) {
         return uff::text_table(text, columns).map_err(|why| vec![why]).and_then(|text| read(&text, columns));
     }
-    let mut table = NumberTable {
-        units: columns.iter().map(own_unit).collect(),
-        rows: Vec::new(),
-        assumed: vec![false; columns.len()],
-    };
+    let mut table = NumberTable::new(columns.iter().map(own_unit).collect());
+    let mut row = Vec::with_capacity(columns.len());
     let mut faults = Vec::new();
     let mut miscounts: Vec<Miscount> = Vec::new();
     let (mut headings, mut heading) = (Vec::new(), None);
@@ -108,11 +105,11 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<NumberTable,
         }
         let above = Heading { line: n + 1, text: words.trim(), comment };
         if comment {
-            headings.extend(table.rows.is_empty().then_some(above));
+            headings.extend((table.rows().len() == 0).then_some(above));
             continue;
         }
         let (cells, separator) = cells(line, columns.len(), settled);
-        if table.rows.is_empty() && is_above(line, &cells, columns) {
+        if table.rows().len() == 0 && is_above(line, &cells, columns) {
             headings.push(above);
             continue;
         }
@@ -133,14 +130,14 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<NumberTable,
                 }
             }
         }
-        match read_row(&cells, columns, &table.units) {
-            Ok(row) => {
+        match read_row(&cells, columns, &table.units, &mut row) {
+            Ok(()) => {
                 for (((cell, si), named), assumed) in
                     cells.iter().zip(&row).zip(&named).zip(&mut table.assumed)
                 {
-                    *assumed |= named.is_none() && *si != 0.0 && is_bare(cell);
+                    *assumed = *assumed || named.is_none() && *si != 0.0 && is_bare(cell);
                 }
-                table.rows.push(row);
+                table.push(&row);
                 settled = Some(separator);
             }
             Err(why) => {
@@ -157,7 +154,7 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<NumberTable,
         let own = own_unit(column);
         *assumed &= own.factor != 1.0 || own.dim != Unit::ONE.dim;
     }
-    if table.rows.is_empty() && faults.is_empty() {
+    if table.rows().len() == 0 && faults.is_empty() {
         let above = headings.iter().rev().find(|heading| !heading.comment).map(|heading| heading.line);
         let why = match above.or(heading) {
             Some(line) => Text::new(
@@ -176,7 +173,7 @@ pub(crate) fn text(table: &NumberTable) -> String {
     let style = Style { digits: 15, ascii: true, ..Style::default() };
     let heading: Vec<String> = table.units.iter().map(|unit| format!("[{}]", unit.ascii())).collect();
     let mut text = heading.join("; ");
-    for row in &table.rows {
+    for row in table.rows() {
         let cells: Vec<String> = row
             .iter()
             .zip(&table.units)
@@ -359,13 +356,34 @@ fn is_bare(cell: &str) -> bool {
     units::read_quantity(cell, &Unit::ONE, Kind::Other).is_ok_and(|number| number.unit.text.is_empty())
 }
 
-fn read_row(cells: &[Cow<'_, str>], columns: &'static [Field], found: &[Unit]) -> Result<Vec<f64>, Text> {
+/// Reads the cells of a row into `row`.
+fn read_row(
+    cells: &[Cow<'_, str>],
+    columns: &'static [Field],
+    found: &[Unit],
+    row: &mut Vec<f64>,
+) -> Result<(), Text> {
     let cell = |((text, column), unit): ((&Cow<'_, str>, &Field), &Unit)| {
+        if let Some(number) = plain_number(text) {
+            return Ok(unit.si(number));
+        }
         let kind = measure(column).map_or(Kind::Other, |measure| measure.of(unit).kind());
         // The separator of its columns tells that the comma of a table is a decimal one.
         units::read_quantity(&units::with_point(text), unit, kind)
             .map(|quantity| quantity.si)
             .map_err(|err| reading::text(&err))
     };
-    cells.iter().zip(columns).zip(found).map(cell).collect()
+    row.clear();
+    for each in cells.iter().zip(columns).zip(found) {
+        row.push(cell(each)?);
+    }
+    Ok(())
+}
+
+/// A number of digits, a point and an exponent, as instruments write them; anything else is left to the reader of
+/// quantities.
+fn plain_number(text: &str) -> Option<f64> {
+    let is_plain = |c: u8| c.is_ascii_digit() || matches!(c, b'.' | b'-' | b'+' | b'e' | b'E');
+    let number: f64 = text.bytes().all(is_plain).then(|| text.parse().ok())??;
+    (number == 0.0 || (1e-290..1e290).contains(&number.abs())).then_some(number)
 }

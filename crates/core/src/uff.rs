@@ -15,7 +15,7 @@ pub use table::{UniversalError, table};
 use crate::Text;
 
 /// The most points of a function.
-const MOST_POINTS: usize = 1 << 20;
+const MOST_POINTS: usize = 1 << 24;
 
 /// A function of a degree of freedom: a frequency response, a time history.
 #[derive(Clone, Debug, PartialEq)]

@@ -223,13 +223,13 @@ fn understood(value: &Value) -> Map<String, Json> {
             with_units(&|of| vector.si[..vector.len].iter().map(|si| of(*si)).collect(), &vector.unit)
         }
         Value::Table(table) => {
-            let own = |row: &Vec<f64>| {
+            let own = |row: &[f64]| {
                 row.iter().zip(&table.units).map(|(si, unit)| json!(unit.value(*si))).collect::<Json>()
             };
             let mut entry = Map::new();
-            entry.insert("value".into(), table.rows.iter().map(own).collect());
+            entry.insert("value".into(), table.rows().map(own).collect());
             entry.insert("unit".into(), table.units.iter().map(written).collect());
-            entry.insert("si".into(), json!(table.rows));
+            entry.insert("si".into(), table.rows().map(|row| json!(row)).collect());
             entry.insert("si_unit".into(), table.units.iter().map(Unit::coherent).collect());
             entry
         }

@@ -150,11 +150,11 @@ fn given(worked: &WorkedProblem<'_>, locale: &Locale) -> Vec<Block> {
     let mut tables = Vec::new();
     for input in &inputs {
         if let Some(dalembert_core::Value::Table(table)) = input.value
-            && table.rows.len() <= LONGEST_TABLE
+            && table.rows().len() <= LONGEST_TABLE
         {
             let columns = table.units.iter().map(|unit| format!("[{}]", unit.pretty())).collect();
             let cell = |(si, unit): (&f64, &units::Unit)| units::write_number(unit.value(*si), locale.style);
-            let rows = table.rows.iter().map(|row| row.iter().zip(&table.units).map(cell).collect());
+            let rows = table.rows().map(|row| row.iter().zip(&table.units).map(cell).collect());
             tables.push(Block::Table(DocumentTable {
                 title: input.label.clone(),
                 columns,

@@ -208,8 +208,9 @@ fn scale_value(value: &mut Value) {
         Value::Group(record) | Value::OneOf { fields: record, .. } => scale_record(record),
         Value::Rows(rows) => rows.iter_mut().for_each(scale_value),
         Value::Table(table) => {
-            for row in &mut table.rows {
-                row.iter_mut().zip_eq(&table.units).for_each(|(x, unit)| *x *= scale(unit.dim));
+            let units = table.units.clone();
+            for row in table.rows_mut() {
+                row.iter_mut().zip_eq(&units).for_each(|(x, unit)| *x *= scale(unit.dim));
             }
         }
         _ => {}

@@ -236,7 +236,7 @@ fn perturb(value: &mut Value, factor: &mut impl FnMut() -> f64) {
         Value::Rows(rows) => rows.iter_mut().for_each(|row| perturb(row, factor)),
         Value::Table(table) => {
             let factors: Vec<f64> = table.units.iter().map(|_| factor()).collect();
-            for row in &mut table.rows {
+            for row in table.rows_mut() {
                 row.iter_mut().zip_eq(&factors).for_each(|(x, factor)| *x *= factor);
             }
         }

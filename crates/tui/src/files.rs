@@ -29,7 +29,7 @@ use dalembert_core::{Field, Locale, Text, file, uff};
 use crate::glyphs::filter_untrusted;
 
 /// The largest file that is read, in bytes.
-pub const LARGEST: u64 = 16 * 1024 * 1024;
+pub const LARGEST: u64 = 256 * 1024 * 1024;
 
 /// So many faults of a file are listed.
 const MOST_FAULTS: usize = 8;

@@ -599,8 +599,13 @@ fn files_that_are_no_problem_are_refused_in_one_message() {
         assert!(error.contains(words), "{words} is missing in\n{}", &error[..error.len().min(2000)]);
         assert!(error.len() < 4000, "{} bytes of error for {words}", error.len());
     }
-    let (folder, path) = file(&vec![b'#'; 17 << 20]);
-    assert!(refused(&["solve", &path], 2).contains("16 MiB"));
+    let (folder, path) = file(b"#");
+    fs::File::options()
+        .append(true)
+        .open(&path)
+        .and_then(|file| file.set_len(300 << 20))
+        .expect("a hole of 300 MiB");
+    assert!(refused(&["solve", &path], 2).contains("256 MiB"));
     assert!(refused(&["solve", folder.path().to_str().unwrap()], 2).contains("folder"));
     assert!(refused(&["solve", "no-such-file.toml"], 2).contains("not found: check"));
     assert!(refused(&["no-such-file.toml"], 2).contains("not found: check"));

@@ -129,10 +129,10 @@ fn broken_data_files_are_reported_by_what_is_in_them() {
     person.pastes(&format!("@{empty}"));
     assert!(words(&mut person).contains("empty.csv: the file is empty"), "{}", person.sees());
     let large = folder.path().join("large.csv");
-    fs::File::create(&large).and_then(|file| file.set_len(100 << 20)).expect("a hole of 100 MiB");
+    fs::File::create(&large).and_then(|file| file.set_len(300 << 20)).expect("a hole of 300 MiB");
     person.pastes(&format!("@{}", large.display()));
     let seen = words(&mut person);
-    assert!(seen.contains("is too large for a table (limit 16 MiB)"), "{}", person.sees());
+    assert!(seen.contains("is too large for a table (limit 256 MiB)"), "{}", person.sees());
     assert_eq!(text(&person, PARTS), kept);
 }
 

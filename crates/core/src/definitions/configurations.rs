@@ -406,8 +406,8 @@ fn parts_of(own: &Record, path: &str) -> Result<Part, FieldError> {
                     };
                     let at = columns().iter().position(|column| column.name == name);
                     let at = at.ok_or_else(|| unknown_input(path, name, columns()))?;
-                    if *row >= numbers.rows.len() {
-                        return Err(draft::no_row(path, numbers.rows.len()));
+                    if *row >= numbers.rows().len() {
+                        return Err(draft::no_row(path, numbers.rows().len()));
                     }
                     let unit =
                         numbers.units.get(at).cloned().unwrap_or_else(|| table::own_unit(&columns()[at]));

@@ -337,7 +337,7 @@ pub(super) fn replace(record: &mut Record, path: &str, new: Value) {
         Some((place, _, [])) => *place = new,
         Some((Value::Table(table), Shape::Table(columns), [Segment::Row(row), Segment::Name(name)])) => {
             let column = columns().iter().position(|column| column.name == *name);
-            let cell = column.and_then(|column| table.rows.get_mut(*row)?.get_mut(column));
+            let cell = column.and_then(|column| table.rows_mut().nth(*row)?.get_mut(column));
             if let (Some(cell), Value::Quantity(quantity)) = (cell, new) {
                 *cell = quantity.si;
             }
