@@ -391,7 +391,6 @@ unknown-is-unknown-least-squares-of-givens = { $unknown } é incógnita: mínimo
 given-answers = Resultados dados
 known-values-of-answers-from-which-inputs-written-as-are-found-natural-frequency-8-2-hz = Valores conhecidos de resultados, dos quais se obtêm os dados escritos como ?: natural_frequency = 8.2 Hz.
 the-name-of-an-answer-or-a-question-natural-frequency = O nome de um resultado ou de uma pergunta: natural_frequency.
-known-value = Valor conhecido
 n-8-2-hz-with-its-standard-uncertainty-8-2-hz-0-05 = 8.2 Hz; com a incerteza-padrão, 8.2 Hz ± 0.05.
 a-quantity-in-quotes-is-needed-here-as-in-8-2-hz = aqui é necessária uma grandeza entre aspas, como em "8.2 Hz"
 the-name-of-an-answer-or-a-question-is-needed-for-example-natural-frequency = falta o nome de um resultado ou de uma pergunta, por exemplo natural_frequency
@@ -625,3 +624,42 @@ the-condition-is-not-met-answer-below-limit = a condição não é satisfeita: {
 name-is-not-a-number-among-the-answers-did-you-mean-near = `{ $name }` não é um número entre os resultados; quis dizer `{ $near }`?
 name-is-not-a-number-among-the-answers-known = `{ $name }` não é um número entre os resultados: { $known }
 an-input-has-no-value = um dado não tem valor
+
+## Optima and tolerances
+optima-and-choices-the-best-first = Ótimos e opções, o melhor primeiro
+pareto-front = Frente de Pareto
+pareto-front-the-working-is-that-of-the-compromise-nearest-to-the-best-of-both = Frente de Pareto; a resolução é a do compromisso mais próximo do melhor de ambos
+worst-case-the-answers-at-all-ends-of-the-tolerances = Pior caso: os resultados em todos os extremos das tolerâncias
+worst-case-the-answers-at-all-ends-of-the-tolerances-refused-of-count-have-none = Pior caso: os resultados em todos os extremos das tolerâncias; { $refused } de { $count } não têm resultado
+text-the-first-argument-is-the-number-of-one-of-the-others-from-1-to-count = `{ $text }`: o primeiro argumento é o número de um dos outros, de 1 a { $count }
+a-limit-has-no-uncertainty-write-its-value-alone = um limite não tem incerteza: escreva só o valor
+a-search-without-derivatives-ends-at-the-same-answer = uma busca sem derivadas termina no mesmo valor de { $answer }
+no-values-of-the-unknowns-in-their-ranges-meet-every-requirement-the-nearest-limits-with-at = nenhum valor das incógnitas em suas faixas atende a todos os requisitos; o mais próximo: { $limits }, com { $at }
+the-tolerance-behind-is-above-zero-as-in-40-kg-2 = a tolerância depois de ± é maior que zero, como em 40 kg ± 2 %
+worked-out = resolvido
+answer-as-large-as-possible = { $answer }: o maior possível
+answer-as-small-as-possible = { $answer }: o menor possível
+count-combinations-of-choices-at-most-most-are-tried-leave-some-out = { $count } combinações de opções: no máximo { $most } são testadas; retire algumas
+count-tolerances-the-worst-case-is-found-of-at-most-most = { $count } tolerâncias: o pior caso é obtido com no máximo { $most }
+limit-found-found = { $limit } (obtido: { $found })
+unknown-has-no-influence-on-the-answers-that-something-is-required-of = { $unknown } não influi nos resultados dos quais algo é exigido
+unknown-is-unknown-the-best-choice-for-givens = { $unknown } é incógnita: a melhor opção para { $givens }
+unknown-is-unknown-the-compromise-nearest-to-the-best-of-both-on-the-pareto-front-from-from-to-to-for = { $unknown } é incógnita: o compromisso mais próximo do melhor de ambos na frente de Pareto, de { $from } a { $to }, para { $givens }
+unknown-is-unknown-the-optimum-from-from-to-to-for-givens-ended-of-points-local-searches-end-here = { $unknown } é incógnita: o ótimo de { $from } a { $to } para { $givens }; { $ended } de { $points } buscas locais terminam aqui
+unknown-lies-at-the-end-of-its-range-end-beyond-it-may-be-a-better-value = { $unknown } está no extremo de sua faixa, { $end }: além dele pode haver um valor melhor
+answer-value = { $answer } ≤ { $value }
+requirements = requisitos
+met = atendidos
+not-met = não atendidos
+nominal = nominal
+least = menor
+largest = maior
+this-input-cannot-be-varied-so-it-has-no-tolerance = este dado não pode ser variado e por isso não tem tolerância
+a-limit-alone-determines-nothing-write-minimum-or-maximum-at-the-answer-that-is-to-be-least-or = um limite sozinho não determina nada: escreva minimum ou maximum no resultado que deve ser o menor ou o maior possível
+a-choice-needs-an-answer-that-is-to-be-least-or-largest-as-in-given-amplitude-minimum = uma escolha precisa de um resultado que deve ser o menor ou o maior possível, como em [given] amplitude = "minimum"
+at-most-two-answers-can-be-the-least-or-the-largest-give-a-limit-here-as-in-100-mpa = no máximo dois resultados podem ser o menor ou o maior possível: dê um limite aqui, como em < 100 MPa
+n-8-2-hz-with-its-standard-uncertainty-8-2-hz-0-05-for-an-optimum-minimum-or-maximum-and-limits-100 = 8.2 Hz; com a incerteza-padrão, 8.2 Hz ± 0.05; para um ótimo, minimum ou maximum, e limites, < 100 MPa.
+known-values-of-answers-or-requirements-from-which-inputs-written-as-are-found-natural-frequency-8-2 = Valores conhecidos de resultados, ou requisitos, dos quais se obtêm os dados escritos como ?: natural_frequency = 8.2 Hz.
+optimum = Ótimo
+the-inputs-with-which-an-answer-is-as-small-or-as-large-as-possible-under-limits-of-others = Os dados com os quais um resultado é o menor ou o maior possível, sob limites de outros.
+value-or-requirement = Valor ou requisito

@@ -10,8 +10,8 @@ use std::{
 
 use crate::{
     Answer, Exhibit, Field, FieldError, FieldPath, Inputs, LinkedProblem, Name, Plain, Record, Shape, Sheet,
-    Solution, Source, Text, Value, Worksheet, assumed, definitions, gravity, input::Lift, kept, unknowns,
-    vary,
+    Solution, Source, Text, Value, Worksheet, assumed, definitions, gravity, input::Lift, kept, tolerances,
+    unknowns, vary,
 };
 
 /// Description of an analysis, read before picking it.
@@ -211,7 +211,10 @@ impl Entry {
         stop: &Stop,
     ) -> Result<Solution, SolveError> {
         let determined = unknowns::determine(self, record, stop)?;
-        worked(self, determined.as_ref().unwrap_or(record), stop, perturbed)
+        let record = determined.as_ref().unwrap_or(record);
+        let mut solution = worked(self, record, stop, perturbed)?;
+        solution.exhibits.extend(tolerances::table(self, record, &solution, stop)?.map(Exhibit::Table));
+        Ok(solution)
     }
 
     /// Prepares the plain reading: `vary` are paths of quantities, `wanted` names of answers that are numbers.

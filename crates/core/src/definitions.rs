@@ -29,17 +29,20 @@ use std::{
 
 use dalembert_units::{self as units, Dim, Quantity, Unit};
 
-pub use self::fields::{COMMON_LISTS, own_fields, within_problem};
 use self::{
     configurations::Replacement,
     names::{Named, Names, Place},
     reader::Reader,
     rows::rows,
 };
+pub use self::{
+    fields::{COMMON_LISTS, own_fields, within_problem},
+    unknowns::{Goal, split_tolerance},
+};
 pub(crate) use self::{
     fields::{are_of_problem, linked_problem, shape_of, with_common, without_linked},
     plain_reading::prepare,
-    unknowns::{AXES, GivenAnswer, Unknown, has_unknown, is_unknown, read_vector},
+    unknowns::{AXES, GivenAnswer, Tolerance, Unknown, has_unknown, is_unknown, read_vector},
 };
 use crate::{
     Determined, FieldError, Measure, Number, Plain, Record, Stop, Symbol, Text,
@@ -67,6 +70,8 @@ pub(crate) struct Plan {
     unknowns: Vec<Unknown>,
     /// The answers that they are found from.
     givens: Vec<GivenAnswer>,
+    /// Tolerances of inputs and definitions.
+    tolerances: Vec<Tolerance>,
     /// The unknowns as they were found.
     determined: Option<Arc<Determined>>,
     names: Arc<Names>,
@@ -191,17 +196,27 @@ impl Plan {
             self.inputs.push(input);
             return Ok(());
         }
-        if is_unknown(&text) {
-            let read = unknowns::read(&text, &path, Some(input.measure));
-            let (unknown, start) = read.map_err(|why| FieldError::new(&path, why))?;
+        let (text, tolerance) =
+            split_tolerance(&text).map_or((&*text, None), |(value, tolerance)| (value, Some(tolerance)));
+        if is_unknown(text) || tolerance.is_some() {
+            let fail = |why| FieldError::new(&path, why);
+            let (unknown, start) = if is_unknown(text) {
+                let (unknown, start) = unknowns::read(text, &path, Some(input.measure)).map_err(fail)?;
+                (Some(unknown), start)
+            } else {
+                (None, unknowns::read_value(text, Some(input.measure.meant(text)), None).map_err(fail)?)
+            };
+            if let Some(tolerance) = tolerance {
+                self.tolerances.push(unknowns::read_tolerance(tolerance, &path, &start.unit).map_err(fail)?);
+            }
             (input.unit, input.value) = (start.unit.clone(), Number::Scalar(start.si));
             names::write_quantity(record, &path, start);
-            self.unknowns.push(unknown);
+            self.unknowns.extend(unknown);
             self.inputs.push(input);
             return Ok(());
         }
         let scope = input.scope;
-        match Formula::parse(&text, &|name| names.contains(scope, name)) {
+        match Formula::parse(text, &|name| names.contains(scope, name)) {
             Ok(formula)
                 if formula.calls() || formula.names().iter().any(|(name, _)| names.contains(scope, name)) =>
             {
@@ -209,7 +224,7 @@ impl Plan {
                 self.inputs.push(input);
                 Ok(())
             }
-            Err(formula) if mentions(&text, scope, names) => Err(field_error(&path, formula)),
+            Err(formula) if mentions(text, scope, names) => Err(field_error(&path, formula)),
             Ok(_) if text.contains('@') => {
                 let why = "the linked file is not read yet: save this problem beside it";
                 Err(FieldError::new(&path, why))
@@ -242,20 +257,38 @@ impl Plan {
         (!self.unknowns.is_empty()).then_some((&self.unknowns, &self.givens))
     }
 
-    /// The same plan with nothing to be found.
+    /// The requirements of answers.
+    pub(crate) fn goals(&self) -> impl Iterator<Item = Goal> {
+        self.givens.iter().map(|given| given.goal)
+    }
+
+    /// The tolerances of inputs and definitions.
+    pub(crate) fn tolerances(&self) -> &[Tolerance] {
+        &self.tolerances
+    }
+
+    /// The same plan with nothing to be found, and without tolerances.
     pub(crate) fn without_unknowns(&self) -> Self {
-        Self { unknowns: Vec::new(), givens: Vec::new(), ..self.clone() }
+        Self { unknowns: Vec::new(), givens: Vec::new(), ..self.without_tolerances() }
+    }
+
+    /// The same plan without tolerances, what was found being known.
+    pub(crate) fn without_tolerances(&self) -> Self {
+        Self { tolerances: Vec::new(), determined: None, ..self.clone() }
     }
 
     /// Gives every unknown the range that it was searched in, so that a solve with other inputs need not look for it.
     pub(crate) fn keep_ranges(&mut self, determined: &Determined) {
         for (unknown, found) in self.unknowns.iter_mut().zip(&determined.unknowns) {
-            unknown.range = Some(found.range);
+            if unknown.choices.is_empty() {
+                unknown.range = Some(found.range);
+            }
         }
     }
 
-    /// Takes the unknowns as they were found.
-    pub(crate) fn determine(&mut self, determined: Determined) {
+    /// Takes the unknowns as they were found, and the tolerances of the plan in which they were unknown.
+    pub(crate) fn determine(&mut self, of: &Plan, determined: Determined) {
+        self.tolerances.clone_from(&of.tolerances);
         self.determined = Some(Arc::new(determined));
     }
 
@@ -291,6 +324,17 @@ impl Plan {
         if unknowns == 0 && givens > 0 {
             let why = "nothing is unknown: write ? in the input that is to be found from it";
             return Some(FieldError::new(format!("{}.name", self.givens[0].path), why));
+        }
+        if self.givens.iter().any(|given| given.goal.is_extreme()) {
+            return None;
+        }
+        if let Some(limit) = self.givens.iter().find(|given| given.goal.is_limit()) {
+            let why = "a limit alone determines nothing: write minimum or maximum at the answer that is to be least or largest";
+            return Some(FieldError::new(format!("{}.value", limit.path), why));
+        }
+        if let Some(choice) = self.unknowns.iter().find(|unknown| !unknown.choices.is_empty()) {
+            let why = "a choice needs an answer that is to be least or largest, as in [given] amplitude = \"minimum\"";
+            return Some(FieldError::new(self.error_path(&choice.name), why));
         }
         if unknowns > givens {
             let why = Text::new(

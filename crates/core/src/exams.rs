@@ -1,4 +1,5 @@
-//! Exam questions of several steps: files of linked problems with a statement and the answers that it asks for.
+//! Exam questions of several steps, or of an optimum: files of linked problems with a statement and the answers that it
+//! asks for.
 //!
 //! ```toml
 //! format = 2
@@ -32,6 +33,11 @@ macro_rules! exams {
         })*
     };
 }
+
+/// The topic of exam questions of several problems.
+const SEVERAL: &str = "Several steps";
+/// The topic of those of one, whose inputs are to be chosen.
+const OPTIMUM: &str = "Optimum";
 
 /// The family of exam questions in ids.
 pub const FAMILY: &str = "exam";
@@ -73,8 +79,12 @@ fn read(name: &str, text: &'static str) -> Result<&'static Entry, String> {
     let about: &'static About = Box::leak(Box::new(About {
         id: intern(&format!("{FAMILY}/{name}")),
         title: intern(&title),
-        topic: "Several steps",
-        summary: "Several problems that feed each other.",
+        topic: if linked.linked().len() > 1 { SEVERAL } else { OPTIMUM },
+        summary: if linked.linked().len() > 1 {
+            "Several problems that feed each other."
+        } else {
+            "The inputs with which an answer is as small or as large as possible, under limits of others."
+        },
         keywords: intern(&analyses.join(" ")),
         sources: linked.about.sources,
         cases: text,

@@ -87,6 +87,7 @@ pub(crate) enum Function {
     Mean,
     Maximum,
     Minimum,
+    Choose,
 }
 
 /// Reason for which a formula cannot be read or has no value.
@@ -100,7 +101,7 @@ pub(crate) struct FormulaError {
 
 impl Function {
     /// Every function by its names, English first, with the number of arguments.
-    const ALL: [(&'static [&'static str], Function, std::ops::RangeInclusive<usize>); 26] = [
+    const ALL: [(&'static [&'static str], Function, std::ops::RangeInclusive<usize>); 27] = [
         (&["sin", "sen"], Function::Sin, 1..=1),
         (&["cos"], Function::Cos, 1..=1),
         (&["tan", "tg"], Function::Tan, 1..=1),
@@ -127,6 +128,7 @@ impl Function {
         (&["mean"], Function::Mean, 1..=MOST_ARGUMENTS),
         (&["maximum"], Function::Maximum, 1..=MOST_ARGUMENTS),
         (&["minimum"], Function::Minimum, 1..=MOST_ARGUMENTS),
+        (&["choose", "escolher"], Function::Choose, 2..=MOST_ARGUMENTS),
     ];
 
     /// The function of a name.

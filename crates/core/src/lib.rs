@@ -43,6 +43,7 @@ pub mod study;
 pub mod suggestions;
 pub mod table;
 pub mod text;
+mod tolerances;
 pub mod trace;
 pub mod uff;
 mod unit_system;
@@ -61,7 +62,7 @@ pub use crate::input::derive_support;
 pub use crate::{
     analysis::{About, Analysis, Entry, Evaluate, Refusal, SolveError, Stop, find_analysis, registry},
     ascii::ascii,
-    definitions::{COMMON_LISTS, own_fields, within_problem},
+    definitions::{COMMON_LISTS, Goal, own_fields, split_tolerance, within_problem},
     draft::Draft,
     exams::{catalogue, find},
     exhibit::{
@@ -84,7 +85,7 @@ pub use crate::{
     text::{Arg, Language, Locale, Messages, Text},
     trace::{Number, Symbol, Trace},
     unit_system::{ShownUnits, UnitSetting},
-    unknowns::{Determined, DeterminedInput, ReachedAnswer},
+    unknowns::{Candidate, Determined, DeterminedInput, Optimum, ReachedAnswer},
     vary::title_of,
     worksheet::{FieldPath, Plain, Reason, Worksheet},
 };

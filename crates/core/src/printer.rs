@@ -175,6 +175,25 @@ impl<'s> Writer<'s> {
         }
     }
 
+    /// Factors one after another; between two numbers stands a sign, as in `4 × 210 N/mm`.
+    fn joined(&self, factors: &[String]) -> String {
+        let is_number = |factor: &str| factor.starts_with(|c: char| c.is_ascii_digit());
+        let mut text = String::new();
+        let mut after_number = false;
+        for factor in factors {
+            let both = after_number && is_number(factor);
+            text += match (text.is_empty(), both, self.style.ascii) {
+                (true, ..) => "",
+                (false, true, false) => " × ",
+                (false, true, true) => " * ",
+                (false, false, _) => self.times(),
+            };
+            text += factor;
+            after_number = is_number(factor);
+        }
+        text
+    }
+
     /// Sign before a term of a sum.
     fn sign(&self, first: bool, negative: bool) -> &'static str {
         match (first, negative, self.style.ascii) {
@@ -252,11 +271,11 @@ impl<'s> Writer<'s> {
         let top: Vec<String> =
             over.iter().map(|id| if alone { self.alone(*id) } else { self.factor(*id) }).collect();
         let bottom: Vec<String> = under.iter().map(|id| self.factor(*id)).collect();
-        let top = if top.is_empty() { "1".to_owned() } else { top.join(self.times()) };
+        let top = if top.is_empty() { "1".to_owned() } else { self.joined(&top) };
         let text = match &bottom[..] {
             [] => top,
             [one] => format!("{top} / {one}"),
-            many => format!("{top} / ({})", many.join(self.times())),
+            many => format!("{top} / ({})", self.joined(many)),
         };
         (text, negative)
     }

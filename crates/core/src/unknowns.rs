@@ -4,25 +4,28 @@
 //! `answer − given` is bracketed and refined, and so is every point where the difference comes nearest to zero. With
 //! several, the normalised differences are brought to zero by Levenberg and Marquardt's method from 33 starts; with more
 //! given answers than unknowns their squares are made least. A solution counts only if a solve with it returns every
-//! given answer to 1e-9.
+//! given answer to 1e-9. Where an answer is to be least or largest, the unknowns are its optimum.
 //!
 //! Where the trace of one unknown has an inverse, its formula is a step, and the solutions are all that there are.
 
 mod inverse;
+mod optimum;
 pub(crate) mod search;
 
 use std::sync::Arc;
 
 use dalembert_units::Unit;
 
+pub use self::optimum::{Candidate, Optimum};
 use self::{
     inverse::{Inverse, Question, inverse},
+    optimum::{Setting, objectives, wanted},
     search::{ACCEPTED, Target, Variable, search},
 };
 use crate::{
     Answer, AnswerValue, Cell, Column, Entry, Exhibit, FieldError, Name, Record, Refusal, Sheet, SolveError,
     Stop, Symbol, TableExhibit, Term, Text, Worksheet, cases,
-    definitions::{AXES, GivenAnswer, Plan, Unknown},
+    definitions::{AXES, GivenAnswer, Goal, Plan, Unknown},
     intern::fixed,
     intern::intern,
     linked, reading,
@@ -44,6 +47,8 @@ pub struct Determined {
     pub record: Record,
     /// Formula of the one unknown, where the trace has an inverse.
     pub(crate) inverse: Option<Inverse>,
+    /// Search for the optimum, where an answer is to be least or largest.
+    pub optimum: Option<Optimum>,
 }
 
 /// An input or a definition that was found.
@@ -63,16 +68,18 @@ pub struct DeterminedInput {
     pub uncertainty: Option<f64>,
 }
 
-/// A given answer, and what the problem answers with the unknowns found.
+/// An answer that something is required of, and what the problem answers with the unknowns found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReachedAnswer {
     /// Name of the answer.
     pub name: String,
     /// Name in words.
     pub label: Text,
+    /// Requirement.
+    pub goal: Goal,
     /// The unit it was given in.
     pub unit: Unit,
-    /// Given value, in SI.
+    /// Given value or limit, in SI; the value found where it is the least or the largest.
     pub given: f64,
     /// Value with the unknowns found, in SI.
     pub reached: f64,
@@ -92,6 +99,10 @@ pub(crate) fn determine(entry: &Entry, record: &Record, stop: &Stop) -> Result<O
         variables.push(variable(entry, &known, unknown, input)?);
     }
     let (begin, answers) = begin(entry, &known, &variables, &inputs, (plan, givens), stop)?;
+    if let Some(objectives) = objectives(givens)? {
+        let setting = Setting { entry, begin, plan, inputs, variables, givens, answers };
+        return setting.determine(objectives, stop).map(Some);
+    }
     let names: Vec<String> = answers.iter().map(|answer| answer.name.to_string()).collect();
     let mut again = Perturbed::new(entry, &begin, inputs.clone(), names)?;
     if again.inputs.len() < inputs.len() {
@@ -151,6 +162,7 @@ pub(crate) fn determine(entry: &Entry, record: &Record, stop: &Stop) -> Result<O
             .map(|((given, answer), reached)| ReachedAnswer {
                 name: answer.name.to_string(),
                 label: label(answer),
+                goal: given.goal,
                 unit: given.unit.clone(),
                 given: given.si,
                 reached,
@@ -160,8 +172,9 @@ pub(crate) fn determine(entry: &Entry, record: &Record, stop: &Stop) -> Result<O
         points: found.points,
         record: Record { plan: None, ..solved.clone() },
         inverse: None,
+        optimum: None,
     };
-    let by_search = with_determined(solved, determined.clone());
+    let by_search = with_determined(solved, plan, determined.clone());
     let ([unknown], [given], [planned]) = (&determined.unknowns[..], &determined.givens[..], givens) else {
         return Ok(Some(by_search));
     };
@@ -182,7 +195,7 @@ pub(crate) fn determine(entry: &Entry, record: &Record, stop: &Stop) -> Result<O
     (determined.solutions, determined.inverse) = (solutions, Some(formula));
     let first = determined.solutions[0][0];
     let name = determined.unknowns[0].name.clone();
-    let by_formula = with_determined(solved, determined);
+    let by_formula = with_determined(solved, plan, determined);
     // A formula that the sheet does not take is none.
     let is_right = entry.solve(&by_formula, stop).is_ok_and(|solution| {
         let is_near = |(si, _): (f64, &Unit)| (si - first).abs() <= ACCEPTED * first.abs();
@@ -199,9 +212,9 @@ fn solved(begin: &Record, plan: &Plan, inputs: &[VariedInput], x: &[f64]) -> Res
     })
 }
 
-fn with_determined(mut solved: Record, determined: Determined) -> Record {
+fn with_determined(mut solved: Record, of: &Plan, determined: Determined) -> Record {
     if let Some(plan) = &mut solved.plan {
-        Arc::make_mut(plan).determine(determined);
+        Arc::make_mut(plan).determine(of, determined);
     }
     solved
 }
@@ -241,6 +254,9 @@ fn variable(
     input: &VariedInput,
 ) -> Result<Variable, SolveError> {
     const WIDE: f64 = 1000.0;
+    if !unknown.choices.is_empty() {
+        return Ok(Variable::one_of(unknown.choices.clone()));
+    }
     if let Some(range) = unknown.range {
         return Ok(Variable::new(range, unknown.start));
     }
@@ -312,7 +328,7 @@ fn begin(
                     let why = not_a_number(name, &known);
                     errors.push(FieldError::new(format!("{}.name", given.path), why));
                 }
-                Some(answer) if !answer.dim().agrees(given.unit.dim) => {
+                Some(answer) if !given.goal.is_extreme() && !answer.dim().agrees(given.unit.dim) => {
                     let text = dalembert_units::write_quantity(given.si, &given.unit, <_>::default());
                     let why = reading::of_another_dimension(&text, given.unit.dim, &answer.unit);
                     errors.push(FieldError::new(format!("{}.value", given.path), why));
@@ -383,12 +399,29 @@ fn listed(texts: impl Iterator<Item = Text>) -> Text {
     texts.reduce(joined).unwrap_or_default()
 }
 
+impl ReachedAnswer {
+    /// Requirement in words: `amplitude = 2 mm`, `stress ≤ 100 MPa`.
+    pub fn requirement(&self) -> Text {
+        wanted(self.label.clone(), self.goal, self.given, &self.unit)
+    }
+}
+
 impl Determined {
     /// Description of the search for an unknown; `None` where there is none of that name.
     fn why(&self, name: &str) -> Option<Text> {
         let unknown = self.unknowns.iter().find(|unknown| unknown.name == name)?;
-        let givens = self.givens.iter().map(|given| equals(given.label.clone(), given.given, &given.unit));
+        let givens = self.givens.iter().map(ReachedAnswer::requirement);
         let how = match self.unknowns.len() {
+            _ if let Some(optimum) = &self.optimum => match optimum.starts {
+                _ if self.givens.iter().filter(|given| given.goal.is_extreme()).count() > 1 => Text::new(
+                    "{unknown} is unknown: the compromise nearest to the best of both on the Pareto front from {from} to {to} for {givens}",
+                ),
+                0 => Text::new("{unknown} is unknown: the best choice for {givens}"),
+                _ => Text::new(
+                    "{unknown} is unknown: the optimum from {from} to {to} for {givens}; {ended} of {points} local searches end here",
+                )
+                .with("ended", optimum.ended),
+            },
             _ if self.givens.len() > self.unknowns.len() => {
                 Text::new("{unknown} is unknown: least squares of {givens}")
             }
@@ -442,10 +475,13 @@ impl Determined {
 
     /// Compares the given answers with those of the solved sheet, and shows every solution.
     pub(crate) fn conclude(&self, plan: &Plan, sheet: &Sheet<'_>) {
-        let exact = self.givens.len() == self.unknowns.len();
+        let exact = self.optimum.is_some() || self.givens.len() == self.unknowns.len();
         for given in self.givens.iter().filter(|_| exact) {
             let value = sheet.solution().answer(&given.name).map(|answer| answer.value.clone());
             let Some(AnswerValue::Number(_, node)) = value else { continue };
+            if given.goal != Goal::Value {
+                continue;
+            }
             let residual = sheet.term(node) - sheet.constant(given.given, &given.unit);
             let what = Text::new("{answer} is the given one").with_text("answer", given.label.clone());
             let scale = given.given.abs().max(given.reached.abs());
@@ -485,6 +521,9 @@ impl Determined {
         }
         if !exact {
             sheet.show(|| Exhibit::Table(self.residuals()));
+        }
+        if let Some(optimum) = &self.optimum {
+            optimum.conclude(self, sheet);
         }
     }
 

@@ -191,3 +191,15 @@ remaining = restantes
 ## Slurm
 have-so-many-parts-solved-by-slurm-as-a-job-array-and-merge-them = Resolver tantas partes pelo Slurm, como um job array, e juntá-las
 an-option-of-sbatch-slurm-option-partition-long = Uma opção do sbatch: --slurm-option=--partition=long
+
+## Optima
+a-limit-that-is-to-be-kept-amplitude-0-2-mm = Um limite a respeitar: 'amplitude < 0.2 mm'
+an-input-to-choose-in-a-range-or-from-a-list-stiffness-20-kn-m-80-kn-m-mass-2-kg-3-kg-5-kg = Um dado a escolher, em uma faixa ou em uma lista: stiffness='20 kN/m .. 80 kN/m', mass='2 kg; 3 kg; 5 kg'
+ask-a-question-over-inputs-answers-and-steps-which-may-be-minimised-or-limited-price-2-m = Fazer uma pergunta sobre dados, resultados e passos, que pode ser minimizada ou limitada: 'price=2*m'
+change-an-input-with-a-tolerance-the-worst-case-counts-mass-40-kg-5 = Alterar um dado; com tolerância, vale o pior caso: mass='40 kg ± 5 %'
+choose-inputs-so-that-an-answer-is-as-small-or-as-large-as-possible-under-limits = Escolher dados para que um resultado seja o menor ou o maior possível sob limites
+the-answer-or-question-to-be-made-as-large-as-possible = O resultado ou a pergunta a maximizar
+the-answer-or-question-to-be-made-as-small-as-possible-of-two-of-these-the-pareto-front-is-found = O resultado ou a pergunta a minimizar; de dois deles obtém-se a frente de Pareto
+write-to-a-new-file-the-problem-with-the-optimum-toml-or-the-worked-solution-by-the-extension = Gravar em um arquivo novo: o problema com o ótimo (.toml), ou a resolução conforme a extensão
+vary-text-write-an-input-and-its-range-or-values-as-in-vary-stiffness-20-kn-m-80-kn-m = --vary { $text }: escreva um dado e sua faixa ou seus valores, como em --vary 'stiffness=20 kN/m .. 80 kN/m'
+no-answer-is-to-be-the-least-or-the-largest-add-minimise-or-maximise-as-in-minimise-amplitude-and = nenhum resultado deve ser o menor ou o maior possível: acrescente --minimise ou --maximise, como em --minimise amplitude, e dados a escolher, como em --vary 'stiffness=20 kN/m .. 80 kN/m'

@@ -53,6 +53,8 @@ pub(crate) enum Command {
     Solve(Solve),
     /// Find the values of an input with which an answer is a wanted one
     Find(Find),
+    /// Choose inputs so that an answer is as small or as large as possible under limits
+    Optimise(Optimise),
     /// Solve a problem at many values of its inputs: grids, samples, statistics
     Study(Study),
     /// Check all published answers
@@ -182,6 +184,49 @@ pub(crate) struct Find {
     /// Print JSON
     #[arg(long)]
     pub(crate) json: bool,
+    /// Number of significant digits
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
+    pub(crate) digits: Option<u8>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Optimise {
+    /// The id of an analysis, or a problem file; - reads the standard input
+    #[arg(value_name = "ID|FILE|-", add = completion::problems())]
+    pub(crate) problem: String,
+    /// Take the other inputs of this published case, counted from 1; default: case 1
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) case: Option<u32>,
+    /// Change an input; with a tolerance, the worst case counts: mass='40 kg ± 5 %'
+    #[arg(long, value_name = "PATH=VALUE", add = completion::settings())]
+    pub(crate) set: Vec<String>,
+    /// An input to choose, in a range or from a list: stiffness='20 kN/m .. 80 kN/m', mass='2 kg; 3 kg; 5 kg'
+    #[arg(long, value_name = "PATH=VALUES", add = completion::numbers("="))]
+    pub(crate) vary: Vec<String>,
+    /// Ask a question over inputs, answers and steps, which may be minimised or limited: 'price=2*m'
+    #[arg(long, value_name = "NAME[=FORMULA]")]
+    pub(crate) ask: Vec<String>,
+    /// The answer or question to be made as small as possible; of two of these the Pareto front is found
+    #[arg(long, value_name = "ANSWER", add = completion::answers(""))]
+    pub(crate) minimise: Vec<String>,
+    /// The answer or question to be made as large as possible
+    #[arg(long, value_name = "ANSWER", add = completion::answers(""))]
+    pub(crate) maximise: Vec<String>,
+    /// A limit that is to be kept: 'amplitude < 0.2 mm'
+    #[arg(long, value_name = "ANSWER<VALUE")]
+    pub(crate) limit: Vec<String>,
+    /// Output format; default: by the file extension, otherwise text
+    #[arg(long, value_enum)]
+    pub(crate) format: Option<Format>,
+    /// The table to print as CSV: answers, inputs, steps, checks, table-1, plot-1
+    #[arg(long, value_name = "NAME", default_value = "answers")]
+    pub(crate) table: String,
+    /// Write to a new file: the problem with the optimum (.toml), or the worked solution by the extension
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// Overwrite an existing file
+    #[arg(long, requires = "output")]
+    pub(crate) force: bool,
     /// Number of significant digits
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
     pub(crate) digits: Option<u8>,

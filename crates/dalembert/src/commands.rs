@@ -6,6 +6,7 @@ pub(crate) mod info;
 pub(crate) mod list;
 pub(crate) mod man;
 pub(crate) mod new;
+pub(crate) mod optimise;
 pub(crate) mod replay;
 pub(crate) mod schema;
 pub(crate) mod settings;

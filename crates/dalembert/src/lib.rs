@@ -78,6 +78,7 @@ fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, F
         Some(Command::New(new)) => commands::new::run(new, console),
         Some(Command::Solve(solve)) => commands::solve::run(solve, console),
         Some(Command::Find(find)) => commands::find::run(find, console),
+        Some(Command::Optimise(optimise)) => commands::optimise::run(optimise, console),
         Some(Command::Study(study)) => commands::study::run(study, console),
         Some(Command::Verify(verify)) => commands::verify::run(verify, console),
         Some(Command::Schema(schema)) => commands::schema::run(schema, console),

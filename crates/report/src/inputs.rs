@@ -2,6 +2,7 @@
 
 use dalembert_core::{
     Draft, Field, Locale, Record, Shape, Solution, Symbol, Text, Value, gravity, own_fields, printer,
+    split_tolerance,
 };
 use dalembert_units::{self as units, Style, Unit, UnitSystem};
 
@@ -140,6 +141,9 @@ impl Place<'_> {
                     input.shown = format!("{} = {value}", input.typed.trim());
                     input.computed = Some((si, unit.clone()));
                 }
+                if let (None, Some((_, tolerance))) = (&input.computed, split_tolerance(&input.typed)) {
+                    input.shown = format!("{} ± {tolerance}", input.shown);
+                }
                 // The components that were found stand in the record of the solution.
                 if let Value::Vector(_) = value
                     && self.solution.is_some_and(|solution| solution.computed_value(&self.path).is_some())
@@ -169,7 +173,7 @@ fn shown(value: &Value, locale: &Locale) -> String {
         Value::Text(text) | Value::Reference { name: text, .. } => text.clone(),
         Value::Flag(flag) => word(if *flag { "yes" } else { "no" }),
         Value::Count(count) => count.to_string(),
-        Value::Table(table) => Text::new("{count} rows").with("count", table.rows.len()).render(locale),
+        Value::Table(table) => Text::new("{count} rows").with("count", table.rows().len()).render(locale),
         Value::Absent => "—".into(),
         Value::OneOf { .. } | Value::Group(_) | Value::Rows(_) => String::new(),
     }

@@ -162,6 +162,9 @@ macro_rules! registry_tests {
         $crate::registry_tests!(@ $laboratory => unknowns {
             an_input_is_found_back_from_an_answer
         });
+        $crate::registry_tests!(@ $laboratory => optima {
+            an_optimum_is_no_worse_than_a_scan
+        });
 
         #[test]
         fn the_unit_of_an_input_does_not_change_the_answers() {

@@ -30,6 +30,7 @@ pub mod invariance;
 mod laboratory;
 pub mod languages;
 pub mod near_singular;
+pub mod optima;
 pub mod papers;
 pub mod path_independence;
 pub mod perturbation;

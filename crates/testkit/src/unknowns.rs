@@ -40,7 +40,7 @@ pub fn an_input_is_found_back_from_an_answer(entries: &[&'static Entry]) -> usiz
 }
 
 /// An input and an answer that follows it smoothly.
-fn pair(entry: &Entry, record: &Record) -> Option<(VariedInput, Answer)> {
+pub(crate) fn pair(entry: &Entry, record: &Record) -> Option<(VariedInput, Answer)> {
     let solution = entry.solve(record, &Stop::new()).ok()?;
     let numbers: Vec<&Answer> =
         solution.answers.iter().filter(|answer| answer.si().is_some_and(|si| si != 0.0)).collect();

@@ -1,4 +1,4 @@
-//! Every analysis that comes with the program, the course's lists of exercises, and exam questions of several steps. A crate that depends on this one, and names it, links them all.
+//! Every analysis that comes with the program, the course's lists of exercises, and exam questions of several steps or of an optimum. A crate that depends on this one, and names it, links them all.
 
 use dalembert_balancing as _;
 use dalembert_rigid_body as _;
@@ -10,13 +10,18 @@ dalembert_core::exercises!("../sets/unit-ii.toml");
 
 dalembert_core::exams!("../exams":
     "absorber-for-an-unknown-machine",
+    "absorber-with-least-peak",
+    "counterweights-of-a-four-bar",
     "diesel-generator-torsion",
     "engine-shaking-force",
     "fan-on-cantilever-bracket",
+    "four-bar-through-five-points",
     "grinding-wheel-balance",
     "instrument-case-dropped",
     "instrument-table-on-softer-springs",
+    "isolators-from-a-list",
     "lift-table-with-screw-drive",
+    "lightest-shaft-within-clearance",
     "motor-on-a-measured-beam",
     "overhung-impeller",
     "racing-car-on-a-wavy-road",

@@ -2,6 +2,7 @@
 
 mod cli;
 mod faults;
+mod optimise;
 mod replay;
 mod study;
 mod workbench;

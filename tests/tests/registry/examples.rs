@@ -104,6 +104,7 @@ fn every_example_is_tested() {
             // A plan of a study, carried out by the tests of the command line.
             "fan_study.toml",
             "mass_from_frequency.toml",
+            "mounts_for_a_fan.toml",
             "rotor.toml",
             "table.toml"
         ]
@@ -112,6 +113,20 @@ fn every_example_is_tested() {
 
 fn folder() -> PathBuf {
     xtask::root().join("examples")
+}
+
+/// The cheapest mount lets more force through, the softest costs more than is permitted.
+#[test]
+fn the_mounts_of_a_fan() {
+    answers(
+        "mounts_for_a_fan.toml",
+        &[
+            ("size", "3"),
+            ("price", "56.80"),
+            ("transmitted_force", "55.67883 N"),
+            ("static deflection", "3.153214 mm"),
+        ],
+    );
 }
 
 /// k = 3EI/L³, fₙ = √(k/m)/2π, √(40/42).

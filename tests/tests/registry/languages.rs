@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use dalembert as _;
-use dalembert_core::{registry, suggestions};
+use dalembert_core::{Shape, cases, exams::exams, own_fields, registry, suggestions};
 use dalembert_plugins as _;
 use dalembert_report as _;
 use dalembert_testkit::languages::{self, SourceFile};
@@ -25,6 +25,30 @@ fn every_kind_of_quantity_has_its_portuguese() {
 #[test]
 fn every_usual_question_has_its_portuguese() {
     languages::sentences_have_their_portuguese("core", suggestions::labels());
+}
+
+#[test]
+fn every_exam_question_has_its_portuguese() {
+    let mut sentences = Vec::new();
+    for entry in exams() {
+        let case = cases::first(entry).unwrap_or_else(|| panic!("{} has no case", entry.about.id));
+        sentences.extend([case.title(), case.source, case.note].map(|text| text.english()));
+        sentences.extend([entry.about.topic, entry.about.summary].map(str::to_owned));
+    }
+    languages::sentences_have_their_portuguese("bundle", sentences.iter().map(String::as_str));
+}
+
+#[test]
+fn every_list_of_a_problem_has_its_portuguese() {
+    let fields = registry()[0].shape().fields(None);
+    let mut sentences = Vec::new();
+    for list in &fields[own_fields(fields)..] {
+        let Shape::Rows { item, .. } = list.shape else { panic!("{} is no list", list.name) };
+        let columns = item().fields(None);
+        assert!(columns.len() >= 2, "{} has columns", list.name);
+        sentences.extend(std::iter::once(list).chain(columns).flat_map(|field| [field.label, field.help]));
+    }
+    languages::sentences_have_their_portuguese("core", sentences);
 }
 
 #[test]

@@ -16,6 +16,7 @@ mod inverse;
 mod languages;
 mod linked;
 mod near_singular;
+mod optima;
 mod papers;
 mod path_independence;
 mod perturbation;

@@ -26,7 +26,7 @@ static FIELDS: [Field; 4] = [
     },
     Field {
         label: "Given answers",
-        help: "Known values of answers, from which inputs written as ? are found: natural_frequency = 8.2 Hz.",
+        help: "Known values of answers, or requirements, from which inputs written as ? are found: natural_frequency = 8.2 Hz.",
         ..field("given", || &Shape::Group(Fields(&|| &GIVEN)))
     },
     Field {
@@ -79,8 +79,8 @@ static GIVEN: [Field; 2] = [
         ..text("name")
     },
     Field {
-        label: "Known value",
-        help: "8.2 Hz; with its standard uncertainty, 8.2 Hz ± 0.05.",
+        label: "Value or requirement",
+        help: "8.2 Hz; with its standard uncertainty, 8.2 Hz ± 0.05; for an optimum minimum or maximum, and limits, < 100 MPa.",
         ..text("value")
     },
 ];

@@ -210,10 +210,12 @@ impl Readings {
             readings.wanted.push(source);
         }
         for place in &plan.after_solution {
-            if matches!(place, Place::Question(_)) {
+            // Questions are needed where they are wanted; a solution has no formula.
+            let Some(formula) = plan.formula_of(*place).filter(|_| !matches!(place, Place::Question(_)))
+            else {
                 continue;
-            }
-            for (name, _) in plan.formula_of(*place)?.names() {
+            };
+            for (name, _) in formula.names() {
                 match plan.find(*place, name) {
                     Some(Named::Answer(scope, name)) => {
                         readings.need_answer(plan, scope, &name, solution)?;

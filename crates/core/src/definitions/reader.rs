@@ -1,13 +1,13 @@
 //! Definitions, questions, given answers and configurations as they are typed, row by row.
 
-use dalembert_units::Unit;
+use dalembert_units::{Quantity, Unit};
 
 use super::{
     COMMON_LISTS, Definition, Plan, Question, field_error,
     names::Names,
     rows::{question_key, rows, text_of},
     scope,
-    unknowns::{self, Unknown, is_unknown},
+    unknowns::{self, Tolerance, Unknown, is_unknown, read_tolerance, split_tolerance},
 };
 use crate::{
     Field, FieldError, Record, Symbol, Text, Value,
@@ -31,7 +31,12 @@ impl Reader {
         let own = scope::record_of(record, &self.names.scopes[scope]);
         let [definitions, questions, givens, changes] = COMMON_LISTS.map(|list| rows(own, list).to_vec());
         for (n, row) in definitions.iter().enumerate() {
-            plan.definitions.extend(self.definition([scope, n], row, &mut plan.unknowns));
+            plan.definitions.extend(self.definition(
+                [scope, n],
+                row,
+                &mut plan.unknowns,
+                &mut plan.tolerances,
+            ));
         }
         for (n, row) in questions.iter().enumerate() {
             plan.questions.extend(self.question([scope, n], row, &plan.questions));
@@ -55,6 +60,7 @@ impl Reader {
         [scope, n]: [usize; 2],
         row: &Value,
         unknowns: &mut Vec<Unknown>,
+        tolerances: &mut Vec<Tolerance>,
     ) -> Option<Definition> {
         let of = self.names.scopes[scope].name;
         let outside = |name: &str| if of.is_empty() { name.to_owned() } else { format!("{of}.{name}") };
@@ -90,12 +96,26 @@ impl Reader {
         }
         let defined =
             |formula, unit, si| Definition { scope, row: n, name: name.to_owned(), formula, unit, si };
-        if is_unknown(text) {
-            return match unknowns::read(text, &outside(name), None) {
-                Ok((unknown, start)) => {
+        let (value, tolerance) =
+            split_tolerance(text).map_or((text, None), |(value, tolerance)| (value, Some(tolerance)));
+        if is_unknown(value) || tolerance.is_some() {
+            let mut read = || -> Result<Quantity, Text> {
+                let quantity = if is_unknown(value) {
+                    let (unknown, start) = unknowns::read(value, &outside(name), None)?;
                     unknowns.push(unknown);
-                    let (unit, si) = (start.unit.clone(), start.si);
-                    let formula = Formula { root: Expression::Quantity(start), text: text.to_owned() };
+                    start
+                } else {
+                    dalembert_units::read_any(value).map_err(|error| crate::reading::text(&error))?
+                };
+                if let Some(tolerance) = tolerance {
+                    tolerances.push(read_tolerance(tolerance, &outside(name), &quantity.unit)?);
+                }
+                Ok(quantity)
+            };
+            return match read() {
+                Ok(quantity) => {
+                    let (unit, si) = (quantity.unit.clone(), quantity.si);
+                    let formula = Formula { root: Expression::Quantity(quantity), text: text.to_owned() };
                     Some(defined(formula, unit, si))
                 }
                 Err(why) => {

@@ -1,7 +1,12 @@
 //! Definitions, questions and given answers of a draft, by their names.
 
-use super::fields::within_problem;
-use crate::{Draft, FieldError, Shape};
+use dalembert_units::{self as units, Style};
+
+use super::{
+    fields::{are_of_problem, within_problem},
+    unknowns::split_tolerance,
+};
+use crate::{Determined, Draft, FieldError, Shape};
 
 impl Draft {
     /// Defines a quantity by its name, or gives the definition of that name another formula. `shape` is that of the whole
@@ -27,6 +32,42 @@ impl Draft {
     /// As [`set`](Self::set).
     pub fn give(&mut self, shape: &Shape, name: &str, value: &str) -> Result<(), FieldError> {
         self.set_named(shape, ["given", "value"], name, value)
+    }
+
+    /// Replaces the unknowns by the values that were found, each with its tolerance, and asks for nothing to be found.
+    /// `shape` is that of the whole problem.
+    ///
+    /// # Errors
+    /// As [`set`](Self::set).
+    pub fn take_found(&mut self, shape: &Shape, found: &Determined) -> Result<(), FieldError> {
+        let style = Style { digits: 15, ascii: true, ..Style::default() };
+        let values = found.solutions.first().into_iter().flatten();
+        for (unknown, si) in found.unknowns.iter().zip(values) {
+            let mut text = units::write_quantity(*si, &unknown.unit, style);
+            match self.at(shape, &unknown.name) {
+                Ok((Draft::Leaf(typed), _)) => {
+                    if let Some((_, tolerance)) = split_tolerance(typed) {
+                        text = format!("{text} ± {tolerance}");
+                    }
+                    self.set(shape, &unknown.name, &text)?;
+                }
+                Ok(_) => self.set(shape, &unknown.name, &text)?,
+                Err(_) => self.define(shape, &unknown.name, &text)?,
+            }
+        }
+        self.forget_givens(shape);
+        Ok(())
+    }
+
+    fn forget_givens(&mut self, shape: &Shape) {
+        let (Shape::Group(fields), Draft::Group(all)) = (shape.present(), self) else { return };
+        for (field, draft) in fields().iter().zip(all) {
+            if field.name == "given" {
+                *draft = Draft::Rows(Vec::new());
+            } else if are_of_problem(field.shape.fields(None)) {
+                draft.forget_givens(&field.shape);
+            }
+        }
     }
 
     /// Changes an input in a configuration, `weighted.mass`, or gives it another formula there. `shape` is that of the

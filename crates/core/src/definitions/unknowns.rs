@@ -1,4 +1,5 @@
-//! Unknown inputs and given answers as they are typed: `? 1 kg .. 100 kg`, `8.2 Hz ± 0.05`.
+//! Unknown inputs, tolerances and given answers as they are typed: `? 1 kg .. 100 kg`, `? 2 mm; 3 mm`, `40 kg ± 2 %`,
+//! `8.2 Hz ± 0.05`, `minimum`, `< 100 MPa`.
 
 use std::ops::Range;
 
@@ -19,20 +20,78 @@ pub(crate) struct Unknown {
     pub(crate) start: Option<f64>,
     /// The range to search, in SI, where one is typed: `? 1 kg .. 100 kg`.
     pub(crate) range: Option<[f64; 2]>,
+    /// The values to choose from, in SI, where they are typed: `? 2 mm; 3 mm; 5 mm`.
+    pub(crate) choices: Vec<f64>,
     /// True for a component of a vector, which may have either sign.
     pub(crate) is_component: bool,
 }
 
-/// An answer whose value is known.
+/// A tolerance of an input or a definition: `40 kg ± 2 %`.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Tolerance {
+    /// The path of the input, or the name of the definition.
+    pub(crate) name: String,
+    /// Half the width, as a share of the value or in SI.
+    pub(crate) width: Width,
+}
+
+/// Half the width of a tolerance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Width {
+    /// A share of the value.
+    Share(f64),
+    /// A difference, in SI.
+    Difference(f64),
+}
+
+impl Width {
+    /// Half the width at a value, in SI.
+    pub(crate) fn at(self, si: f64) -> f64 {
+        match self {
+            Width::Share(share) => share * si.abs(),
+            Width::Difference(difference) => difference,
+        }
+    }
+}
+
+/// Requirement of an answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Goal {
+    /// Given value.
+    Value,
+    /// Upper limit.
+    AtMost,
+    /// Lower limit.
+    AtLeast,
+    /// Value as small as possible.
+    Minimum,
+    /// Value as large as possible.
+    Maximum,
+}
+
+impl Goal {
+    /// Returns true if the answer is to be as small or as large as can be.
+    pub fn is_extreme(self) -> bool {
+        matches!(self, Goal::Minimum | Goal::Maximum)
+    }
+
+    /// Returns true if the answer has a limit.
+    pub fn is_limit(self) -> bool {
+        matches!(self, Goal::AtMost | Goal::AtLeast)
+    }
+}
+
+/// An answer that something is required of.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct GivenAnswer {
     /// Path of its row: `given[1]`.
     pub(crate) path: String,
     /// Name of the answer or of the question.
     pub(crate) name: String,
-    /// Value, in SI.
+    pub(crate) goal: Goal,
+    /// Value or limit, in SI; 0 where the answer is to be an extreme.
     pub(crate) si: f64,
-    /// The unit it was typed in.
+    /// The unit it was typed in; that of a pure number where the answer is to be an extreme.
     pub(crate) unit: Unit,
     /// Standard uncertainty, in SI, where one is typed.
     pub(crate) tolerance: Option<f64>,
@@ -111,7 +170,7 @@ pub(crate) fn read_vector(
             vector.si[part.axis] = f64::midpoint(from, to);
         }
         let name = format!("{path}.{}", AXES[part.axis]);
-        unknowns.push(Unknown { name, start, range, is_component: true });
+        unknowns.push(Unknown { name, start, range, choices: Vec::new(), is_component: true });
     }
     Ok((unknowns, vector))
 }
@@ -166,27 +225,21 @@ fn unknown_components(text: &str) -> Result<Vec<UnknownComponent<'_>>, Text> {
 /// An unknown at a name, and the quantity that stands in its place until it is found.
 pub(super) fn read(text: &str, name: &str, measure: Option<Measure>) -> Result<(Unknown, Quantity), Text> {
     let typed = text.trim().trim_start_matches('?').trim();
+    if typed.contains(';') {
+        return read_choices(typed, name, measure);
+    }
     let (from, to) = match typed.split_once("..") {
         Some((from, to)) => (Some(from.trim()), to.trim()),
         None => (None, typed),
     };
-    let measure = measure.map(|measure| measure.meant(to));
-    let quantity = |text: &str, own: Option<&Unit>| {
-        let read = match (measure, own) {
-            (Some(measure), own) => {
-                let unit = own.cloned().unwrap_or_else(|| measure.own_unit());
-                units::read_quantity(text, &unit, measure.kind())
-            }
-            (None, Some(unit)) => units::read_quantity(text, unit, units::Kind::of(unit)),
-            (None, None) => units::read_any(text),
-        };
-        let quantity = read.map_err(|error| reading::text(&error))?;
-        match measure.and_then(|measure| measure.outside(quantity.si, text)) {
-            Some(why) => Err(why),
-            None => Ok(quantity),
-        }
+    let quantity = |text: &str, own: Option<&Unit>| read_value(text, measure.map(|m| m.meant(to)), own);
+    let unknown = |start, range| Unknown {
+        name: name.to_owned(),
+        start,
+        range,
+        choices: Vec::new(),
+        is_component: false,
     };
-    let unknown = |start, range| Unknown { name: name.to_owned(), start, range, is_component: false };
     match (from, to) {
         (None, "") => {
             let measure = measure.ok_or("write a range, as in ? 1 kg .. 100 kg: it gives the unit")?;
@@ -210,6 +263,71 @@ pub(super) fn read(text: &str, name: &str, measure: Option<Measure>) -> Result<(
     }
 }
 
+/// A quantity within the limits of a field; a number alone is in the unit `own`, or in that of the field.
+pub(super) fn read_value(text: &str, measure: Option<Measure>, own: Option<&Unit>) -> Result<Quantity, Text> {
+    let read = match (measure, own) {
+        (Some(measure), own) => {
+            let unit = own.cloned().unwrap_or_else(|| measure.own_unit());
+            units::read_quantity(text, &unit, measure.kind())
+        }
+        (None, Some(unit)) => units::read_quantity(text, unit, units::Kind::of(unit)),
+        (None, None) => units::read_any(text),
+    };
+    let quantity = read.map_err(|error| reading::text(&error))?;
+    match measure.and_then(|measure| measure.outside(quantity.si, text)) {
+        Some(why) => Err(why),
+        None => Ok(quantity),
+    }
+}
+
+/// The unknown that is one of several values, `2 mm; 3 mm`; a number alone is in the unit of the last one.
+fn read_choices(typed: &str, name: &str, measure: Option<Measure>) -> Result<(Unknown, Quantity), Text> {
+    let texts: Vec<&str> = typed.split(';').map(str::trim).collect();
+    let measure = measure.map(|measure| measure.meant(texts[texts.len() - 1]));
+    let last = read_value(texts[texts.len() - 1], measure, None)?;
+    let choices: Result<Vec<f64>, Text> =
+        texts.iter().map(|text| Ok(read_value(text, measure, Some(&last.unit))?.si)).collect();
+    let choices = choices?;
+    let first = choices[0];
+    let (name, start) = (name.to_owned(), Some(first));
+    Ok((Unknown { name, start, range: None, choices, is_component: false }, Quantity { si: first, ..last }))
+}
+
+/// The signs between a value and its tolerance.
+const PLUS_MINUS: [&str; 3] = ["±", "+/-", "+-"];
+
+/// A text before `±`, and that behind it.
+pub fn split_tolerance(text: &str) -> Option<(&str, &str)> {
+    let (value, tolerance) = PLUS_MINUS.into_iter().find_map(|sign| text.split_once(sign))?;
+    Some((value.trim(), tolerance.trim()))
+}
+
+/// The tolerance at a name by its text behind `±`: a share, `2 %`, or a difference; a number alone is in the unit of the
+/// value. Of a value in percent, percent is a difference.
+pub(super) fn read_tolerance(text: &str, name: &str, of: &Unit) -> Result<Tolerance, Text> {
+    let is_share = text.contains('%') && of.ascii() != "%";
+    let (size, width): (f64, fn(f64) -> Width) = if is_share {
+        (units::read_any(text).map_err(|error| reading::text(&error))?.si, Width::Share)
+    } else {
+        (difference(text, of)?, Width::Difference)
+    };
+    if size > 0.0 {
+        Ok(Tolerance { name: name.to_owned(), width: width(size) })
+    } else {
+        Err(Text::new("the tolerance behind ± is above zero, as in 40 kg ± 2 %"))
+    }
+}
+
+/// The difference of two values in a unit, in SI, as it is typed; a number alone is in that unit.
+fn difference(text: &str, of: &Unit) -> Result<f64, Text> {
+    let (size, unit) = constant(text)?;
+    match (unit.dim == of.dim, unit.dim == units::Dim::NONE) {
+        (_, true) if unit.ascii() == "1" || of.dim != units::Dim::NONE => Ok(of.si(size) - of.si(0.0)),
+        (true, _) => Ok(size),
+        (false, _) => Err(reading::of_another_dimension(text.trim(), unit.dim, of)),
+    }
+}
+
 /// A permitted value, in the unit of the field.
 fn usual(measure: Measure) -> f64 {
     let unit = measure.own_unit();
@@ -230,22 +348,53 @@ pub(super) fn given(row: &str, name: &str, text: &str) -> Result<GivenAnswer, Fi
         return Err(FieldError::new(format!("{row}.name"), why));
     }
     let path = format!("{row}.value");
-    let plus_minus = ["±", "+/-", "+-"].into_iter().find_map(|sign| text.split_once(sign));
-    let (value, tolerance) = plus_minus.map_or((text, None), |(value, tolerance)| (value, Some(tolerance)));
+    let (goal, text) = goal(text);
+    let given = |si, unit, tolerance| GivenAnswer {
+        path: row.to_owned(),
+        name: name.to_owned(),
+        goal,
+        si,
+        unit,
+        tolerance,
+    };
+    if goal.is_extreme() {
+        return Ok(given(0.0, Unit::ONE, None));
+    }
+    let (value, tolerance) = match split_tolerance(text) {
+        Some(_) if goal.is_limit() => {
+            return Err(FieldError::new(path, "a limit has no uncertainty: write its value alone"));
+        }
+        Some((value, tolerance)) => (value, Some(tolerance)),
+        None => (text, None),
+    };
     let (si, unit) = constant(value).map_err(|why| FieldError::new(&path, why))?;
-    let tolerance = tolerance.map(|text| -> Result<f64, Text> {
-        let (tolerance, of) = constant(text)?;
-        let size = match (of.dim == unit.dim, of.dim == units::Dim::NONE) {
-            (true, _) => tolerance,
-            (false, true) => unit.si(tolerance) - unit.si(0.0),
-            (false, false) => {
-                return Err(reading::of_another_dimension(text.trim(), of.dim, &unit));
-            }
-        };
-        if size > 0.0 { Ok(size) } else { Err(Text::new("the uncertainty behind ± is above zero")) }
+    let tolerance = tolerance.map(|text| match difference(text, &unit)? {
+        size if size > 0.0 => Ok(size),
+        _ => Err(Text::new("the uncertainty behind ± is above zero")),
     });
     let tolerance = tolerance.transpose().map_err(|why| FieldError::new(&path, why))?;
-    Ok(GivenAnswer { path: row.to_owned(), name: name.to_owned(), si, unit, tolerance })
+    Ok(given(si, unit, tolerance))
+}
+
+/// The requirement that a text begins with, and the rest of it.
+fn goal(text: &str) -> (Goal, &str) {
+    const SIGNS: [(&str, Goal); 6] = [
+        ("<=", Goal::AtMost),
+        ("≤", Goal::AtMost),
+        ("<", Goal::AtMost),
+        (">=", Goal::AtLeast),
+        ("≥", Goal::AtLeast),
+        (">", Goal::AtLeast),
+    ];
+    let text = text.trim();
+    match text.to_lowercase().as_str() {
+        "minimum" | "min" | "mínimo" | "minimo" => (Goal::Minimum, ""),
+        "maximum" | "max" | "máximo" | "maximo" => (Goal::Maximum, ""),
+        _ => SIGNS
+            .into_iter()
+            .find_map(|(sign, goal)| Some((goal, text.strip_prefix(sign)?.trim_start())))
+            .unwrap_or((Goal::Value, text)),
+    }
 }
 
 /// The value of a quantity or of an expression without names, in SI, and its unit.

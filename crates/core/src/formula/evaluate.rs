@@ -211,6 +211,7 @@ impl<W: Worksheet> Evaluator<'_, W> {
             Function::Sum | Function::Mean | Function::Maximum | Function::Minimum => {
                 return self.of_list(function, values, span);
             }
+            Function::Choose => return self.chosen(values, span),
             _ => {}
         }
         let mut numbers = Vec::new();
@@ -305,7 +306,28 @@ impl<W: Worksheet> Evaluator<'_, W> {
             | Function::Sum
             | Function::Mean
             | Function::Maximum
-            | Function::Minimum => Err(self.mixed(span)),
+            | Function::Minimum
+            | Function::Choose => Err(self.mixed(span)),
+        }
+    }
+
+    /// Of the arguments behind the first one, that whose number the first one is.
+    fn chosen(&self, values: Vec<Operand<W>>, span: &Range<usize>) -> Result<Operand<W>, FormulaError> {
+        let count = values.len() - 1;
+        for pair in values[1..].windows(2) {
+            self.same_dim(&pair[0], &pair[1], span)?;
+        }
+        let number = match &values[0] {
+            Operand::Number(x, dim) if dim.agrees(Dim::NONE) => x.value(),
+            _ => f64::NAN,
+        };
+        if number.fract() == 0.0 && (1.0..=count as f64).contains(&number) {
+            values.into_iter().nth(number as usize).ok_or_else(|| self.mixed(span))
+        } else {
+            let why = Text::new(
+                "`{text}`: the first argument is the number of one of the others, from 1 to {count}",
+            );
+            Err(FormulaError::at(span.clone(), why.with("text", self.part(span)).with("count", count)))
         }
     }
 

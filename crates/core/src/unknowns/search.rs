@@ -28,7 +28,9 @@ const SINGULAR: f64 = 1e-7;
 #[derive(Clone, Debug)]
 pub(crate) struct Variable {
     pub(crate) range: [f64; 2],
-    start: Option<f64>,
+    pub(super) start: Option<f64>,
+    /// The values to choose from; none where every value of the range counts.
+    pub(super) choices: Vec<f64>,
     /// True where equal ratios count, not equal differences.
     pub(crate) is_logarithmic: bool,
 }
@@ -78,11 +80,23 @@ impl Variable {
     /// An unknown in a range, with the value to begin with.
     pub(crate) fn new(range: [f64; 2], start: Option<f64>) -> Self {
         let is_logarithmic = range[0] > 0.0 && range[1] / range[0] > 30.0;
-        Self { range, start: start.filter(|si| (range[0]..=range[1]).contains(si)), is_logarithmic }
+        let start = start.filter(|si| (range[0]..=range[1]).contains(si));
+        Self { range, start, choices: Vec::new(), is_logarithmic }
+    }
+
+    /// An unknown that is one of several values.
+    pub(crate) fn one_of(choices: Vec<f64>) -> Self {
+        let end = |better: fn(f64, f64) -> f64| choices.iter().copied().reduce(better).unwrap_or_default();
+        let range = [end(f64::min), end(f64::max)];
+        Self { range, start: None, choices, is_logarithmic: false }
     }
 
     /// The value at a share of the range.
-    fn value(&self, share: f64) -> f64 {
+    pub(super) fn value(&self, share: f64) -> f64 {
+        if !self.choices.is_empty() {
+            let at = (share * self.choices.len() as f64) as usize;
+            return self.choices[at.min(self.choices.len() - 1)];
+        }
         let [from, to] = self.range;
         let value =
             if self.is_logarithmic { from * (to / from).powf(share) } else { from + (to - from) * share };
@@ -90,7 +104,7 @@ impl Variable {
     }
 
     /// The share of the range at a value.
-    fn share(&self, value: f64) -> f64 {
+    pub(super) fn share(&self, value: f64) -> f64 {
         let [from, to] = self.range;
         if self.is_logarithmic {
             (value / from).ln() / (to / from).ln()

@@ -21,6 +21,15 @@ use crate::{
 
 /// Solves a problem and prints what came of it.
 pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure> {
+    run_required(solve, &|_| Ok(()), console)
+}
+
+/// Solves a problem that meets a requirement and prints what came of it.
+pub(crate) fn run_required(
+    solve: &Solve,
+    required: &dyn Fn(&LoadedProblem) -> Result<(), Failure>,
+    console: &Console,
+) -> Result<ExitCode, Failure> {
     if let Some(output) = &solve.output {
         output::allowed(output, Path::new(&solve.problem), solve.force)?;
     }
@@ -37,6 +46,7 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
         units: solve.units.as_deref().map(UnitSetting::read).transpose().map_err(Failure::input)?,
     };
     let problem = problem::read(&asked, console)?;
+    required(&problem)?;
     let mut asked_for = Vec::new();
     for asked in &solve.unit {
         let (answer, unit) = asked.split_once('=').ok_or_else(|| {

@@ -1,0 +1,128 @@
+//! `dalembert optimise`
+
+use std::{ffi::OsStr, path::Path, process::ExitCode};
+
+use dalembert_core::{
+    Determined, Goal, Text,
+    file::{self, ProblemFile},
+    find,
+};
+
+use crate::{
+    arguments::{Optimise, Solve},
+    commands::solve,
+    console::Console,
+    failure::Failure,
+    output,
+    problem::{self, LoadedProblem, ProblemSource},
+};
+
+/// Finds the best values of the inputs, and prints the worked solution with them, or writes it or the problem to a file.
+pub(crate) fn run(asked: &Optimise, console: &Console) -> Result<ExitCode, Failure> {
+    let (changes, given) = requirements(asked)?;
+    let case = asked.case.or_else(|| find(&asked.problem).map(|_| 1));
+    let to_problem = asked.output.as_deref().filter(|path| path.extension() == Some(OsStr::new("toml")));
+    let Some(path) = to_problem else {
+        let wanted = Solve {
+            problem: asked.problem.clone(),
+            case,
+            set: changes,
+            define: Vec::new(),
+            ask: asked.ask.clone(),
+            given,
+            configuration: Vec::new(),
+            format: asked.format,
+            table: asked.table.clone(),
+            output: asked.output.clone(),
+            force: asked.force,
+            strict: false,
+            digits: asked.digits,
+            unit: Vec::new(),
+            units: None,
+        };
+        return solve::run_required(&wanted, &|problem| is_wanted(problem), console);
+    };
+    output::allowed(path, Path::new(&asked.problem), asked.force)?;
+    let source = ProblemSource {
+        case,
+        changes: &changes,
+        ask: &asked.ask,
+        given: &given,
+        ..ProblemSource::named(&asked.problem)
+    };
+    let problem = problem::read(&source, console)?;
+    is_wanted(&problem)?;
+    let solution = solve::outcome(&problem, &[])?.map_err(Failure::Refused)?;
+    let Some(found) = solution.determined.as_deref() else { return Err(nothing_wanted()) };
+    output::write(path, &text_of_optimum(asked, problem, found)?, asked.force)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The inputs to change and the answers that something is required of, as `dalembert solve` has them.
+fn requirements(asked: &Optimise) -> Result<(Vec<String>, Vec<String>), Failure> {
+    let mut errors = Vec::new();
+    let mut changes = asked.set.clone();
+    for text in &asked.vary {
+        match text.split_once('=') {
+            Some((input, values)) if !values.trim().is_empty() => {
+                changes.push(format!("{}=? {}", input.trim(), values.trim().trim_start_matches('?')));
+            }
+            _ => {
+                let why = Text::new(
+                    "--vary {text}: write an input and its range or values, as in --vary 'stiffness=20 kN/m .. 80 kN/m'",
+                );
+                errors.push(why.with("text", text));
+            }
+        }
+    }
+    let extremes = [(&asked.minimise, "minimum"), (&asked.maximise, "maximum")];
+    let mut given: Vec<String> = extremes
+        .into_iter()
+        .flat_map(|(names, word)| names.iter().map(move |name| format!("{}={word}", name.trim())))
+        .collect();
+    for text in &asked.limit {
+        match text.find(['<', '>', '≤', '≥']) {
+            Some(at) if at > 0 => given.push(format!("{}={}", text[..at].trim(), &text[at..])),
+            _ => {
+                let why = Text::new(
+                    "--limit {text}: write an answer and a value, as in --limit 'amplitude > 0.2 mm'",
+                );
+                errors.push(why.with("text", text));
+            }
+        }
+    }
+    if errors.is_empty() { Ok((changes, given)) } else { Err(Failure::Input(errors)) }
+}
+
+/// Refuses a problem in which no answer is to be the least or the largest.
+fn is_wanted(problem: &LoadedProblem) -> Result<(), Failure> {
+    if problem.record.goals().any(Goal::is_extreme) { Ok(()) } else { Err(nothing_wanted()) }
+}
+
+fn nothing_wanted() -> Failure {
+    Failure::input(
+        "no answer is to be the least or the largest: add --minimise or --maximise, as in --minimise amplitude, and inputs to choose, as in --vary 'stiffness=20 kN/m .. 80 kN/m'",
+    )
+}
+
+/// The problem with the optimum in place of the unknowns, written over the text of its file where it has one.
+fn text_of_optimum(asked: &Optimise, problem: LoadedProblem, found: &Determined) -> Result<String, Failure> {
+    let mut draft = problem.draft;
+    draft
+        .take_found(&problem.entry.shape(), found)
+        .map_err(|error| Failure::Fault(format!("{}: {}", error.path, error.why.english())))?;
+    let over = match find(&asked.problem) {
+        None if !problem::is_standard_input(&asked.problem) => problem::text_of(&asked.problem)?,
+        _ => String::new(),
+    };
+    let optimum = ProblemFile {
+        entry: problem.entry,
+        title: problem.name.english(),
+        draft,
+        units: problem.units,
+        show: problem.show,
+        notes: Vec::new(),
+        files: Vec::new(),
+    };
+    Ok(file::write(&optimum, &over))
+}
