@@ -11,8 +11,10 @@ mod failure;
 mod output;
 mod problem;
 mod questions;
+pub mod request;
 mod snippet;
 mod solving;
+mod values;
 
 use std::{ffi::OsString, path::PathBuf, process::ExitCode};
 
@@ -21,8 +23,8 @@ use clap_complete::CompleteEnv;
 use dalembert_tui::settings::{self, Settings};
 
 use crate::{
-    arguments::{Arguments, Command},
-    console::Console,
+    arguments::{Arguments, Command, Format},
+    console::{Console, print_json},
     failure::Failure,
 };
 
@@ -43,13 +45,34 @@ pub fn main() -> ExitCode {
         Ok(arguments) => {
             let console = Console::of_process(language, arguments.ascii);
             let set = Set { path, settings, faults };
-            run(&arguments, set, &console).unwrap_or_else(|failure| console.report(&failure))
+            run(&arguments, set, &console).unwrap_or_else(|failure| {
+                // A refusal stands in the result already.
+                if arguments.command.as_ref().is_some_and(prints_json)
+                    && !matches!(failure, Failure::Refused(_) | Failure::Output(_))
+                {
+                    let _ = print_json(&failure.json(&console.locale));
+                }
+                console.report(&failure)
+            })
         }
         Err(err) => {
             // Help and version are no errors to clap either: it knows the stream and the status.
             let _ = err.print();
             ExitCode::from(u8::try_from(err.exit_code()).unwrap_or(2))
         }
+    }
+}
+
+/// Returns true if another program reads what a command prints, errors included.
+fn prints_json(command: &Command) -> bool {
+    match command {
+        Command::Solve(solve) => commands::solve::format(solve) == Format::Json,
+        Command::Find(find) => find.json,
+        Command::List(list) => list.json,
+        Command::Show(show) => show.json,
+        Command::Study(study) => study.json,
+        Command::Verify(verify) => verify.json,
+        _ => false,
     }
 }
 
@@ -81,6 +104,7 @@ fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, F
         Some(Command::Study(study)) => commands::study::run(study, console),
         Some(Command::Verify(verify)) => commands::verify::run(verify, console),
         Some(Command::Schema(schema)) => commands::schema::run(schema, console),
+        Some(Command::Serve(_)) => commands::serve::run(console),
         Some(Command::Replay(replay)) => commands::replay::run(replay, set, console),
         Some(Command::Completions(completions)) => commands::completions::run(completions),
         Some(Command::Man(man)) => commands::man::run(man, console),

@@ -30,7 +30,7 @@ pub use crate::{
     format::DocumentFormat,
     html::html,
     inputs::{ReportedInput, inputs},
-    json::{json, json_text, unknown_formula},
+    json::{RESULT_KEYS, RESULTS_FORMAT, RESULTS_SCHEMA, json, json_of, json_text, unknown_formula},
     latex::latex,
     markdown::markdown,
     study::study_document,

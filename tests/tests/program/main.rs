@@ -2,6 +2,7 @@
 
 mod cli;
 mod faults;
+mod json;
 mod replay;
 mod study;
 mod workbench;
