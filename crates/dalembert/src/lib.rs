@@ -20,6 +20,7 @@ use std::{ffi::OsString, path::PathBuf, process::ExitCode};
 
 use clap::FromArgMatches as _;
 use clap_complete::CompleteEnv;
+use dalembert_core::{Locale, Text};
 use dalembert_tui::settings::{self, Settings};
 
 use crate::{
@@ -39,7 +40,7 @@ pub fn main() -> ExitCode {
     let language = console::requested_language(&words, settings.language);
     CompleteEnv::with_factory(|| arguments::command(language)).var(completion::VARIABLE).complete();
     let parsed = arguments::command(language)
-        .try_get_matches_from(words)
+        .try_get_matches_from(&words)
         .and_then(|matches| Arguments::from_arg_matches(&matches));
     match parsed {
         Ok(arguments) => {
@@ -58,6 +59,11 @@ pub fn main() -> ExitCode {
         Err(err) => {
             // Help and version are no errors to clap either: it knows the stream and the status.
             let _ = err.print();
+            if err.use_stderr() && asks_for_json(&words) {
+                let message = err.to_string();
+                let why = message.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned();
+                let _ = print_json(&Failure::input(Text::verbatim(why)).json(&Locale::english()));
+            }
             ExitCode::from(u8::try_from(err.exit_code()).unwrap_or(2))
         }
     }
@@ -74,6 +80,12 @@ fn prints_json(command: &Command) -> bool {
         Command::Verify(verify) => verify.json,
         _ => false,
     }
+}
+
+/// Returns true if words that are no command line ask for JSON.
+fn asks_for_json(words: &[OsString]) -> bool {
+    let is_json = |pair: &[OsString]| pair[0] == "--format" && pair[1] == "json";
+    words.windows(2).any(is_json) || words.iter().any(|word| word == "--format=json" || word == "--json")
 }
 
 /// Settings of the user and the path of their file.

@@ -1,6 +1,11 @@
 //! The problem that the command line names: an analysis with the inputs of a case, or a file.
 
-use std::{io, path::Path, sync::OnceLock};
+use std::{
+    collections::BTreeMap,
+    io,
+    path::Path,
+    sync::{Mutex, OnceLock, PoisonError},
+};
 
 use dalembert_core::{
     Draft, Entry, FieldError, Record, Shape, Text, UnitSetting,
@@ -220,11 +225,18 @@ fn of_analysis(
 }
 
 /// The published case of a number, counted from 1.
-pub(crate) fn case(entry: &Entry, number: u32) -> Result<Case, Failure> {
-    let cases = cases::cases(entry)
-        .map_err(|why| Failure::Fault(format!("the cases of {}: {why}", entry.about.id)))?;
+pub(crate) fn case(entry: &'static Entry, number: u32) -> Result<Case, Failure> {
+    // Another program asks for the same case again and again: they are read once.
+    static KNOWN: Mutex<BTreeMap<&str, Vec<Case>>> = Mutex::new(BTreeMap::new());
+    let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    if !known.contains_key(entry.about.id) {
+        let cases = cases::cases(entry)
+            .map_err(|why| Failure::Fault(format!("the cases of {}: {why}", entry.about.id)))?;
+        known.insert(entry.about.id, cases);
+    }
+    let cases = known.get(entry.about.id).map_or(&[][..], Vec::as_slice);
     let have = cases.len();
-    cases.into_iter().nth(number as usize - 1).ok_or_else(|| {
+    cases.get(number as usize - 1).cloned().ok_or_else(|| {
         let why = Text::new("{id} has no case {number}; it has cases 1 to {have}");
         Failure::input(why.with("id", entry.about.id).with("number", number).with("have", have))
     })

@@ -8,15 +8,18 @@
 //! `case`, `set`, `let`, `ask`, `given`, `configuration`, `units`, `unit`, `digits`, `strict`; `lang` is the language, and
 //! `only` the keys of the result that are wanted.
 
+mod inputs;
+
 use std::path::Path;
 
 use dalembert_core::{Entry, Language, Locale, Record, Solution, Text, UnitSetting, nearest};
 use dalembert_report::{RESULT_KEYS, WorkedProblem, json_of};
 use serde_json::{Map, Value as Json};
 
+pub use self::inputs::NamedValue;
 pub use crate::failure::RequestError;
 use crate::{
-    commands::{schema, show, solve},
+    commands::{list, schema, show, solve},
     console::Console,
     failure::Failure,
     problem::{self, LoadedProblem, ProblemOptions, ProblemSource},
@@ -161,6 +164,11 @@ impl SolvedProblem {
     }
 }
 
+/// The analyses of a search, the best match first; all without words.
+pub fn listed(words: &[String], language: Language) -> Json {
+    list::json(words, &locale(&Map::new(), language))
+}
+
 /// Inputs, answers, questions, sources and cases of an analysis.
 ///
 /// # Errors
@@ -228,9 +236,7 @@ fn read(request: &Map<String, Json>, locale: Locale) -> Result<RequestedProblem,
     let (given, configuration) = (keys.pairs("given"), keys.pairs("configuration"));
     let values = keys.object("set");
     let units = keys.text("units").map(UnitSetting::read).transpose().map_err(Failure::input)?;
-    let unit = keys.object("unit").into_iter().flatten();
-    let unit =
-        unit.map(|(answer, unit)| (answer.clone(), unit.as_str().unwrap_or_default().to_owned())).collect();
+    let unit = keys.units();
     let only = keys.keys_of_result();
     if !keys.errors.is_empty() {
         return Err(Failure::Input(keys.errors));
@@ -319,6 +325,18 @@ impl<'r> Keys<'r> {
             }
             Some(other) => self.wrong(key, other, "an object of names and texts"),
         }
+    }
+
+    /// Units of answers.
+    fn units(&mut self) -> Vec<(String, String)> {
+        let mut units = Vec::new();
+        for (answer, unit) in self.object("unit").into_iter().flatten() {
+            match unit.as_str() {
+                Some(unit) => units.push((answer.clone(), unit.to_owned())),
+                None => self.wrong("unit", unit, "a text"),
+            }
+        }
+        units
     }
 
     fn keys_of_result(&mut self) -> Option<Vec<String>> {
