@@ -10,6 +10,7 @@ pub mod find;
 pub mod new_analysis;
 pub mod new_plugin;
 pub mod pictures;
+pub mod python;
 pub mod soak;
 pub mod tidy;
 pub mod verify;

@@ -13,7 +13,7 @@ use serde_json::Value as Json;
 
 use crate::{
     cargo::{Program, cargo, output, run as run_command, target},
-    docs, new_analysis, pictures, tidy,
+    docs, new_analysis, pictures, python, tidy,
 };
 
 /// Extent of the verification.
@@ -34,7 +34,7 @@ struct Step {
     slow: bool,
 }
 
-const STEPS: [Step; 12] = [
+const STEPS: [Step; 13] = [
     Step { name: "tidy", prove: tree, slow: false },
     Step { name: "spelling", prove: spelling, slow: false },
     Step { name: "dependencies", prove: dependencies, slow: false },
@@ -46,6 +46,7 @@ const STEPS: [Step; 12] = [
     Step { name: "reference", prove: reference, slow: false },
     Step { name: "pictures", prove: drawn, slow: false },
     Step { name: "out of tree", prove: out_of_tree, slow: true },
+    Step { name: "python", prove: python_module, slow: true },
     Step { name: "new analysis", prove: template, slow: true },
 ];
 
@@ -114,7 +115,9 @@ fn dependencies(root: &Path) -> Found {
 
 fn formatting(root: &Path) -> Found {
     run_command(cargo(root).args(["fmt", "--all", "--", "--check", "--files-with-diff"]))?;
-    run_command(cargo(&root.join(OUT_OF_TREE)).args(["fmt", "--", "--check", "--files-with-diff"]))?;
+    for folder in [OUT_OF_TREE, python::FOLDER] {
+        run_command(cargo(&root.join(folder)).args(["fmt", "--", "--check", "--files-with-diff"]))?;
+    }
     Ok(String::new())
 }
 
@@ -224,6 +227,13 @@ fn out_of_tree(root: &Path) -> Found {
     run_command(&mut theirs(&["verify", OF_THE_LABORATORY]))?;
     run_command(&mut with_cargo("test"))?;
     Ok(format!("{} analyses", listed.len()))
+}
+
+/// The Python module solves. What it shares with the program out of tree is built once; the whole proof, with a wheel and
+/// packages from the index, is `cargo xtask python`.
+fn python_module(root: &Path) -> Found {
+    let solved = python::smoke(root, &compiled_quickly(root)?)?;
+    Ok(solved.unwrap_or_else(|| "not run: no Python".to_owned()))
 }
 
 /// Checks that a member of the workspace here, which is a dependency there, is not compiled for speed: options that

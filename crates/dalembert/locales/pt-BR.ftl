@@ -17,7 +17,10 @@ the-session-marks-no-screenshot-add-picture-name-to-it = a sessão não marca ne
 print-a-completion-script-for-a-shell = Escrever um script de complementação para um shell
 print-ascii-characters-only = Escrever só caracteres ASCII
 print-json = Imprimir JSON
-print-the-json-schema-of-a-problem-file-for-an-editor = Imprimir o JSON Schema de um arquivo de problema, para um editor
+print-the-json-schema-of-a-problem-file-for-an-editor-or-of-results = Imprimir o JSON Schema de um arquivo de problema, para um editor, ou o dos resultados
+the-id-of-an-analysis-such-as-vibration-rotating-unbalance-results-for-what-solve-format-json-prints = O id de uma análise, como vibration/rotating-unbalance; results para o que `solve --format json` imprime
+answer-requests-of-another-program = Responder às requisições de outro programa
+read-json-lines-from-standard-input-and-write-one-to-standard-output-for-each = Ler linhas JSON da entrada padrão e escrever uma na saída padrão para cada uma
 print-the-manual-page = Imprimir a página de manual
 units-of-everything-that-is-shown-auto-the-system-that-the-inputs-show-as-typed-si-in-lbf-s-ft-slug-s = Unidades de tudo o que é mostrado: auto (o sistema usado nos dados), as-typed (como digitado), SI, in-lbf-s, ft-slug-s, mm-t-s
 unit-of-an-answer-or-of-all-answers-of-a-name-or-a-quantity-amplitude-um-force-lbf = Unidade de uma resposta, ou de todas as de um nome ou de uma grandeza: amplitude=um, force=lbf
@@ -203,3 +206,22 @@ the-answer-or-question-to-be-made-as-small-as-possible-of-two-of-these-the-paret
 write-to-a-new-file-the-problem-with-the-optimum-toml-or-the-worked-solution-by-the-extension = Gravar em um arquivo novo: o problema com o ótimo (.toml), ou a resolução conforme a extensão
 vary-text-write-an-input-and-its-range-or-values-as-in-vary-stiffness-20-kn-m-80-kn-m = --vary { $text }: escreva um dado e sua faixa ou seus valores, como em --vary 'stiffness=20 kN/m .. 80 kN/m'
 no-answer-is-to-be-the-least-or-the-largest-add-minimise-or-maximise-as-in-minimise-amplitude-and = nenhum resultado deve ser o menor ou o maior possível: acrescente --minimise ou --maximise, como em --minimise amplitude, e dados a escolher, como em --vary 'stiffness=20 kN/m .. 80 kN/m'
+## Requests of other programs
+a-list-of-numbers-is-needed-for-each-column-known = é preciso uma lista de números para cada coluna: { $known }
+a-request-has-an-id-and-one-of-known = uma requisição tem um `id` e um de { $known }
+column-name-has-have-numbers-and-the-first-want-give-as-many-in-each = a coluna { $name } tem { $have } números e a primeira { $want }; dê o mesmo número em cada uma
+is-one-value-and-no-list = é um só valor e não uma lista
+key-value-want-is-needed-here = { $key } = { $value }: aqui é preciso { $want }
+a-list-of-keys-of-the-result = uma lista de chaves do resultado
+a-text = um texto
+a-whole-number-counted-from-1 = um número inteiro, contado a partir de 1,
+a-whole-number-from-1-to-17 = um número inteiro de 1 a 17
+an-object-of-names-and-texts = um objeto de nomes e textos
+an-object-of-names-and-values = um objeto de nomes e valores
+true-or-false = true ou false
+lang-language-write-en-or-pt-br = lang { $language }: escreva en ou pt-BR
+name-one-of-problem-an-id-or-a-file-and-problem-file-the-text-of-a-file = dê um só de `problem`, um id ou um arquivo, e `problem_file`, o texto de um arquivo
+requests-stand-on-standard-input-send-the-text-of-a-file-as-problem-file = a entrada padrão traz as requisições: envie o texto de um arquivo como `problem_file`
+this-line-is-no-json-object-why = esta linha não é um objeto JSON: { $why }
+this-request-is-longer-than-most-mib-send-less-in-one-line = esta requisição tem mais de { $most } MiB; envie menos em uma linha
+write-an-object-behind-solve-and-an-id-behind-show-and-schema = escreva um objeto depois de `solve`, e um id depois de `show` e de `schema`

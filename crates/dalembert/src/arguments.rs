@@ -59,8 +59,10 @@ pub(crate) enum Command {
     Study(Study),
     /// Check all published answers
     Verify(Verify),
-    /// Print the JSON Schema of a problem file, for an editor
+    /// Print the JSON Schema of a problem file, for an editor, or of results
     Schema(Schema),
+    /// Answer requests of another program
+    Serve(Serve),
     /// Replay a recorded or written session of the workbench
     Replay(Replay),
     /// Print a completion script for a shell
@@ -324,9 +326,16 @@ pub(crate) struct Verify {
 
 #[derive(Debug, Args)]
 pub(crate) struct Schema {
-    /// The id of an analysis, such as vibration/rotating-unbalance
+    /// The id of an analysis, such as vibration/rotating-unbalance; results for what `solve --format json` prints
     #[arg(add = completion::ids())]
     pub(crate) id: String,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Serve {
+    /// Read JSON lines from standard input and write one to standard output for each
+    #[arg(long, required = true)]
+    pub(crate) stdio: bool,
 }
 
 #[derive(Debug, Args)]

@@ -9,6 +9,7 @@ pub(crate) mod new;
 pub(crate) mod optimise;
 pub(crate) mod replay;
 pub(crate) mod schema;
+pub(crate) mod serve;
 pub(crate) mod settings;
 pub(crate) mod show;
 pub(crate) mod solve;

@@ -30,6 +30,8 @@ pub(crate) struct Console {
     pub(crate) capabilities: Capabilities,
     /// True if input and output are both a terminal.
     pub(crate) interactive: bool,
+    /// True if notes are not said: they stand in the result.
+    pub(crate) is_quiet: bool,
 }
 
 impl Console {
@@ -52,6 +54,19 @@ impl Console {
             styled_errors: io::stderr().is_terminal() && capabilities.colors != Colors::None,
             capabilities,
             interactive: stdout.is_terminal() && io::stdin().is_terminal(),
+            is_quiet: false,
+        }
+    }
+
+    /// That of another program, for which everything stands in the result.
+    pub(crate) fn of_program(locale: Locale) -> Self {
+        Self {
+            locale,
+            width: USUAL,
+            styled_errors: false,
+            capabilities: Capabilities::default(),
+            interactive: false,
+            is_quiet: true,
         }
     }
 
@@ -68,6 +83,9 @@ impl Console {
 
     /// Says something on the error stream beside what is printed: a `note` or a `warning`.
     pub(crate) fn notify(&self, template: &'static str, words: &Text) {
+        if self.is_quiet {
+            return;
+        }
         let line = Text::new(template).with_text("words", words.clone()).render(&self.locale);
         // Nobody is left to read it when the error stream itself is closed.
         let _ = writeln!(io::stderr(), "{}", self.plain(&line).replace('\n', " "));
@@ -87,7 +105,7 @@ impl Console {
             Failure::Input(all) => {
                 (all.iter().map(|why| error(why.render(&self.locale))).collect::<Vec<_>>().join("\n"), 2)
             }
-            Failure::InFile(shown) => (shown.clone(), 2),
+            Failure::InFile(errors) => (errors.shown.clone(), 2),
             Failure::File(err) => (error(err.text().render(&self.locale)), 2),
             Failure::Refused(why) => (say(Text::new("no answer: {why}").with_text("why", why.clone())), 1),
             Failure::Unmet(why) => (error(why.render(&self.locale)), 1),

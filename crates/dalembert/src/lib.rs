@@ -11,18 +11,21 @@ mod failure;
 mod output;
 mod problem;
 mod questions;
+pub mod request;
 mod snippet;
 mod solving;
+mod values;
 
 use std::{ffi::OsString, path::PathBuf, process::ExitCode};
 
 use clap::FromArgMatches as _;
 use clap_complete::CompleteEnv;
+use dalembert_core::{Locale, Text};
 use dalembert_tui::settings::{self, Settings};
 
 use crate::{
-    arguments::{Arguments, Command},
-    console::Console,
+    arguments::{Arguments, Command, Format},
+    console::{Console, print_json},
     failure::Failure,
 };
 
@@ -37,20 +40,53 @@ pub fn main() -> ExitCode {
     let language = console::requested_language(&words, settings.language);
     CompleteEnv::with_factory(|| arguments::command(language)).var(completion::VARIABLE).complete();
     let parsed = arguments::command(language)
-        .try_get_matches_from(words)
+        .try_get_matches_from(&words)
         .and_then(|matches| Arguments::from_arg_matches(&matches));
     match parsed {
         Ok(arguments) => {
             let console = Console::of_process(language, arguments.ascii);
             let set = Set { path, settings, faults };
-            run(&arguments, set, &console).unwrap_or_else(|failure| console.report(&failure))
+            run(&arguments, set, &console).unwrap_or_else(|failure| {
+                // A refusal stands in the result already.
+                if arguments.command.as_ref().is_some_and(prints_json)
+                    && !matches!(failure, Failure::Refused(_) | Failure::Output(_))
+                {
+                    let _ = print_json(&failure.json(&console.locale));
+                }
+                console.report(&failure)
+            })
         }
         Err(err) => {
             // Help and version are no errors to clap either: it knows the stream and the status.
             let _ = err.print();
+            if err.use_stderr() && asks_for_json(&words) {
+                let message = err.to_string();
+                let why = message.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned();
+                let _ = print_json(&Failure::input(Text::verbatim(why)).json(&Locale::english()));
+            }
             ExitCode::from(u8::try_from(err.exit_code()).unwrap_or(2))
         }
     }
+}
+
+/// Returns true if another program reads what a command prints, errors included.
+fn prints_json(command: &Command) -> bool {
+    match command {
+        Command::Solve(solve) => commands::solve::format(solve) == Format::Json,
+        Command::Find(find) => find.json,
+        Command::Optimise(optimise) => commands::optimise::is_json(optimise),
+        Command::List(list) => list.json,
+        Command::Show(show) => show.json,
+        Command::Study(study) => study.json,
+        Command::Verify(verify) => verify.json,
+        _ => false,
+    }
+}
+
+/// Returns true if words that are no command line ask for JSON.
+fn asks_for_json(words: &[OsString]) -> bool {
+    let is_json = |pair: &[OsString]| pair[0] == "--format" && pair[1] == "json";
+    words.windows(2).any(is_json) || words.iter().any(|word| word == "--format=json" || word == "--json")
 }
 
 /// Settings of the user and the path of their file.
@@ -82,6 +118,7 @@ fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, F
         Some(Command::Study(study)) => commands::study::run(study, console),
         Some(Command::Verify(verify)) => commands::verify::run(verify, console),
         Some(Command::Schema(schema)) => commands::schema::run(schema, console),
+        Some(Command::Serve(_)) => commands::serve::run(console),
         Some(Command::Replay(replay)) => commands::replay::run(replay, set, console),
         Some(Command::Completions(completions)) => commands::completions::run(completions),
         Some(Command::Man(man)) => commands::man::run(man, console),

@@ -1,19 +1,26 @@
 //! The problem that the command line names: an analysis with the inputs of a case, or a file.
 
-use std::{io, path::Path};
+use std::{
+    collections::BTreeMap,
+    io,
+    path::Path,
+    sync::{Mutex, OnceLock, PoisonError},
+};
 
 use dalembert_core::{
     Draft, Entry, FieldError, Record, Shape, Text, UnitSetting,
     cases::{self, Case},
-    file, find,
+    file, find, is_within,
 };
 use dalembert_report::WorkedProblem;
 use dalembert_tui::files::{self, FileError};
 
-use crate::{console::Console, failure::Failure, questions, snippet, solving::SolveOutcome};
+use serde_json::{Map, Value as Json};
 
-/// The name that stands for the standard input.
-const STDIN: &str = "-";
+use crate::{console::Console, failure::Failure, questions, snippet, solving::SolveOutcome, values};
+
+/// The names that stand for the standard input.
+const STDIN: [&str; 2] = ["-", "/dev/stdin"];
 
 /// The longest value that an error repeats in full, in characters.
 const LONGEST_VALUE: usize = 60;
@@ -71,6 +78,8 @@ pub(crate) struct ProblemSource<'a> {
     pub(crate) case: Option<u32>,
     /// The inputs to change.
     pub(crate) changes: &'a [String],
+    /// The inputs to change after these, by their paths: texts, numbers, lists, tables.
+    pub(crate) values: Option<&'a Map<String, Json>>,
     /// The definitions to add.
     pub(crate) define: &'a [String],
     /// The questions to add.
@@ -94,6 +103,7 @@ impl<'a> ProblemSource<'a> {
             named,
             case: None,
             changes: &[],
+            values: None,
             define: &[],
             ask: &[],
             given: &[],
@@ -102,6 +112,11 @@ impl<'a> ProblemSource<'a> {
             strict: false,
             units: None,
         }
+    }
+
+    /// Returns true if inputs are changed.
+    fn changes_inputs(&self) -> bool {
+        !self.changes.is_empty() || self.values.is_some_and(|values| !values.is_empty())
     }
 }
 
@@ -123,6 +138,8 @@ impl ProblemOptions {
         given: "--given",
         given_form: "write an answer and its value, as in --given 'natural_frequency=8.2 Hz'",
     };
+    /// Those of a request of another program.
+    pub(crate) const OF_REQUEST: Self = Self { input: "set", given: "given", ..Self::OF_SOLVE };
 }
 
 /// Reads a problem, and says on the error stream how its inputs were read where that does not stand in them.
@@ -158,7 +175,7 @@ fn of_analysis(
 ) -> Result<LoadedProblem, Failure> {
     let case = match asked.case {
         // With some inputs set and none to begin with, the others would be those of another problem.
-        None if !asked.changes.is_empty() => None,
+        None if asked.changes_inputs() => None,
         number => Some(case(entry, number.unwrap_or(1))?),
     };
     let shape = entry.shape();
@@ -181,7 +198,7 @@ fn of_analysis(
         errors.extend(notes.iter().cloned());
     }
     // With other inputs it is no longer the published problem.
-    let published = case.filter(|_| asked.changes.is_empty());
+    let published = case.filter(|_| !asked.changes_inputs());
     let none = || Text::from("");
     match record {
         Ok(record) if errors.is_empty() => Ok(LoadedProblem {
@@ -208,11 +225,18 @@ fn of_analysis(
 }
 
 /// The published case of a number, counted from 1.
-pub(crate) fn case(entry: &Entry, number: u32) -> Result<Case, Failure> {
-    let cases = cases::cases(entry)
-        .map_err(|why| Failure::Fault(format!("the cases of {}: {why}", entry.about.id)))?;
+pub(crate) fn case(entry: &'static Entry, number: u32) -> Result<Case, Failure> {
+    // Another program asks for the same case again and again: they are read once.
+    static KNOWN: Mutex<BTreeMap<&str, Vec<Case>>> = Mutex::new(BTreeMap::new());
+    let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    if !known.contains_key(entry.about.id) {
+        let cases = cases::cases(entry)
+            .map_err(|why| Failure::Fault(format!("the cases of {}: {why}", entry.about.id)))?;
+        known.insert(entry.about.id, cases);
+    }
+    let cases = known.get(entry.about.id).map_or(&[][..], Vec::as_slice);
     let have = cases.len();
-    cases.into_iter().nth(number as usize - 1).ok_or_else(|| {
+    cases.get(number as usize - 1).cloned().ok_or_else(|| {
         let why = Text::new("{id} has no case {number}; it has cases 1 to {have}");
         Failure::input(why.with("id", entry.about.id).with("number", number).with("have", have))
     })
@@ -220,24 +244,30 @@ pub(crate) fn case(entry: &Entry, number: u32) -> Result<Case, Failure> {
 
 /// The text of a file, or of the standard input.
 pub(crate) fn text_of(named: &str) -> Result<String, Failure> {
-    let opened = match named {
-        STDIN => files::read_from(io::stdin().lock(), shown_path(named)),
-        path => files::read(Path::new(path)),
-    };
-    Ok(opened?.text)
+    // It can be read once, and a study asks for it as its plan and as its problem.
+    static STANDARD_INPUT: OnceLock<String> = OnceLock::new();
+    if !is_standard_input(named) {
+        return Ok(files::read(Path::new(named))?.text);
+    }
+    if let Some(text) = STANDARD_INPUT.get() {
+        return Ok(text.clone());
+    }
+    let text = files::read_from(io::stdin().lock(), shown_path(named))?.text;
+    Ok(STANDARD_INPUT.get_or_init(|| text).clone())
 }
 
 /// The path of a file as messages name it.
 fn shown_path(named: &str) -> &Path {
-    Path::new(if named == STDIN { "<stdin>" } else { named })
+    Path::new(if is_standard_input(named) { "<stdin>" } else { named })
 }
 
 /// Returns true if a name stands for the standard input.
 pub(crate) fn is_standard_input(named: &str) -> bool {
-    named == STDIN
+    STDIN.contains(&named)
 }
 
-fn of_file(
+/// The problem of a text; `path` is that of its file as messages name it, from whose folder it links to others.
+pub(crate) fn of_file(
     path: &Path,
     text: &str,
     asked: &ProblemSource<'_>,
@@ -265,8 +295,9 @@ fn of_file(
         Ok(_) => &[],
     };
     let is_set = |err: &FieldError| {
-        let paths = asked.changes.iter().filter_map(|change| change.split_once('='));
-        paths.map(|(path, _)| path.trim()).any(|path| path == err.path)
+        let mut paths = asked.changes.iter().filter_map(|change| change.split_once('='));
+        let mut values = asked.values.into_iter().flat_map(Map::keys);
+        paths.any(|(path, _)| path.trim() == err.path) || values.any(|path| is_within(&err.path, path))
     };
     let (set, in_file): (Vec<&FieldError>, Vec<&FieldError>) = errors.iter().partition(|err| is_set(err));
     if !in_file.is_empty() {
@@ -330,8 +361,11 @@ fn change(draft: &mut Draft, shape: &Shape, asked: &ProblemSource<'_>, console: 
             }
         }
     }
-    let wrong =
-        |path: &str| Text::new("{flag} {text}: {why}").with("flag", asked.options.input).with("text", path);
+    let wrong = |path: &str| {
+        let text = Text::new("{flag} {text}: {why}").with("flag", asked.options.input).with("text", path);
+        // A sentence about an input has its path, for another program.
+        text.with("path", path)
+    };
     for change in asked.changes {
         let Some((path, value)) = change.split_once('=') else {
             errors.push(
@@ -340,23 +374,37 @@ fn change(draft: &mut Draft, shape: &Shape, asked: &ProblemSource<'_>, console: 
             );
             continue;
         };
-        let named = file::named_input(shape, path.trim(), value);
-        if let Some(named) = &named {
-            console.notify("note: {words}", &named.note);
-        }
-        let (path, value) = named.as_ref().map_or((path.trim(), value), |now| (&now.path, &now.text));
-        match from_file(draft, shape, path, value) {
-            Ok(text) => {
-                let before = draft.clone();
-                match draft.set(shape, path, text.as_deref().unwrap_or(value)) {
-                    Ok(()) => draft.keep_first(&before, shape),
-                    Err(err) => errors.push(wrong(path).with_text("why", err.why)),
-                }
-            }
-            Err(err) => errors.push(wrong(path).with("why", err)),
+        if let Err(error) = set(draft, shape, path.trim(), value, console) {
+            errors.push(wrong(&error.path).with_text("why", error.why));
         }
     }
+    for (path, value) in asked.values.into_iter().flatten() {
+        let mut one = |draft: &mut Draft, path: &str, text: &str| set(draft, shape, path, text, console);
+        let faults = values::write(draft, shape, path, value, &mut one);
+        errors.extend(faults.into_iter().map(|error| wrong(&error.path).with_text("why", error.why)));
+    }
     errors
+}
+
+/// Writes the text of one input, or that of the file that it names.
+fn set(
+    draft: &mut Draft,
+    shape: &Shape,
+    path: &str,
+    text: &str,
+    console: &Console,
+) -> Result<(), FieldError> {
+    let named = file::named_input(shape, path, text);
+    if let Some(named) = &named {
+        console.notify("note: {words}", &named.note);
+    }
+    let (path, text) = named.as_ref().map_or((path, text), |now| (&now.path, &now.text));
+    let wrong = |why: Text| FieldError::new(path, why);
+    let from_file = from_file(draft, shape, path, text).map_err(|error| wrong(Text::verbatim(error)))?;
+    let before = draft.clone();
+    draft.set(shape, path, from_file.as_deref().unwrap_or(text)).map_err(|error| wrong(error.why))?;
+    draft.keep_first(&before, shape);
+    Ok(())
 }
 
 /// The text of the file that `@name` asks for, where a table stands.

@@ -6,7 +6,7 @@ use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet,
 use dalembert_core::{FieldError, Text, file};
 use dalembert_tui::glyphs::{Glyphs, filter_untrusted};
 
-use crate::console::Console;
+use crate::{console::Console, failure::FileErrors};
 
 /// The most errors that are shown.
 const MOST: usize = 100;
@@ -19,7 +19,7 @@ pub(crate) fn show(
     text: &str,
     errors: &[(Text, Option<Range<usize>>)],
     console: &Console,
-) -> String {
+) -> FileErrors {
     let renderer = if console.styled_errors { Renderer::styled() } else { Renderer::plain() };
     let unicode = !console.locale.style.ascii && console.capabilities.glyphs == Glyphs::Unicode;
     let decor = if console.styled_errors && unicode { DecorStyle::Unicode } else { DecorStyle::Ascii };
@@ -52,7 +52,9 @@ pub(crate) fn show(
     if let Some(more) = errors.len().checked_sub(MOST).filter(|more| *more > 0) {
         shown.push(Text::new("and {more} more errors").with("more", more).render(&console.locale));
     }
-    shown.join("\n\n")
+    let line = |span: &Range<usize>| text.get(span.start..span.end).map(|_| Line::of(text, span).number);
+    let place = |(why, span): &(Text, Option<Range<usize>>)| (why.clone(), span.as_ref().and_then(line));
+    FileErrors { shown: shown.join("\n\n"), places: errors.iter().take(MOST).map(place).collect() }
 }
 
 /// The same for errors of fields; `typed` is what stands in the field of one.
@@ -62,7 +64,7 @@ pub(crate) fn show_fields(
     errors: &[&FieldError],
     typed: &dyn Fn(&FieldError) -> String,
     console: &Console,
-) -> String {
+) -> FileErrors {
     let spans = file::locate(text, errors.iter().copied().take(MOST));
     let spans = spans.into_iter().chain(std::iter::repeat(None));
     let places: Vec<_> = errors

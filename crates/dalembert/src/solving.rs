@@ -2,8 +2,12 @@
 
 use std::{
     any::Any,
+    cell::Cell,
     panic::{self, AssertUnwindSafe},
-    sync::{Mutex, PoisonError},
+    sync::{
+        Mutex, Once, PoisonError,
+        atomic::{AtomicUsize, Ordering},
+    },
 };
 
 use dalembert_core::{Entry, Record, Refusal, Solution, SolveError, Stop, Text};
@@ -32,17 +36,44 @@ pub(crate) fn solve(entry: &'static Entry, record: &Record) -> Result<SolveOutco
 
 /// Runs a part of an analysis; a panic becomes a [`Failure::Fault`] that names the analysis and the place.
 pub(crate) fn guarded<T>(entry: &Entry, run: impl FnOnce() -> T) -> Result<T, Failure> {
-    static PLACE: Mutex<String> = Mutex::new(String::new());
-    let place = || PLACE.lock().unwrap_or_else(PoisonError::into_inner);
-    let hook = panic::take_hook();
-    panic::set_hook(Box::new(|info| {
-        let at = info.location().map_or_else(String::new, ToString::to_string);
-        *PLACE.lock().unwrap_or_else(PoisonError::into_inner) = at;
-    }));
+    contained(entry.about.id, run)
+}
+
+/// The place of the latest panic.
+static PLACE: Mutex<String> = Mutex::new(String::new());
+
+/// Number of calls of [`contained`] that run, on whatever thread.
+static CONTAINED: AtomicUsize = AtomicUsize::new(0);
+
+thread_local! {
+    /// True on a thread whose panic is caught, and so is not reported twice.
+    static IS_CAUGHT: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Runs what may panic; a panic becomes a [`Failure::Fault`] that names what panicked and the place.
+pub(crate) fn contained<T>(what: &str, run: impl FnOnce() -> T) -> Result<T, Failure> {
+    // One hook for all threads: to set one for each call would race with those of others.
+    static HOOK: Once = Once::new();
+    HOOK.call_once(|| {
+        let before = panic::take_hook();
+        panic::set_hook(Box::new(move |info| {
+            if CONTAINED.load(Ordering::SeqCst) > 0 {
+                let at = info.location().map_or_else(String::new, ToString::to_string);
+                *PLACE.lock().unwrap_or_else(PoisonError::into_inner) = at;
+            }
+            if !IS_CAUGHT.get() {
+                before(info);
+            }
+        }));
+    });
+    CONTAINED.fetch_add(1, Ordering::SeqCst);
+    let was_caught = IS_CAUGHT.replace(true);
     let result = panic::catch_unwind(AssertUnwindSafe(run));
-    panic::set_hook(hook);
+    IS_CAUGHT.set(was_caught);
+    CONTAINED.fetch_sub(1, Ordering::SeqCst);
     result.map_err(|payload| {
-        Failure::Fault(format!("{} panicked at {}: {}", entry.about.id, place(), words(&*payload)))
+        let place = PLACE.lock().unwrap_or_else(PoisonError::into_inner);
+        Failure::Fault(format!("{what} panicked at {place}: {}", words(&*payload)))
     })
 }
 

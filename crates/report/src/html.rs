@@ -26,6 +26,30 @@ figure svg { max-width: 100%; height: auto }
 @media print { body { max-width: none; margin: 0 } .formula, figure, tr { break-inside: avoid } }
 ";
 
+/// The rules of a fragment, for it alone: the page around it has its own.
+const STYLE_OF_FRAGMENT: &str = "\
+.dalembert { max-width: 48rem }
+.dalembert table { border-collapse: collapse; margin: .8rem 0 }
+.dalembert th, .dalembert td { padding: .15rem .7rem .15rem 0; text-align: left; vertical-align: top }
+.dalembert tbody th { font-weight: normal }
+.dalembert table.rows thead th { border-bottom: 1px solid }
+.dalembert table.rows tfoot td { border-top: 1px solid; font-weight: bold }
+.dalembert .number { text-align: right }
+.dalembert figure svg { max-width: 100%; height: auto }
+.dalembert .formula { overflow-x: auto; margin: .4rem 0 1rem 2rem }
+.dalembert .formula mtd { text-align: left; padding: .25em .2em }
+.dalembert .source { opacity: .7 }
+";
+
+/// The document as a part of another HTML page: a notebook.
+pub fn html_fragment(document: &Document) -> String {
+    let blocks: String = document.blocks.iter().map(block).collect();
+    format!(
+        "<div class=\"dalembert\">\n<style>\n{STYLE_OF_FRAGMENT}</style>\n<h1>{}</h1>\n{blocks}</div>\n",
+        escaped(&document.title)
+    )
+}
+
 /// The document as an HTML page.
 pub fn html(document: &Document, locale: &Locale) -> String {
     let language = match locale.language {

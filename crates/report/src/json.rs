@@ -1,34 +1,110 @@
 //! JSON writer: a solved problem for another program.
 
+mod exhibits;
+mod steps;
+
 use std::ops::Bound;
 
 use dalembert_core::{
-    Answer, AnswerValue, Determined, Draft, Entry, Exhibit, LinkedProblem, Locale, Number, Plot, Series,
-    Solution, Value, printer, vary,
+    Answer, AnswerValue, Check, Determined, Draft, Entry, Exhibit, LinkedProblem, Locale, Solution, Value,
+    printer, vary,
 };
 use dalembert_units::{Unit, is_invisible};
 use serde_json::{Map, Value as Json, json};
 
 use crate::{WorkedProblem, inputs::inputs};
 
-/// `{"analysis", "case", "units": null | "in-lbf-s", "notes": [], "inputs": {path: {"text", "value", "unit", "si", "si_unit"}}, "answers": {name:
-/// {"label", "value", "unit", "si", "si_unit", "shown"}}, "unknowns": {}, "plots": [{"title", "over", "curves": [{"label", "of", "with"}]}],
-/// "definitions": {name: {"formula", "value", "unit", "si", "si_unit"}}, "problems": [{"name", "analysis", "file"}], "steps":
-/// [{"why", "symbol", "formula", "substitution", "result", "source"}], "checks": [{"what", "residual", "passed"}], "warnings":
-/// [], "refusal": null | "…"}`. A step, and the name of an answer, of one of several problems has the name of that.
-///
-/// `unknowns` has what was found from given answers, by its path: `{"label", "value", "unit", "si", "si_unit", "from", "to",
-/// "uncertainty", "all", "formula"}`, a value for each solution in the range (in SI) that was searched; where `formula`, with its
-/// symbols, follows from the given answer, these are `all` solutions, else it is `null`.
+/// Version of the schema of results. It changes when a key goes or means something else, not when one is added.
+pub const RESULTS_FORMAT: u32 = 1;
+
+/// JSON Schema (draft 2020-12) of what [`json()`] writes, with the meaning of every key.
+pub const RESULTS_SCHEMA: &str = include_str!("json/results.schema.json");
+
+/// The keys of a result, in their order.
+pub const RESULT_KEYS: [&str; 17] = [
+    "format",
+    "program",
+    "analysis",
+    "case",
+    "units",
+    "notes",
+    "inputs",
+    "answers",
+    "unknowns",
+    "definitions",
+    "problems",
+    "steps",
+    "plots",
+    "tables",
+    "checks",
+    "warnings",
+    "refusal",
+];
+
+/// A solved problem as [`RESULTS_SCHEMA`] describes it.
 ///
 /// `value` is in `unit`, the one that is shown, and `si` in `si_unit`, which is coherent; both units can be typed, and that
 /// of a pure number is `1`. Each is a number that reads back bit for bit, `[x, y, z]` for a vector or a list, `[[from, to],
 /// …]` for a set (`null` where an end is open to infinity), and for inputs also `true`, a list of rows (with a list of
-/// units), or `null` for words. A plot is `over` an input (`{"input": path, "answer": null}`) or over an answer that changes
-/// with it, and each of its curves shows what the answer that it is `of` is then, with other inputs as `with` has them;
-/// `null` where the abscissa is no input, or the ordinate no answer. `notes` say how inputs were read where that does not stand in them.
+/// units), or `null` for words.
 pub fn json(worked: &WorkedProblem<'_>, locale: &Locale) -> Json {
+    json_of(worked, &|_| true, locale)
+}
+
+/// The same with those of its keys alone that are wanted.
+pub fn json_of(worked: &WorkedProblem<'_>, wanted: &dyn Fn(&str) -> bool, locale: &Locale) -> Json {
     let locale = &locale.at(worked.entry.about.id);
+    let keys = RESULT_KEYS.into_iter().filter(|key| wanted(key));
+    Json::Object(keys.map(|key| (key.to_owned(), part(key, worked, locale))).collect())
+}
+
+/// Value of a key of the result.
+fn part(key: &str, worked: &WorkedProblem<'_>, locale: &Locale) -> Json {
+    let solution = worked.outcome.ok();
+    let exhibits = || solution.into_iter().flat_map(|solution| &solution.exhibits);
+    match key {
+        "format" => RESULTS_FORMAT.into(),
+        "program" => concat!("dalembert ", env!("CARGO_PKG_VERSION")).into(),
+        "analysis" => worked.entry.about.id.into(),
+        "case" => worked.case.english().into(),
+        "units" => worked.shown_units().map(|units| units.system.key()).into(),
+        "notes" => steps::words(worked.notes, locale),
+        "inputs" => given(worked, locale).into(),
+        "answers" => solution.map(|solution| answers(solution, locale)).unwrap_or_default().into(),
+        "unknowns" => {
+            let found = solution.and_then(|solution| Some((solution.determined.as_deref()?, solution)));
+            found.map(|(found, solution)| determined(found, solution, locale)).unwrap_or_default().into()
+        }
+        "definitions" => definitions(worked).into(),
+        "problems" => problems(worked.entry).into(),
+        "steps" => solution.map_or_else(Vec::new, |solution| all_steps(solution, locale)).into(),
+        "plots" => exhibits()
+            .filter_map(|exhibit| match exhibit {
+                Exhibit::Plot(plot) => Some(exhibits::plot(plot, locale)),
+                _ => None,
+            })
+            .collect(),
+        "tables" => exhibits()
+            .filter_map(|exhibit| match exhibit {
+                Exhibit::Table(table) => Some(exhibits::table(table, locale)),
+                _ => None,
+            })
+            .collect(),
+        "checks" => {
+            let all = solution.into_iter().flat_map(|solution| &solution.checks);
+            let check = |check: &Check| json!({ "what": check.what.render(locale), "residual": check.residual, "limit": check.limit, "passed": check.passed });
+            all.map(check).collect()
+        }
+        "warnings" => steps::words(solution.map_or(&[], |solution| &solution.warnings), locale),
+        _ => worked.outcome.err().map(|why| why.render(locale)).into(),
+    }
+}
+
+fn all_steps(solution: &Solution, locale: &Locale) -> Vec<Json> {
+    (0..solution.steps.len()).map(|n| steps::step(solution, n, locale)).collect()
+}
+
+fn given(worked: &WorkedProblem<'_>, locale: &Locale) -> Map<String, Json> {
     let mut given = Map::new();
     for input in inputs(worked.draft, worked.solved_record(), worked.outcome.ok(), locale) {
         if let Some(value) = input.value {
@@ -40,45 +116,12 @@ pub fn json(worked: &WorkedProblem<'_>, locale: &Locale) -> Json {
             given.insert(input.path, Json::Object(entry));
         }
     }
-    let mut answers = Map::new();
-    let mut unknowns = Map::new();
-    let (mut plots, mut checks, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
-    let mut steps = Vec::new();
-    if let Ok(solution) = worked.outcome {
-        steps.extend((0..solution.steps.len()).map(|n| step(solution, n, locale)));
-        unknowns = solution
-            .determined
-            .as_deref()
-            .map(|found| determined(found, solution, locale))
-            .unwrap_or_default();
-        for found in &solution.answers {
-            answers.insert(found.name.to_string(), answer(found, locale));
-        }
-        plots.extend(solution.exhibits.iter().filter_map(|exhibit| match exhibit {
-            Exhibit::Plot(shown) => Some(plot(shown, locale)),
-            _ => None,
-        }));
-        checks.extend(solution.checks.iter().map(|check| {
-            json!({ "what": check.what.render(locale), "residual": check.residual, "limit": check.limit, "passed": check.passed })
-        }));
-        warnings.extend(solution.warnings.iter().map(|warning| warning.render(locale)));
-    }
-    json!({
-        "analysis": worked.entry.about.id,
-        "case": worked.case.english(),
-        "units": worked.shown_units().map(|units| units.system.key()),
-        "notes": worked.notes.iter().map(|note| note.render(locale)).collect::<Vec<_>>(),
-        "inputs": given,
-        "answers": answers,
-        "unknowns": unknowns,
-        "definitions": definitions(worked),
-        "problems": problems(worked.entry),
-        "steps": steps,
-        "plots": plots,
-        "checks": checks,
-        "warnings": warnings,
-        "refusal": worked.outcome.err().map(|why| why.render(locale)),
-    })
+    given
+}
+
+fn answers(solution: &Solution, locale: &Locale) -> Map<String, Json> {
+    let entry = |found: &Answer| (found.name.to_string(), answer(solution, found, locale));
+    solution.answers.iter().map(entry).collect()
 }
 
 /// JSON as it is printed. Characters that could drive a terminal or turn the direction of a text are escaped.
@@ -95,10 +138,9 @@ pub fn json_text(json: &Json) -> String {
     text
 }
 
-fn answer(answer: &Answer, locale: &Locale) -> Json {
+fn answer(solution: &Solution, answer: &Answer, locale: &Locale) -> Json {
     let numbers = |of: &dyn Fn(f64) -> f64| match &answer.value {
-        AnswerValue::Number(Number::Scalar(si), _) => json!(of(*si)),
-        AnswerValue::Number(Number::Vector(si), _) => json!(si.map(of)),
+        AnswerValue::Number(number, _) => steps::number(*number, of),
         AnswerValue::List(numbers) => numbers.iter().map(|si| of(*si)).collect(),
         AnswerValue::Set(set, _) => {
             let end = |bound: Bound<f64>| match bound {
@@ -111,27 +153,13 @@ fn answer(answer: &Answer, locale: &Locale) -> Json {
     let mut entry = with_units(&numbers, &answer.unit);
     entry.insert("label".into(), answer.label(locale).into());
     entry.insert("shown".into(), answer.shown(locale).into());
+    if let Some(step) = steps::step_of(solution, &answer.value) {
+        entry.insert("step".into(), step.into());
+    }
     if answer.asked {
         entry.insert("asked".into(), true.into());
     }
     Json::Object(entry)
-}
-
-/// A step as it is written.
-fn step(solution: &Solution, n: usize, locale: &Locale) -> Json {
-    let written = printer::step(solution, &solution.steps[n], locale);
-    let mut entry = json!({
-        "why": written.why,
-        "symbol": written.symbol,
-        "formula": written.formula,
-        "substitution": written.substitution,
-        "result": written.result,
-        "source": written.source,
-    });
-    if let Some(problem) = solution.problems.iter().find(|problem| problem.steps.contains(&n)) {
-        entry["problem"] = problem.name.into();
-    }
-    entry
 }
 
 /// Definitions by their names, of linked problems behind the name of the problem.
@@ -193,19 +221,6 @@ pub fn unknown_formula(solution: &Solution, locale: &Locale) -> Option<String> {
     let step = solution.steps.iter().find(|step| step.result == *id)?;
     let written = printer::step(solution, step, locale);
     Some(format!("{} = {}", written.symbol, written.formula))
-}
-
-fn plot(plot: &Plot, locale: &Locale) -> Json {
-    let curve = |series: &Series| {
-        let with: Map<String, Json> =
-            series.with.iter().map(|(input, si)| (input.clone(), json!(si))).collect();
-        json!({ "label": series.label.render(locale), "of": series.of, "with": with })
-    };
-    json!({
-        "title": plot.title.render(locale),
-        "over": plot.over.as_ref().map(|over| json!({ "input": over.input, "answer": over.answer })),
-        "curves": plot.series.iter().map(curve).collect::<Vec<_>>(),
-    })
 }
 
 /// Value as read, in JSON.

@@ -35,6 +35,18 @@ pub fn latex(document: &Document) -> String {
     )
 }
 
+/// The steps of the document as one formula of LaTeX, a step a line, to stand between `$$`: `k &= 3 E I / L^3 = …`.
+pub fn latex_formulas(document: &Document) -> String {
+    let lines = document.blocks.iter().filter_map(|block| match block {
+        Block::Step(_, step) => {
+            let sides: Vec<String> = sides(step).iter().map(set).collect();
+            Some(format!("{} &= {}", set(&math::symbols(&step.symbol)), sides.join(" = ")))
+        }
+        _ => None,
+    });
+    format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", lines.collect::<Vec<_>>().join(" \\\\\n"))
+}
+
 fn block(block: &Block) -> String {
     match block {
         Block::Heading(heading) => format!("\\subsection*{{{}}}\n", words(heading)),

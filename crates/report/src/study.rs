@@ -5,6 +5,7 @@ use dalembert_core::{
     study::{AnswerStatistics, Exceedance, Histogram, Study, Summary},
 };
 use dalembert_units::{self as units, Unit};
+use serde_json::{Value as Json, json};
 
 use crate::{
     document::{Block, Document, DocumentTable, NamedValue},
@@ -17,6 +18,25 @@ const LONGEST_BAR: f64 = 40.0;
 const SMALL_CORRELATION: f64 = 0.01;
 /// Smaller shares are not written with their digits.
 const SMALL_SHARE: f64 = 1e-4;
+
+/// The summary as JSON: statistics of each answer in its unit.
+pub fn study_json(study: &Study<'_>, summary: &Summary, locale: &Locale) -> Json {
+    let mut all = serde_json::to_value(summary).unwrap_or_default();
+    let first = summary.first_refusal.as_ref();
+    all["first_refusal"] = json!(first.map(|(point, why)| (point, why.render(locale))));
+    let answers = all["answers"].as_array_mut().into_iter().flatten().zip(&study.answers);
+    for (value, answer) in answers {
+        value["answer"] = answer.name.to_string().into();
+        value["unit"] = answer.unit.ascii().into();
+    }
+    all["inputs"] = study
+        .design
+        .inputs
+        .iter()
+        .map(|input| json!({ "input": input.path, "unit": input.unit.ascii() }))
+        .collect();
+    all
+}
 
 /// The summary of a study as a document.
 pub fn study_document(study: &Study<'_>, title: &str, summary: &Summary, locale: &Locale) -> Document {

@@ -12,3 +12,6 @@ squeue-does-not-answer-job-job-may-still-run-start-the-same-command-again-later 
 shards-were-lost-times-times-missing-see-log = partes perdidas { $times } vezes: { $missing }; veja { $log }
 sbatch-why-run-this-on-a-machine-of-the-cluster = sbatch: { $why }; execute isto em uma máquina do cluster
 sbatch-refuses-the-job-why = sbatch recusa o job: { $why }
+
+## Points of arrays
+input-value-why = { $input } = { $value }: { $why }

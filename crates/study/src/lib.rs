@@ -7,6 +7,7 @@
 //! | [`table`] | writes rows as CSV and reads them back, to the last bit |
 //! | [`output`] | writes a table or a shard of it, goes on with one that was broken off, merges shards |
 //! | [`slurm`] | has the shards solved by a cluster |
+//! | [`points`] | solves points that are given as arrays |
 //! | [`data`] | reads CSV files that a plan names |
 //!
 //! A table is the same to the last byte on any number of threads, broken off and resumed or not, and merged from any
@@ -14,7 +15,9 @@
 
 pub mod data;
 pub mod output;
+pub mod points;
 pub mod slurm;
+
 pub mod table;
 pub mod workers;
 

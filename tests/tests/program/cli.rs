@@ -198,6 +198,8 @@ fn json_of_a_solve_has_the_agreed_shape() {
     assert_eq!(
         keys,
         [
+            "format",
+            "program",
             "analysis",
             "case",
             "units",
@@ -209,6 +211,7 @@ fn json_of_a_solve_has_the_agreed_shape() {
             "problems",
             "steps",
             "plots",
+            "tables",
             "checks",
             "warnings",
             "refusal"

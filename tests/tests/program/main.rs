@@ -2,6 +2,7 @@
 
 mod cli;
 mod faults;
+mod json;
 mod optimise;
 mod replay;
 mod study;

@@ -3,11 +3,12 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use dalembert_core::{
-    Answer, Entry, FieldError, Record, SolveError, Stop, cases, registry,
+    Answer, Entry, FieldError, Record, Refusal, SolveError, Stop, cases, find, registry,
     study::{Amount, Design, DistributionKind, Rows, Sampling, Study, StudyPlan, Variation},
     vary,
 };
 use dalembert_plugins as _;
+use dalembert_study::points::{self, PointAnswers};
 use dalembert_testkit::on_all_cores;
 use itertools::zip_eq;
 
@@ -88,4 +89,70 @@ fn a_row_is_what_the_problem_answers_at_that_point() {
     });
     let compared = compared.into_inner();
     assert!(compared > 2_000, "only {compared} answers were compared");
+}
+
+#[test]
+fn a_sweep_is_what_the_problem_answers_at_each_point() {
+    on_all_cores(registry(), |_, entry| {
+        let id = entry.about.id;
+        let record = cases::first(entry).unwrap().record(entry).unwrap();
+        let solution = entry.solve(&record, &Stop::new()).unwrap();
+        let names: Vec<String> = solution
+            .answers
+            .iter()
+            .filter(|answer| answer.si().is_some())
+            .map(|answer| answer.name.to_string())
+            .collect();
+        let wanted: Vec<&str> = names.iter().map(String::as_str).collect();
+        let inputs = vary::inputs(&record);
+        let Some(input) = inputs.iter().find(|input| {
+            input.si != 0.0 && entry.prepare(&record, &[&input.path], &wanted).is_ok() && !wanted.is_empty()
+        }) else {
+            return;
+        };
+        let input = points::varied(&record, [input.path.as_str()]).unwrap();
+        let points = [1.0, 1.0 + 1e-5, 1.0 - 1e-5].map(|factor| factor * input[0].si);
+        let swept = points::solve((entry, &record), &input, &wanted, &points, 2, &Stop::new()).unwrap();
+        for (point, answers) in zip_eq(points, swept.answers.chunks_exact(wanted.len())) {
+            let Ok(solved) =
+                entry.solve(&vary::changed(&record, &input[0].path, point).unwrap(), &Stop::new())
+            else {
+                assert!(answers.iter().all(|answer| answer.is_nan()), "{id}");
+                continue;
+            };
+            for (name, answer) in zip_eq(&wanted, answers) {
+                let own = solved.answer(name).and_then(Answer::si);
+                assert_eq!(own.map(f64::to_bits), Some(answer.to_bits()), "{id}: {name} at {point}");
+            }
+        }
+    });
+}
+
+#[test]
+fn a_sweep_is_the_same_on_any_number_of_threads_and_refuses_what_is_outside_its_limits() {
+    let entry = find("vibration/rotating-unbalance").unwrap();
+    let record = cases::first(entry).unwrap().record(entry).unwrap();
+    let inputs = points::varied(&record, ["mass", "speed"]).unwrap();
+    assert_eq!(points::varied(&record, ["mass", "sped"]).unwrap_err(), 1);
+    let mut points: Vec<f64> = (0..20_000).flat_map(|n| [30.0 + f64::from(n) * 1e-3, 80.0]).collect();
+    points[2 * 4096] = -1.0;
+    points[2 * 9000 + 1] = f64::NAN;
+    let swept = |threads| {
+        points::solve((entry, &record), &inputs, &["amplitude", "phase"], &points, threads, &Stop::new())
+            .unwrap()
+    };
+    let one = swept(1);
+    let bits = |swept: &PointAnswers| swept.answers.iter().map(|answer| answer.to_bits()).collect::<Vec<_>>();
+    for threads in [2, 3, 64] {
+        assert_eq!(bits(&swept(threads)), bits(&one), "{threads} threads");
+    }
+    let refused: Vec<usize> = one.refused.iter().map(|(row, _)| *row).collect();
+    assert_eq!(refused, [4096, 9000]);
+    assert_eq!(one.refused[0].1.english(), "mass = -1 kg: outside the limits of this input");
+    let is_refused = |row: usize| one.answers[2 * row..2 * row + 2].iter().all(|answer| answer.is_nan());
+    assert!((0..20_000).all(|row| is_refused(row) == refused.contains(&row)));
+    let stopped = Stop::new();
+    stopped.stop();
+    let swept = points::solve((entry, &record), &inputs, &["amplitude"], &points, 2, &stopped);
+    assert!(matches!(swept, Err(SolveError::Refused(Refusal::Stopped))), "{swept:?}");
 }

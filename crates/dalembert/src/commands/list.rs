@@ -19,11 +19,11 @@ use crate::{
 
 /// Lists the analyses by family, or those that a search leaves, the best match first.
 pub(crate) fn run(list: &List, console: &Console) -> Result<ExitCode, Failure> {
-    let found = matching(&list.filter);
     if list.json {
-        print_json(&found.iter().map(|found| described(found.entry, &console.locale)).collect())?;
+        print_json(&json(&list.filter, &console.locale))?;
         return Ok(ExitCode::SUCCESS);
     }
+    let found = matching(&list.filter);
     if found.is_empty() {
         let why = Text::new("no analysis matches {filter}; `dalembert list` shows them all");
         return Err(Failure::input(why.with("filter", list.filter.join(" "))));
@@ -39,6 +39,11 @@ pub(crate) fn run(list: &List, console: &Console) -> Result<ExitCode, Failure> {
     }
     console.print(Document { title: String::new(), blocks })?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// The analyses of a search for another program, the best match first.
+pub(crate) fn json(filter: &[String], locale: &Locale) -> Json {
+    matching(filter).iter().map(|found| described(found.entry, locale)).collect()
 }
 
 /// An analysis that a search leaves, and the case that the words speak of.

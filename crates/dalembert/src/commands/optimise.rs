@@ -9,7 +9,7 @@ use dalembert_core::{
 };
 
 use crate::{
-    arguments::{Optimise, Solve},
+    arguments::{Format, Optimise, Solve},
     commands::solve,
     console::Console,
     failure::Failure,
@@ -56,6 +56,12 @@ pub(crate) fn run(asked: &Optimise, console: &Console) -> Result<ExitCode, Failu
     let Some(found) = solution.determined.as_deref() else { return Err(nothing_wanted()) };
     output::write(path, &text_of_optimum(asked, problem, found)?, asked.force)?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// Returns true if JSON is asked for, by name or by the extension of the file.
+pub(crate) fn is_json(asked: &Optimise) -> bool {
+    let extension = asked.output.as_deref().and_then(Path::extension);
+    asked.format.map_or(extension == Some(OsStr::new("json")), |format| format == Format::Json)
 }
 
 /// The inputs to change and the answers that something is required of, as `dalembert solve` has them.

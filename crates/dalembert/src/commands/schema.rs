@@ -1,6 +1,6 @@
-//! `dalembert schema`: JSON Schema (draft 2020-12) of the problem file of an analysis.
+//! `dalembert schema`: JSON Schema (draft 2020-12) of the problem file of an analysis, or of results.
 //!
-//! With it an editor completes keys and alternatives and marks what is wrong, for TOML as for JSON.
+//! With that of a problem file an editor completes keys and alternatives and marks what is wrong, for TOML as for JSON.
 
 use std::process::ExitCode;
 
@@ -8,6 +8,7 @@ use dalembert_core::{
     ChildList, Entry, Field, FieldLimit, LinkedProblem, Locale, Measure, Shape, Text, UnitSetting, Variant,
     linked, registry,
 };
+use dalembert_report::RESULTS_SCHEMA;
 use serde_json::{Map, Value as Json, json};
 
 use crate::{
@@ -17,17 +18,25 @@ use crate::{
     problem,
 };
 
+/// The name of the schema of results, `dalembert solve --format json`.
+const RESULTS: &str = "results";
+
 /// Prints the schema.
 pub(crate) fn run(schema: &Schema, console: &Console) -> Result<ExitCode, Failure> {
-    let schema = match schema.id.as_str() {
-        linked::ID => of_linked(&[], &console.locale),
-        id => match problem::analysis(id)? {
-            entry if entry.linked().is_empty() => of(entry, &console.locale),
-            entry => of_linked(entry.linked(), &console.locale),
-        },
-    };
-    print_json(&schema)?;
+    print_json(&json(&schema.id, &console.locale)?)?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// Schema of the problem file of an analysis, of linked problems, or of results.
+pub(crate) fn json(id: &str, locale: &Locale) -> Result<Json, Failure> {
+    Ok(match id {
+        RESULTS => serde_json::from_str(RESULTS_SCHEMA).map_err(|error| Failure::Fault(error.to_string()))?,
+        linked::ID => of_linked(&[], locale),
+        id => match problem::analysis(id)? {
+            entry if entry.linked().is_empty() => of(entry, locale),
+            entry => of_linked(entry.linked(), locale),
+        },
+    })
 }
 
 /// Schema of the file of a problem of an analysis, to which others may be linked.

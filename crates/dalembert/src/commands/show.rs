@@ -22,17 +22,27 @@ use crate::{
 
 /// Shows what an analysis asks for, what it answers, its sources and its cases.
 pub(crate) fn run(show: &Show, console: &Console) -> Result<ExitCode, Failure> {
-    let entry = problem::analysis(&show.id)?;
-    let cases = cases::cases(entry)
-        .map_err(|why| Failure::Fault(format!("the cases of {}: {why}", entry.about.id)))?;
-    let locale = console.locale.at(entry.about.id);
-    let (answers, questions) = promises(entry, &cases, &locale)?;
     if show.json {
-        print_json(&described(entry, &cases, &answers, &questions, &locale))?;
+        print_json(&json(&show.id, &console.locale)?)?;
     } else {
+        let entry = problem::analysis(&show.id)?;
+        let (cases, locale) = (cases_of(entry)?, console.locale.at(entry.about.id));
+        let (answers, questions) = promises(entry, &cases, &locale)?;
         console.print(document(entry, &cases, &answers, &questions, &locale))?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// An analysis for another program: inputs, answers, usual questions, sources, cases.
+pub(crate) fn json(id: &str, locale: &Locale) -> Result<Json, Failure> {
+    let entry = problem::analysis(id)?;
+    let (cases, locale) = (cases_of(entry)?, locale.at(entry.about.id));
+    let (answers, questions) = promises(entry, &cases, &locale)?;
+    Ok(described(entry, &cases, &answers, &questions, &locale))
+}
+
+fn cases_of(entry: &Entry) -> Result<Vec<Case>, Failure> {
+    cases::cases(entry).map_err(|why| Failure::Fault(format!("the cases of {}: {why}", entry.about.id)))
 }
 
 /// Something an analysis answers.

@@ -15,7 +15,7 @@ use crate::{
     console::{Console, print},
     failure::Failure,
     output,
-    problem::{self, LoadedProblem, ProblemOptions, ProblemSource},
+    problem::{self, LoadedProblem, ProblemSource},
     solving,
 };
 
@@ -34,16 +34,15 @@ pub(crate) fn run_required(
         output::allowed(output, Path::new(&solve.problem), solve.force)?;
     }
     let asked = ProblemSource {
-        named: &solve.problem,
         case: solve.case,
         changes: &solve.set,
         define: &solve.define,
         ask: &solve.ask,
         given: &solve.given,
         configuration: &solve.configuration,
-        options: ProblemOptions::OF_SOLVE,
         strict: solve.strict,
         units: solve.units.as_deref().map(UnitSetting::read).transpose().map_err(Failure::input)?,
+        ..ProblemSource::named(&solve.problem)
     };
     let problem = problem::read(&asked, console)?;
     required(&problem)?;
@@ -102,7 +101,7 @@ pub(crate) fn run_required(
 }
 
 /// Output format: by name, else by the extension of the file.
-fn format(solve: &Solve) -> Format {
+pub(crate) fn format(solve: &Solve) -> Format {
     solve.format.unwrap_or_else(|| {
         let path = solve.output.as_deref().unwrap_or(Path::new(""));
         match (DocumentFormat::of(path), path.extension().and_then(OsStr::to_str)) {

@@ -17,7 +17,7 @@ use dalembert_core::{
         Amount, Design, DistributionKind, Limit, Sampling, Spacing, Study, StudyPlan, Summary, Variation,
     },
 };
-use dalembert_report::{DocumentFormat, json_text, study_document, text};
+use dalembert_report::{DocumentFormat, json_text, study_document, study_json, text};
 use dalembert_study::{
     StudyError, data,
     output::{Run, Shard},
@@ -82,7 +82,7 @@ pub(crate) fn run(asked: &arguments::Study, console: &Console) -> Result<ExitCod
     let summary = carry_out(asked, &run, &problem)?;
     bar.finish_and_clear();
     if asked.json {
-        print(&json_text(&json(&study, &summary, &locale)))?;
+        print(&json_text(&study_json(&study, &summary, &locale)))?;
     }
     let document = study_document(&study, &title(&problem, &locale), &summary, &locale);
     match &asked.report {
@@ -338,25 +338,6 @@ fn report(
         output::write(file, text, asked.force)?;
     }
     Ok(())
-}
-
-/// The summary as JSON: statistics of each answer in its unit.
-fn json(study: &Study<'_>, summary: &Summary, locale: &Locale) -> serde_json::Value {
-    let mut all = serde_json::to_value(summary).unwrap_or_default();
-    let first = summary.first_refusal.as_ref();
-    all["first_refusal"] = serde_json::json!(first.map(|(point, why)| (point, why.render(locale))));
-    let answers = all["answers"].as_array_mut().into_iter().flatten().zip(&study.answers);
-    for (value, answer) in answers {
-        value["answer"] = answer.name.to_string().into();
-        value["unit"] = answer.unit.ascii().into();
-    }
-    all["inputs"] = study
-        .design
-        .inputs
-        .iter()
-        .map(|input| serde_json::json!({ "input": input.path, "unit": input.unit.ascii() }))
-        .collect();
-    all
 }
 
 fn failure(error: StudyError) -> Failure {
