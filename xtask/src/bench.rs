@@ -10,12 +10,13 @@ use anyhow::{Result, bail, ensure};
 use crate::cargo::{cargo, output, run as run_command, target};
 
 /// A part that can be measured alone: its name, and the package and target that measure it.
-const PARTS: [(&str, &str, &str); 12] = [
+const PARTS: [(&str, &str, &str); 13] = [
     ("plain", "dalembert-tests", "plain"),
     ("units", "dalembert-units", "read"),
     ("solve", "dalembert-tests", "solve"),
     ("keys", "dalembert-tests", "keys"),
     ("study", "dalembert-tests", "study"),
+    ("large", "dalembert-tests", "large"),
     ("tui", "dalembert-tests", "tui"),
     ("balance", "dalembert-mechanics", "balance"),
     ("linkages", "dalembert-mechanics", "linkages"),

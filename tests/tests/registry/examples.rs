@@ -124,7 +124,7 @@ fn the_mounts_of_a_fan() {
             ("size", "3"),
             ("price", "56.80"),
             ("transmitted_force", "55.67883 N"),
-            ("static deflection", "3.153214 mm"),
+            ("static_deflection", "3.153214 mm"),
         ],
     );
 }

@@ -3,20 +3,19 @@
 use dalembert_core::{Axis, Cell, Column, Exhibit, Plot, Refusal, Series, TableExhibit, Text, Worksheet};
 use dalembert_mechanics::vibration::modes::NaturalModes;
 use dalembert_numerics::linalg::{LinalgError, lowest_modes};
-use nalgebra::DVector;
 
 use super::{FILMED, ModalAnalysis, ModalAnalysisGiven, nodes};
 use crate::shared::system::{
     MOST, SystemMatrices as _,
-    banded::{BandedSystem, times},
+    banded::BandedSystem,
     damping::decays,
     modal_properties::{masses, ratios},
     modes::{SHOWN, WorkedModes, checks, coinciding, frequencies, largest_one, refusal},
     picture,
 };
 
-/// The share of `Cφ` by which dampers may couple a mode to others.
-const COUPLED: f64 = 1e-9;
+/// The share of the largest entry of C by which dampers may be out of proportion to masses and springs.
+const COUPLED: f64 = 1e-12;
 /// The most numbers of a mode shape that are listed and drawn.
 const LISTED: usize = 500;
 
@@ -132,13 +131,40 @@ fn lowest(system: &BandedSystem) -> Result<NaturalModes, Refusal> {
     Ok(NaturalModes { squares: squares.collect(), shapes: found.vectors })
 }
 
-/// 2ζω of the modes by dampers that couple none of them, `Cφ = 2ζω Mφ`; `None` where they couple one.
+/// 2ζω of the modes by dampers in proportion to masses and springs, `C = αM + βK` for every entry; `None` where they are not.
+/// The modes themselves would tell less: the force of dampers in a low mode of a long chain is a small difference.
 fn of_dampers(system: &BandedSystem, modes: &NaturalModes) -> Option<Vec<f64>> {
-    let decay = |shape: DVector<f64>| {
-        let force = times(&system.damping, &shape);
-        let decay = shape.dot(&force);
-        let rest = &force - decay * system.momenta(&shape);
-        (rest.amax() <= COUPLED * force.amax()).then_some(decay)
+    let BandedSystem { mass, damping, stiffness, .. } = system;
+    let width = mass.width().max(damping.width()).max(stiffness.width());
+    let entries = || {
+        let places =
+            (0..system.size()).flat_map(|row| (row.saturating_sub(width)..=row).map(move |at| (row, at)));
+        places.map(|(row, at)| [mass, damping, stiffness].map(|matrix| matrix.get(row, at)))
     };
-    modes.shapes.column_iter().map(|shape| decay(shape.into_owned())).collect()
+    let largest =
+        entries().fold([0.0; 3], |most: [f64; 3], entry| [0, 1, 2].map(|n| most[n].max(entry[n].abs())));
+    let [of_mass, of_damping, of_stiffness] = largest;
+    if of_damping == 0.0 {
+        return Some(vec![0.0; modes.squares.len()]);
+    }
+    // Least squares in matrices whose largest entry is 1.
+    let (mut mm, mut mk, mut kk, mut mc, mut kc) = (0.0, 0.0, 0.0, 0.0, 0.0);
+    for [m, c, k] in entries() {
+        let (m, c, k) = (m / of_mass, c / of_damping, k / of_stiffness);
+        mm += m * m;
+        mk += m * k;
+        kk += k * k;
+        mc += m * c;
+        kc += k * c;
+    }
+    let determinant = mm * kk - mk * mk;
+    let (alpha, beta) = if determinant > 1e-12 * mm * kk {
+        ((mc * kk - kc * mk) / determinant, (kc * mm - mc * mk) / determinant)
+    } else {
+        (0.0, kc / kk)
+    };
+    let rest = |[m, c, k]: [f64; 3]| c / of_damping - alpha * m / of_mass - beta * k / of_stiffness;
+    let is_proportional = entries().all(|entry| rest(entry).abs() <= COUPLED);
+    let (alpha, beta) = (alpha * of_damping / of_mass, beta * of_damping / of_stiffness);
+    is_proportional.then(|| modes.squares.iter().map(|square| (alpha + beta * square).max(0.0)).collect())
 }

@@ -60,7 +60,7 @@ impl BandedSystem {
 }
 
 /// `A x`.
-pub(crate) fn times(matrix: &SymmetricBand, x: &DVector<f64>) -> DVector<f64> {
+fn times(matrix: &SymmetricBand, x: &DVector<f64>) -> DVector<f64> {
     let mut product = DVector::zeros(x.len());
     matrix.multiply(x.as_slice(), product.as_mut_slice());
     product
