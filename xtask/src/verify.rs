@@ -5,6 +5,7 @@ use std::{
     io::{BufRead, BufReader},
     path::{Path, PathBuf},
     process::{Command, Stdio},
+    thread,
     time::{Duration, Instant, SystemTime, UNIX_EPOCH},
 };
 
@@ -134,6 +135,7 @@ fn tests(root: &Path) -> Found {
         .env(SEED, &seed)
         // A snapshot that is missing is a fault here, while a user who begins one gets it written.
         .env("INSTA_UPDATE", "no")
+        .env("RUST_TEST_THREADS", threads().to_string())
         .stdout(Stdio::piped())
         .spawn()
         .context("the tests cannot be run")?;
@@ -149,6 +151,11 @@ fn tests(root: &Path) -> Found {
     let status = tests.wait()?;
     ensure!(status.success(), "ended with {status}; {SEED}={seed} draws the same again\n{failures}");
     Ok(format!("{SEED}={seed}"))
+}
+
+/// Tests at a time, twice the processors: those of the terminal wait for most of their time.
+fn threads() -> usize {
+    2 * thread::available_parallelism().map_or(1, usize::from)
 }
 
 /// The seed of what property tests draw, an unsigned integer.

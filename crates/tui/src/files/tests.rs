@@ -90,7 +90,7 @@ fn a_file_at_the_limit_is_read() {
     let folder = folder();
     let path = folder.path().join("edge");
     // A file without blocks, which takes no room on the disk and reads as zeros.
-    let file = fs::File::create(&path).unwrap();
+    let file = File::create(&path).unwrap();
     file.set_len(LARGEST).unwrap();
     assert_eq!(read(&path).unwrap().text.len() as u64, LARGEST);
     file.set_len(LARGEST + 1).unwrap();
