@@ -171,7 +171,11 @@ fn what_is_refused_says_why() {
         (inputs, "amplitude = \"minimum\"\nphase = \"< 1 N\"", "an angle expected"),
         (inputs, "amplitude = \"minimum\"\nphase = \"< 1 deg ± 2\"", "a limit has no uncertainty"),
         (inputs, "damping_ratio = \"minimum\"", "Mass of the machine has no influence"),
-        (inputs, "amplitude = \"minimum\"\nnatural_frequency = \"> 500 rad/s\"", "no values of the unknowns"),
+        (
+            inputs,
+            "amplitude = \"minimum\"\nnatural_frequency = \"> 500 rad/s\"",
+            "Natural frequency ≥ 500 rad/s (found: 70.711 rad/s), with Mass of the machine = 20 kg",
+        ),
         (
             inputs,
             "amplitude = \"minimum\"\nphase = \"maximum\"\ntransmitted_force = \"minimum\"",

@@ -67,9 +67,16 @@ pub struct Candidate {
     pub answers: Vec<f64>,
     /// Least and largest value of each within the tolerances.
     pub covered: Vec<[f64; 2]>,
-    /// Returns true if every limit is kept.
-    pub is_feasible: bool,
+    /// Largest share by which a limit is exceeded; none is where it is negative or rounding.
+    violation: f64,
     starts: usize,
+}
+
+impl Candidate {
+    /// Returns true if every limit is kept.
+    pub fn is_feasible(&self) -> bool {
+        self.violation <= FEASIBLE
+    }
 }
 
 /// A problem whose optimum is sought.
@@ -132,7 +139,7 @@ impl Setting<'_> {
             )
             .into());
         };
-        if !best.is_feasible {
+        if !best.is_feasible() {
             return Err(self.out_of_reach(&best).into());
         }
         for (n, input) in self.inputs.iter().enumerate() {
@@ -216,7 +223,7 @@ impl Setting<'_> {
             return Ok(front);
         };
         front.candidates = vec![from.clone()];
-        if !from.is_feasible {
+        if !from.is_feasible() {
             return Ok(front);
         }
         let ends = [worst(&from)[1], worst(&to)[1]];
@@ -226,7 +233,7 @@ impl Setting<'_> {
             let found = self.search(evaluate, &limited(second, sign[1] * limit), (first, corners), stop)?;
             front.starts += found.starts;
             front.evaluations += found.evaluations;
-            front.candidates.extend(found.candidates.into_iter().next().filter(|best| best.is_feasible));
+            front.candidates.extend(found.candidates.into_iter().next().filter(Candidate::is_feasible));
         }
         let all = front.candidates.clone();
         let is_better = |a: &Candidate, b: &Candidate| {
@@ -284,7 +291,9 @@ impl Setting<'_> {
         };
         let mut confirmations = Vec::new();
         for (n, combination) in combinations.enumerate() {
-            stop.report(n, count as usize);
+            if count > 1.0 {
+                stop.report(n, count as usize);
+            }
             let mut x = vec![0.0; self.variables.len()];
             for (at, value) in chosen.iter().zip(combination.iter().flatten()) {
                 x[*at] = *value;
@@ -330,12 +339,12 @@ impl Setting<'_> {
         }
         let sign = sign(givens[objective].goal);
         optimum.candidates.sort_by(|a, b| {
-            let merit = |c: &Candidate| {
-                let wanted = c.covered[objective].map(|si| sign * si);
-                (!c.is_feasible, wanted[0].max(wanted[1]))
+            let merit = |candidate: &Candidate| {
+                let wanted = candidate.covered[objective].map(|si| sign * si);
+                [if candidate.is_feasible() { 0.0 } else { candidate.violation }, wanted[0].max(wanted[1])]
             };
             let (a, b) = (merit(a), merit(b));
-            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+            a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]))
         });
         if let Some(best) = optimum.candidates.first() {
             optimum.ended = best.starts;
@@ -382,8 +391,8 @@ impl Setting<'_> {
             let of = rows.iter().map(|row| row[n]);
             [of.clone().fold(f64::INFINITY, f64::min), of.fold(f64::NEG_INFINITY, f64::max)]
         });
-        let is_feasible = values[rows.len()..].iter().all(|excess| *excess <= FEASIBLE);
-        Some(Candidate { x, answers: rows[0].clone(), covered: covered.collect(), is_feasible, starts })
+        let violation = values[rows.len()..].iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        Some(Candidate { x, answers: rows[0].clone(), covered: covered.collect(), violation, starts })
     }
 
     /// Refusal where no values of the unknowns keep all limits.
@@ -475,7 +484,7 @@ impl Optimum {
             .collect();
         let row = |candidate: &Candidate| {
             let numbers = candidate.x.iter().chain(&candidate.answers).copied().map(Cell::Number);
-            let met = if candidate.is_feasible { "met" } else { "not met" };
+            let met = if candidate.is_feasible() { "met" } else { "not met" };
             numbers.chain([Text::from(met).into()]).collect()
         };
         let title = match objectives_of(determined) {
@@ -500,21 +509,22 @@ impl Optimum {
             Axis { label: given.label.clone(), unit: fixed(&given.unit), scale: Scale::Linear }
         };
         let point = |candidate: &Candidate| (candidate.answers[first], candidate.answers[second]);
-        let series = |points, joined| Series {
+        let points: Vec<(f64, f64)> = self.candidates.iter().map(point).collect();
+        let worked = points[self.chosen];
+        let front = Series {
             label: Text::new("Pareto front"),
             points,
-            joined,
+            joined: true,
             of: None,
             with: Vec::new(),
             at: Vec::new(),
         };
-        let points: Vec<(f64, f64)> = self.candidates.iter().map(point).collect();
         Some(Plot {
             title: Text::new("Pareto front"),
             x: axis(first),
             y: axis(second),
-            marks: vec![Mark { label: Text::new("worked out"), at: points[self.chosen] }],
-            series: vec![series(points, true)],
+            marks: vec![Mark { label: Text::new("worked out"), at: worked }],
+            series: vec![front],
             bands: Vec::new(),
             levels: Vec::new(),
             over: None,
