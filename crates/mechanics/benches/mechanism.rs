@@ -43,14 +43,16 @@ fn main() {
         let tolerance = 4e-7;
         let (time, moved, _) = fall(n, tolerance);
         let error = error(n, &moved);
+        // What the problem asks: the top of the first rod to a millimetre.
+        assert!(error < 1e-3, "{n} four-bars are {error} m off");
         println!(
-            "{n} four-bars in a row, 10 s, error {error:.0e} in {} steps\t{time:.2} ms\t{goal}",
+            "{n} four-bars in a row, 10 s, 400 outputs, error {error:.0e} in {} steps\t{time:.2} ms\t{goal}",
             moved.steps
         );
     }
     let (time, moved, imbalance) = fall(2, 1e-9);
     println!(
-        "2 four-bars, 10 s, energy to {imbalance:.0e} J in {} steps\t{time:.2} ms\t≤ 10 ms",
+        "2 four-bars, 10 s, 400 outputs, energy to {imbalance:.0e} J in {} steps\t{time:.2} ms\t≤ 10 ms",
         moved.steps
     );
 }
@@ -131,8 +133,7 @@ fn fall(n: usize, tolerance: f64) -> (f64, Trajectory, f64) {
     let (system, drawn) = four_bars(n);
     let tilting = RelativeCoordinate::Angle { of: Some(0), against: None };
     let velocities = system.initial_velocities(&drawn, &[(tilting, -1.0)]).expect("the rods can tilt");
-    let (time, _) = measure(|| simulate(&system, &drawn, &velocities, 10.0, tolerance, 2));
-    let moved = simulate(&system, &drawn, &velocities, 10.0, tolerance, 401);
+    let (time, moved) = measure(|| simulate(&system, &drawn, &velocities, 10.0, tolerance, 401));
     let imbalance = moved.imbalance();
     (time, moved, imbalance)
 }
