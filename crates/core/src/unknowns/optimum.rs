@@ -23,8 +23,8 @@ const MOST_COMBINATIONS: [usize; 2] = [200, 100_000];
 const SHOWN: usize = 12;
 /// Points of a Pareto front, with its ends.
 const FRONT: usize = 15;
-/// The share of the objective by which the end of the search without derivatives may differ.
-const CONFIRMED: f64 = 1e-4;
+/// The share of the wanted answer by which a search without derivatives may improve it.
+const CONFIRMED: f64 = 1e-6;
 /// The share of a range by which a value lies at its end.
 const AT_END: f64 = 1e-9;
 
@@ -43,17 +43,17 @@ pub struct Optimum {
     pub ended: usize,
     /// Number of points that were evaluated.
     pub evaluations: usize,
-    /// Comparison with a search without derivatives; `None` where an unknown is a choice, and of a front.
+    /// Result of a search without derivatives; `None` where an unknown is a choice, and of a front.
     pub confirmed: Option<Confirmation>,
 }
 
-/// The wanted answer at the ends of two searches: its worst value within the tolerances, in SI.
+/// Improvement of the wanted answer by a search without derivatives from the optimum, in SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Confirmation {
-    /// With derivatives.
+    /// Wanted answer: its worst value within the tolerances.
     pub found: f64,
-    /// Without.
-    pub confirmed: f64,
+    /// Improvement.
+    pub gain: f64,
     /// Difference that counts as a large one.
     pub scale: f64,
 }
@@ -323,7 +323,7 @@ impl Setting<'_> {
                 let minimum = optimisation::minimise(&mut values, ranged.len(), corners, start.as_slice());
                 optimum.starts += minimum.starts;
                 optimum.evaluations += minimum.evaluations;
-                confirmations.push((minimum.confirmed, minimum.scale));
+                confirmations.push((minimum.gain, minimum.scale));
                 let kept = if chosen.is_empty() { SHOWN } else { 1 };
                 let optima = minimum.optima.into_iter().take(kept);
                 optima
@@ -348,10 +348,10 @@ impl Setting<'_> {
         });
         if let Some(best) = optimum.candidates.first() {
             optimum.ended = best.starts;
-            if let ([(confirmed, scale)], true) = (&confirmations[..], chosen.is_empty()) {
+            if let ([(gain, scale)], true) = (&confirmations[..], chosen.is_empty()) {
                 let [least, largest] = best.covered[objective];
                 let found = if sign > 0.0 { largest } else { least };
-                optimum.confirmed = Some(Confirmation { found, confirmed: sign * confirmed, scale: *scale });
+                optimum.confirmed = Some(Confirmation { found, gain: *gain, scale: *scale });
             }
         }
         optimum.candidates.truncate(SHOWN);
@@ -433,23 +433,23 @@ pub(super) fn wanted(answer: Text, goal: Goal, si: f64, unit: &dalembert_units::
 }
 
 impl Confirmation {
-    /// The share by which the two differ.
-    fn difference(&self) -> f64 {
+    /// Improvement as a share of the answer, or of its scale where that is smaller.
+    fn share(&self) -> f64 {
         let size = self.found.abs();
         let size = if size > 1e-6 * self.scale { size.min(self.scale) } else { self.scale };
-        (self.confirmed - self.found).abs() / size
+        self.gain / size
     }
 }
 
 impl Optimum {
-    /// Compares the optimum with that of the search without derivatives, says which ends of ranges it lies at, and shows
-    /// the others.
+    /// Compares the optimum with what a search without derivatives finds from there, says which ends of ranges it lies at,
+    /// and shows the others.
     pub(super) fn conclude(&self, determined: &Determined, sheet: &Sheet<'_>) {
         let [wanted, _] = objectives_of(determined);
         if let (Some(confirmation), Some(wanted)) = (self.confirmed, wanted) {
-            let what = Text::new("a search without derivatives ends at the same {answer}");
+            let what = Text::new("a search without derivatives finds no better {answer}");
             let what = what.with_text("answer", determined.givens[wanted].label.clone());
-            sheet.check_residual(what, Term::from(confirmation.difference()), 1.0, CONFIRMED);
+            sheet.check_residual(what, Term::from(confirmation.share()), 1.0, CONFIRMED);
         }
         let best = &self.candidates[self.chosen];
         for ((unknown, si), is_choice) in determined.unknowns.iter().zip(&best.x).zip(&self.choices) {
