@@ -21,6 +21,8 @@ mod banded;
 
 /// So many modes are filmed.
 const FILMED: usize = 4;
+/// The most numbers of a mode shape that are listed and drawn.
+const LISTED: usize = 500;
 
 /// The system, its damping, and how its modes are to be written.
 #[derive(Clone, Debug, Inputs)]
@@ -155,51 +157,14 @@ impl ModalAnalysis {
     ) {
         let n = system.size();
         sheet.show(|| Exhibit::Drawing(picture::at_rest(&self.system)));
-        sheet.show(|| {
-            let points = |shape: &Vec<f64>| {
-                let largest = largest_one(shape);
-                largest.iter().enumerate().map(|(row, x)| ((row + 1) as f64, *x)).collect()
-            };
-            let series = shapes.iter().take(FILMED).enumerate();
-            Exhibit::Plot(Plot::new(
-                "Mode shapes, largest component = 1",
-                Axis::linear("coordinate", "1"),
-                Axis::linear("amplitude over the maximum amplitude", "1"),
-                series
-                    .map(|(mode, shape)| {
-                        Series::line(Text::new("mode {mode}").with("mode", mode + 1), points(shape))
-                    })
-                    .collect(),
-            ))
-        });
+        sheet.show(|| Exhibit::Plot(plot_of_shapes(shapes)));
         for (mode, shape) in shapes.iter().enumerate().take(FILMED) {
             sheet.show(|| Exhibit::Animation(picture::mode(&self.system, mode + 1, &largest_one(shape))));
         }
         sheet.show(|| {
-            let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
-            let mut columns = vec![column("mode", "1"), column("ω", "rad/s"), column("f", "Hz")];
-            let ratios = damped.any() && damped.proportional;
-            if ratios {
-                columns.push(column("ζ", "1"));
-            }
-            let rows = (0..n.min(100)).map(|mode| {
-                let frequency = found.modes.squares[mode].sqrt();
-                let mut row = vec![Cell::Number((mode + 1) as f64), frequency.into(), frequency.into()];
-                if ratios {
-                    row.push(if frequency > 0.0 {
-                        (damped.decay(mode) / frequency / 2.0).into()
-                    } else {
-                        Cell::Empty
-                    });
-                }
-                row
-            });
-            Exhibit::Table(TableExhibit {
-                title: "Natural frequencies".into(),
-                columns,
-                rows: rows.collect(),
-                foot: Vec::new(),
-            })
+            let decays = (damped.any() && damped.proportional).then(|| damped.decays());
+            let squares = &found.modes.squares[..n.min(100)];
+            Exhibit::Table(table_of_frequencies(squares, decays.as_deref()))
         });
         if n <= 12 {
             for (title, unit, matrix) in [
@@ -213,6 +178,38 @@ impl ModalAnalysis {
             }
         }
     }
+}
+
+/// The mode shapes over the coordinates, every so many of them where there are more than can be drawn.
+fn plot_of_shapes(shapes: &[Vec<f64>]) -> Plot {
+    let series = shapes.iter().take(FILMED).enumerate().map(|(mode, shape)| {
+        let largest = largest_one(shape);
+        let every = largest.len().div_ceil(LISTED);
+        let points = largest.iter().enumerate().step_by(every);
+        let points = points.map(|(row, x)| ((row + 1) as f64, *x)).collect();
+        Series::line(Text::new("mode {mode}").with("mode", mode + 1), points)
+    });
+    Plot::new(
+        "Mode shapes, largest component = 1",
+        Axis::linear("coordinate", "1"),
+        Axis::linear("amplitude over the maximum amplitude", "1"),
+        series.collect(),
+    )
+}
+
+/// The natural frequencies, with the damping ratios where 2ζω of the modes is given.
+fn table_of_frequencies(squares: &[f64], decays: Option<&[f64]>) -> TableExhibit {
+    let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
+    let mut columns = vec![column("mode", "1"), column("ω", "rad/s"), column("f", "Hz")];
+    columns.extend(decays.map(|_| column("ζ", "1")));
+    let rows = squares.iter().enumerate().map(|(mode, square)| {
+        let frequency = square.sqrt();
+        let mut row = vec![Cell::Number((mode + 1) as f64), frequency.into(), frequency.into()];
+        let ratio = |decay: f64| if frequency > 0.0 { (decay / frequency / 2.0).into() } else { Cell::Empty };
+        row.extend(decays.map(|decays| ratio(decays[mode])));
+        row
+    });
+    TableExhibit { title: "Natural frequencies".into(), columns, rows: rows.collect(), foot: Vec::new() }
 }
 
 fn table(title: &'static str, unit: &'static str, matrix: &DMatrix<f64>) -> TableExhibit {

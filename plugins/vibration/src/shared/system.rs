@@ -1,5 +1,7 @@
 //! Systems of many degrees of freedom: how they are given, their matrices, their pictures.
 
+use std::collections::HashMap;
+
 use dalembert_core::{Inputs, Refusal, Symbol, Text, Worksheet};
 use dalembert_mechanics::Real;
 use dalembert_numerics::linalg::MOST_DENSE;
@@ -82,6 +84,17 @@ pub enum ChainEnds {
     FirstFixed,
     /// Both ends free
     Free,
+}
+
+impl ChainEnds {
+    /// Returns true if there is a spring at a place: 0 lies before the first mass.
+    pub(crate) fn hold(self, place: usize, masses: usize) -> bool {
+        match self {
+            ChainEnds::BothFixed => true,
+            ChainEnds::FirstFixed => place < masses,
+            ChainEnds::Free => place > 0 && place < masses,
+        }
+    }
 }
 
 /// A mass of a chain, with what holds it.
@@ -235,11 +248,7 @@ pub(crate) fn assemble<W: Worksheet>(
         (System::Uniform { count, ends, .. }, SystemGiven::Uniform { mass, spring, damper, .. }) => {
             let links: Vec<Link<W::Num>> = (0..=*count)
                 .map(|place| {
-                    let held = match ends {
-                        ChainEnds::BothFixed => true,
-                        ChainEnds::FirstFixed => place < *count,
-                        ChainEnds::Free => place > 0 && place < *count,
-                    };
+                    let held = ends.hold(place, *count);
                     Link {
                         spring: held.then_some(*spring),
                         damper: damper.filter(|_| held),
@@ -287,21 +296,7 @@ fn chain<W: Worksheet>(
     not_too_many(n)?;
     let value = |number: Option<W::Num>| number.map_or(0.0, Real::value);
     let fill = |own: fn(&Link<W::Num>) -> Option<W::Num>, ground: fn(&Link<W::Num>) -> Option<W::Num>| {
-        let mut matrix = DMatrix::zeros(n, n);
-        for (row, link) in links.iter().enumerate() {
-            let (own, ground) = (value(own(link)), value(ground(link)));
-            if row < n {
-                matrix[(row, row)] += own + ground;
-            }
-            if row > 0 {
-                matrix[(row - 1, row - 1)] += own;
-            }
-            if row > 0 && row < n {
-                matrix[(row - 1, row)] -= own;
-                matrix[(row, row - 1)] -= own;
-            }
-        }
-        matrix
+        full(n, chain_entries(n, |place| value(own(&links[place])), |place| value(ground(&links[place]))))
     };
     let mass = DMatrix::from_fn(n, n, |i, j| if i == j { masses[i].value() } else { 0.0 });
     let stiffness = fill(|link| link.spring, |link| link.ground_spring);
@@ -333,6 +328,32 @@ fn chain<W: Worksheet>(
     Ok(Assembled { mass, damping, stiffness, two, parallel: true })
 }
 
+/// The entries of the matrix of springs, or of dampers, in a row, each with its mirror image once: `link` joins a mass to
+/// the one before it or to a wall, `ground` to the ground.
+fn chain_entries(
+    n: usize,
+    link: impl Fn(usize) -> f64,
+    ground: impl Fn(usize) -> f64,
+) -> impl Iterator<Item = (usize, usize, f64)> {
+    (0..n).flat_map(move |row| {
+        let diagonal = (row, row, link(row) + ground(row) + link(row + 1));
+        let beside = (row > 0).then(|| (row, row - 1, -link(row)));
+        [diagonal].into_iter().chain(beside)
+    })
+}
+
+/// The full symmetric matrix of entries that are listed with their mirror image once.
+fn full(n: usize, entries: impl IntoIterator<Item = (usize, usize, f64)>) -> DMatrix<f64> {
+    let mut matrix = DMatrix::zeros(n, n);
+    for (row, column, value) in entries {
+        matrix[(row, column)] += value;
+        if row != column {
+            matrix[(column, row)] += value;
+        }
+    }
+    matrix
+}
+
 /// The matrices from a table of entries.
 fn matrices<W: Worksheet>(entries: &[Entry], sheet: W) -> Result<Assembled<W::Num>, Refusal> {
     let place = |number: f64| {
@@ -350,34 +371,10 @@ fn matrices<W: Worksheet>(entries: &[Entry], sheet: W) -> Result<Assembled<W::Nu
         n = n.max(place(entry.row)? + 1).max(place(entry.column)? + 1);
     }
     not_too_many(n)?;
-    let mut found: [DMatrix<f64>; 3] = std::array::from_fn(|_| DMatrix::zeros(n, n));
-    let mut listed = DMatrix::from_element(n, n, false);
-    for entry in entries {
-        let (row, column) = (place(entry.row)?, place(entry.column)?);
-        if listed[(row, column)] {
-            let why = Text::new("the entry ({row}, {column}) is listed twice: keep one line for it");
-            return Err(Refusal::because(why.with("row", row + 1).with("column", column + 1)));
-        }
-        listed[(row, column)] = true;
-        for (matrix, value) in found.iter_mut().zip([entry.mass, entry.damping, entry.stiffness]) {
-            let mirrored = listed[(column, row)] && row != column;
-            if mirrored && matrix[(row, column)] != value {
-                let why = Text::new(
-                    "the entries ({row}, {column}) and ({column}, {row}) differ: the matrices of masses, springs and \
-                     dampers are symmetric",
-                );
-                return Err(Refusal::because(why.with("row", row + 1).with("column", column + 1)));
-            }
-            matrix[(row, column)] = value;
-            matrix[(column, row)] = value;
-        }
-    }
-    let [mass, damping, stiffness] = found;
-    if let Some(row) = (0..n).find(|&row| mass[(row, row)] <= 0.0) {
-        let why =
-            Text::new("coordinate {row} has no mass: write a positive mass on the diagonal, or eliminate it");
-        return Err(Refusal::because(why.with("row", row + 1)));
-    }
+    let listed = symmetric(entries)?;
+    let [mass, damping, stiffness] =
+        [0, 1, 2].map(|of| full(n, listed.iter().map(|(row, column, values)| (*row, *column, values[of]))));
+    has_masses(n, |row| mass[(row, row)])?;
     let two = (n == 2 && mass[(0, 1)] == 0.0 && stiffness[(0, 1)] != 0.0).then(|| {
         let listed = |base, row, column, unit, value| {
             sheet.numerical(symbol(base, row, column), unit, value, "From the table of the matrices")
@@ -387,6 +384,49 @@ fn matrices<W: Worksheet>(entries: &[Entry], sheet: W) -> Result<Assembled<W::Nu
         (masses, places.map(|(row, column)| listed("K", row, column, "N/m", stiffness[(row, column)])))
     });
     Ok(Assembled { mass, damping, stiffness, two, parallel: false })
+}
+
+/// The entries of a table with their mirror image once, counted from 0: row, column, the values of the three matrices.
+///
+/// # Errors
+/// An entry that is listed twice; one that differs from its mirror image.
+fn symmetric(entries: &[Entry]) -> Result<Vec<(usize, usize, [f64; 3])>, Refusal> {
+    let mut found = Vec::new();
+    let mut listed = HashMap::new();
+    for entry in entries {
+        let (row, column) = (entry.row as usize - 1, entry.column as usize - 1);
+        let values = [entry.mass, entry.damping, entry.stiffness];
+        let at = |why: &'static str| {
+            Refusal::because(Text::new(why).with("row", row + 1).with("column", column + 1))
+        };
+        if listed.insert((row, column), values).is_some() {
+            return Err(at("the entry ({row}, {column}) is listed twice: keep one line for it"));
+        }
+        match listed.get(&(column, row)) {
+            Some(mirrored) if row != column && *mirrored != values => {
+                return Err(at(
+                    "the entries ({row}, {column}) and ({column}, {row}) differ: the matrices of masses, springs and \
+                     dampers are symmetric",
+                ));
+            }
+            Some(_) if row != column => {}
+            _ => found.push((row, column, values)),
+        }
+    }
+    Ok(found)
+}
+
+/// Refuses a coordinate without mass.
+fn has_masses(n: usize, mass: impl Fn(usize) -> f64) -> Result<(), Refusal> {
+    match (0..n).find(|row| mass(*row) <= 0.0) {
+        Some(row) => {
+            let why = Text::new(
+                "coordinate {row} has no mass: write a positive mass on the diagonal, or eliminate it",
+            );
+            Err(Refusal::because(why.with("row", row + 1)))
+        }
+        None => Ok(()),
+    }
 }
 
 fn not_too_many(n: usize) -> Result<(), Refusal> {

@@ -1,23 +1,21 @@
 //! Modal analysis of large systems: the lowest modes by the bands of the matrices.
 
-use dalembert_core::{Axis, Cell, Column, Exhibit, Plot, Refusal, Series, TableExhibit, Text, Worksheet};
+use dalembert_core::{Exhibit, Refusal, Text, Worksheet};
 use dalembert_mechanics::vibration::modes::NaturalModes;
 use dalembert_numerics::linalg::{LinalgError, lowest_modes};
 
-use super::{FILMED, ModalAnalysis, ModalAnalysisGiven, nodes};
+use super::{LISTED, ModalAnalysis, ModalAnalysisGiven, nodes, plot_of_shapes, table_of_frequencies};
 use crate::shared::system::{
     MOST, SystemMatrices as _,
     banded::BandedSystem,
     damping::decays,
     modal_properties::{masses, ratios},
-    modes::{SHOWN, WorkedModes, checks, coinciding, frequencies, largest_one, refusal},
+    modes::{SHOWN, WorkedModes, checks, coinciding, frequencies, refusal},
     picture,
 };
 
 /// The share of the largest entry of C by which dampers may be out of proportion to masses and springs.
 const COUPLED: f64 = 1e-12;
-/// The most numbers of a mode shape that are listed and drawn.
-const LISTED: usize = 500;
 
 impl ModalAnalysis {
     /// Writes the lowest modes of a large system. False where its dampers couple the modes, so that they are found from full
@@ -65,55 +63,16 @@ impl ModalAnalysis {
         }
         let found = WorkedModes { modes, frequencies };
         masses(system, &found, &shapes, sheet);
-        if decays.iter().any(|decay| *decay > 0.0) {
+        let is_damped = decays.iter().any(|decay| *decay > 0.0);
+        if is_damped {
             ratios(&found, &decays, sheet);
         }
-        self.show_banded(&found, &decays, &shapes, sheet);
-        Ok(true)
-    }
-
-    fn show_banded<W: Worksheet>(
-        &self,
-        found: &WorkedModes<W::Num>,
-        decays: &[f64],
-        shapes: &[Vec<f64>],
-        sheet: W,
-    ) {
         sheet.show(|| Exhibit::Drawing(picture::at_rest(&self.system)));
+        sheet.show(|| Exhibit::Plot(plot_of_shapes(&shapes)));
         sheet.show(|| {
-            let series = shapes.iter().take(FILMED).enumerate().map(|(mode, shape)| {
-                let largest = largest_one(shape);
-                let every = largest.len().div_ceil(LISTED);
-                let points = largest.iter().enumerate().step_by(every);
-                let points = points.map(|(row, x)| ((row + 1) as f64, *x)).collect();
-                Series::line(Text::new("mode {mode}").with("mode", mode + 1), points)
-            });
-            Exhibit::Plot(Plot::new(
-                "Mode shapes, largest component = 1",
-                Axis::linear("coordinate", "1"),
-                Axis::linear("amplitude over the maximum amplitude", "1"),
-                series.collect(),
-            ))
+            Exhibit::Table(table_of_frequencies(&found.modes.squares, is_damped.then_some(&decays)))
         });
-        sheet.show(|| {
-            let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
-            let mut columns = vec![column("mode", "1"), column("ω", "rad/s"), column("f", "Hz")];
-            let is_damped = decays.iter().any(|decay| *decay > 0.0);
-            columns.extend(is_damped.then(|| column("ζ", "1")));
-            let rows = found.modes.squares.iter().zip(decays).enumerate().map(|(mode, (square, decay))| {
-                let frequency = square.sqrt();
-                let ratio = if frequency > 0.0 { (decay / frequency / 2.0).into() } else { Cell::Empty };
-                let mut row = vec![Cell::Number((mode + 1) as f64), frequency.into(), frequency.into()];
-                row.extend(is_damped.then_some(ratio));
-                row
-            });
-            Exhibit::Table(TableExhibit {
-                title: "Natural frequencies".into(),
-                columns,
-                rows: rows.collect(),
-                foot: Vec::new(),
-            })
-        });
+        Ok(true)
     }
 }
 

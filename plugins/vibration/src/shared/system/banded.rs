@@ -1,12 +1,10 @@
 //! Systems of many degrees of freedom by the bands of their matrices: the lowest modes alone.
 
-use std::collections::HashMap;
-
-use dalembert_core::{Refusal, Text};
+use dalembert_core::Refusal;
 use dalembert_numerics::linalg::{LinalgError, SymmetricBand};
 use nalgebra::{DMatrix, DVector};
 
-use super::{ChainEnds, Entry, System, SystemMatrices, at_most};
+use super::{Entry, System, SystemMatrices, at_most, chain_entries, has_masses, symmetric};
 
 /// The most degrees of freedom whose modes are found from full matrices: all of them, and at every key.
 pub(crate) const MOST_FULL: usize = 100;
@@ -104,12 +102,7 @@ pub(crate) fn banded(system: &System) -> Result<Option<BandedSystem>, Refusal> {
             Ok(Some(in_a_row(&masses.iter().map(|mass| mass.mass).collect::<Vec<_>>(), stiffness, damping)?))
         }
         System::Uniform { mass, spring: stiffness, damper, ends, .. } => {
-            let is_held = |place: usize| match ends {
-                ChainEnds::BothFixed => true,
-                ChainEnds::FirstFixed => place < n,
-                ChainEnds::Free => place > 0 && place < n,
-            };
-            let of = |each: f64| chain(n, |place| if is_held(place) { each } else { 0.0 }, &|_| 0.0);
+            let of = |each: f64| chain(n, |place| if ends.hold(place, n) { each } else { 0.0 }, &|_| 0.0);
             Ok(Some(in_a_row(&vec![*mass; n], of(*stiffness), of(spring(*damper)))?))
         }
         System::String { tension, masses, last } => {
@@ -129,12 +122,7 @@ fn chain(
     ground: &dyn Fn(usize) -> f64,
 ) -> Result<SymmetricBand, LinalgError> {
     let mut band = SymmetricBand::zeros(n, 1)?;
-    for row in 0..n {
-        band.add(row, row, link(row) + ground(row) + link(row + 1));
-        if row > 0 {
-            band.add(row, row - 1, -link(row));
-        }
-    }
+    chain_entries(n, link, ground).for_each(|(row, column, value)| band.add(row, column, value));
     Ok(band)
 }
 
@@ -166,32 +154,10 @@ fn matrices(entries: &[Entry], n: usize) -> Result<Option<BandedSystem>, Refusal
     }
     let empty = || SymmetricBand::zeros(n, width).map_err(refusal);
     let mut bands = [empty()?, empty()?, empty()?];
-    let mut listed = HashMap::new();
-    for entry in entries {
-        let (row, column) = (entry.row as usize - 1, entry.column as usize - 1);
-        let values = [entry.mass, entry.damping, entry.stiffness];
-        let at = |why: &'static str| {
-            Refusal::because(Text::new(why).with("row", row + 1).with("column", column + 1))
-        };
-        if listed.insert((row, column), values).is_some() {
-            return Err(at("the entry ({row}, {column}) is listed twice: keep one line for it"));
-        }
-        match listed.get(&(column, row)) {
-            Some(mirrored) if row != column && *mirrored != values => {
-                return Err(at(
-                    "the entries ({row}, {column}) and ({column}, {row}) differ: the matrices of masses, springs and \
-                     dampers are symmetric",
-                ));
-            }
-            Some(_) if row != column => {}
-            _ => bands.iter_mut().zip(values).for_each(|(band, value)| band.add(row, column, value)),
-        }
+    for (row, column, values) in symmetric(entries)? {
+        bands.iter_mut().zip(values).for_each(|(band, value)| band.add(row, column, value));
     }
     let [mass, damping, stiffness] = bands;
-    if let Some(row) = (0..n).find(|&row| mass.get(row, row) <= 0.0) {
-        let why =
-            Text::new("coordinate {row} has no mass: write a positive mass on the diagonal, or eliminate it");
-        return Err(Refusal::because(why.with("row", row + 1)));
-    }
+    has_masses(n, |row| mass.get(row, row))?;
     Ok(Some(BandedSystem { mass, damping, stiffness, parallel: false }))
 }

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use dalembert_core::{Animation, Drawing, Ink, Point, Sketch, Text};
 
-use super::{ChainEnds, System, banded::size};
+use super::{System, banded::size};
 
 /// Distance from mass to mass, and half the width of a mass.
 const STEP: f64 = 2.0;
@@ -45,11 +45,7 @@ fn sketch(system: &System, moved: &[f64], labels: bool) -> Sketch {
         }
         System::Uniform { count, damper, ends, .. } if *count <= DRAWN => {
             let link = |place: usize| {
-                let held = match ends {
-                    ChainEnds::BothFixed => true,
-                    ChainEnds::FirstFixed => place < *count,
-                    ChainEnds::Free => place > 0 && place < *count,
-                };
+                let held = ends.hold(place, *count);
                 (held, held && damper.is_some())
             };
             chain(moved, link, |_| (false, false), labels)
