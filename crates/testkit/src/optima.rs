@@ -1,14 +1,8 @@
 //! Optima: none is worse than what a scan of the range finds, and limits are kept.
 
-use std::sync::Mutex;
+use dalembert_core::{Answer, Entry, Solution, SolveError, Stop};
 
-use dalembert_core::{Answer, Draft, Entry, Solution, SolveError, Stop, vary::VariedInput};
-
-use crate::{
-    problems::{cases_of, on_all_cores},
-    some,
-    unknowns::pair,
-};
+use crate::unknowns::{Pair, examine_pairs};
 
 /// Intervals of a scan.
 const SCAN: usize = 64;
@@ -19,74 +13,44 @@ const CLOSE: f64 = 1e-6;
 /// is least, then largest, then least while it stays above the value in the middle of the range: none is worse than the
 /// best of 65 points, and the limit is kept. Returns the number of optima; analyses without such a pair of numbers have none.
 pub fn an_optimum_is_no_worse_than_a_scan(entries: &[&'static Entry]) -> usize {
-    some(entries);
-    let (faults, found) = (Mutex::new(Vec::new()), Mutex::new(0));
-    on_all_cores(entries, |_, entry| {
-        let Some(case) = cases_of(entry).into_iter().find(|case| case.refused.is_none()) else { return };
-        let record = case.record(entry).unwrap_or_else(|err| panic!("{}: {err}", entry.about.id));
-        let Some((input, answer)) = pair(entry, &record) else { return };
-        let name = answer.name.to_string();
-        let mut evaluate = entry
-            .prepare(&record, &[&input.path], &[&name])
-            .unwrap_or_else(|err| panic!("{}: {err}", entry.about.id));
-        let [from, to] = ends(&input);
+    examine_pairs(entries, |pair| {
+        let (input, name) = (&pair.input.path, pair.answer.name.to_string());
+        let mut evaluate = pair
+            .entry
+            .prepare(&pair.record, &[input], &[&name])
+            .unwrap_or_else(|err| panic!("{}: {err}", pair.entry.about.id));
+        let [from, to] = pair.ends();
         let points: Vec<f64> = (0..=SCAN).map(|n| from + (to - from) * n as f64 / SCAN as f64).collect();
         let mut values = vec![f64::NAN; points.len()];
         evaluate.sweep(&points, &mut values, &Stop::new()).expect("nobody stops it");
         // What is refused at some points has its optimum beside one of them, where it is hard to find.
         if values.iter().any(|value| !value.is_finite()) {
-            return;
+            return Vec::new();
         }
         let least = values.iter().copied().fold(f64::INFINITY, f64::min);
         let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let limit = values[SCAN / 2];
-        for (goal, bound, best) in
-            [("minimum", None, least), ("maximum", None, largest), ("minimum", Some(limit), limit)]
-        {
-            match optimum(entry, &case.draft, (&input, &answer), goal, bound) {
-                Ok(si) => {
-                    let worse = if goal == "minimum" { si - best } else { best - si };
-                    let is_kept = bound.is_none_or(|bound| si >= bound);
-                    if worse > CLOSE * best.abs() || !is_kept {
-                        let why =
-                            format!("{goal} {bound:?} of {name} over {}: {si} after {best}", input.path);
-                        faults.lock().expect("no worker panics").push(format!("{}: {why}", entry.about.id));
-                    }
-                    *found.lock().expect("no worker panics") += 1;
-                }
-                Err(why) => {
-                    let why = format!("{}: {goal} of {name} over {}: {why}", entry.about.id, input.path);
-                    faults.lock().expect("no worker panics").push(why);
-                }
+        let searches =
+            [("minimum", None, least), ("maximum", None, largest), ("minimum", Some(limit), limit)];
+        let examined = searches.map(|(goal, bound, best)| {
+            let si =
+                optimum(pair, goal, bound).map_err(|why| format!("{goal} of {name} over {input}: {why}"))?;
+            let worse = if goal == "minimum" { si - best } else { best - si };
+            let is_kept = bound.is_none_or(|bound| si >= bound);
+            if worse > CLOSE * best.abs() || !is_kept {
+                return Err(format!("{goal} {bound:?} of {name} over {input}: {si} after {best}"));
             }
-        }
-    });
-    let faults = faults.into_inner().expect("no worker panics");
-    assert!(faults.is_empty(), "{}", faults.join("\n"));
-    found.into_inner().expect("no worker panics")
-}
-
-fn ends(input: &VariedInput) -> [f64; 2] {
-    let mut ends = [0.7, 1.5].map(|share| share * input.si);
-    ends.sort_by(f64::total_cmp);
-    ends
+            Ok(())
+        });
+        examined.into()
+    })
 }
 
 /// The answer at its optimum.
-fn optimum(
-    entry: &Entry,
-    draft: &Draft,
-    (input, answer): (&VariedInput, &Answer),
-    goal: &str,
-    bound: Option<f64>,
-) -> Result<f64, String> {
+fn optimum(pair: &Pair, goal: &str, bound: Option<f64>) -> Result<f64, String> {
+    let Pair { entry, answer, .. } = pair;
     let shape = entry.shape();
-    let mut draft = draft.clone();
-    let unit = input.measure.own_unit();
-    let [from, to] = ends(input).map(|si| unit.value(si));
-    let name = unit.ascii();
-    let range = format!("? {from:e} {name} .. {to:e} {name}");
-    draft.set(&shape, &input.path, &range).map_err(|err| err.to_string())?;
+    let mut draft = pair.with_unknown()?;
     draft.give(&shape, &answer.name.to_string(), goal).map_err(|err| err.to_string())?;
     if let Some(bound) = bound {
         let unit = answer.unit.coherent();

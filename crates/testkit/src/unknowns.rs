@@ -3,7 +3,7 @@
 use std::sync::Mutex;
 
 use dalembert_core::{
-    Answer, Entry, Record, SolveError, Stop,
+    Answer, Draft, Entry, Record, SolveError, Stop,
     cases::Case,
     vary::{self, Perturbed, VariedInput},
 };
@@ -20,27 +20,64 @@ const CLOSE: f64 = 1e-6;
 /// case is among the solutions from 0.7 to 1.5 times itself. Returns the number of inputs found; analyses without a pair
 /// of numbers of which one follows the other are none.
 pub fn an_input_is_found_back_from_an_answer(entries: &[&'static Entry]) -> usize {
+    examine_pairs(entries, |pair| {
+        let why = |why| format!("{} from {}: {why}", pair.input.path, pair.answer.name);
+        vec![find_back(pair).map_err(why)]
+    })
+}
+
+/// An input of the first case of an analysis, and an answer that follows it smoothly.
+pub(crate) struct Pair {
+    pub(crate) entry: &'static Entry,
+    pub(crate) case: Case,
+    pub(crate) record: Record,
+    pub(crate) input: VariedInput,
+    pub(crate) answer: Answer,
+}
+
+impl Pair {
+    /// The range of the input that is searched, in SI: from 0.7 to 1.5 times its value.
+    pub(crate) fn ends(&self) -> [f64; 2] {
+        let mut ends = [0.7, 1.5].map(|share| share * self.input.si);
+        ends.sort_by(f64::total_cmp);
+        ends
+    }
+
+    /// The same problem with the input unknown in that range.
+    pub(crate) fn with_unknown(&self) -> Result<Draft, String> {
+        let unit = self.input.measure.own_unit();
+        let [from, to] = self.ends().map(|si| unit.value(si));
+        let name = unit.ascii();
+        let range = format!("? {from:e} {name} .. {to:e} {name}");
+        let mut draft = self.case.draft.clone();
+        draft.set(&self.entry.shape(), &self.input.path, &range).map_err(|err| err.to_string())?;
+        Ok(draft)
+    }
+}
+
+/// Examines the pair of every analysis that has one. Returns the number of results that are right; fails with the others.
+pub(crate) fn examine_pairs(
+    entries: &[&'static Entry],
+    examine: impl Fn(&Pair) -> Vec<Result<(), String>> + Sync,
+) -> usize {
     some(entries);
-    let (faults, found) = (Mutex::new(Vec::new()), Mutex::new(0));
+    let results = Mutex::new(Vec::new());
     on_all_cores(entries, |_, entry| {
         let Some(case) = cases_of(entry).into_iter().find(|case| case.refused.is_none()) else { return };
         let record = case.record(entry).unwrap_or_else(|err| panic!("{}: {err}", entry.about.id));
         let Some((input, answer)) = pair(entry, &record) else { return };
-        match find_back(entry, &case, &input, &answer) {
-            Ok(()) => *found.lock().expect("no worker panics") += 1,
-            Err(why) => {
-                let fault = format!("{}: {} from {}: {why}", entry.about.id, input.path, answer.name);
-                faults.lock().expect("no worker panics").push(fault);
-            }
-        }
+        let pair = Pair { entry, case, record, input, answer };
+        let found =
+            examine(&pair).into_iter().map(|one| one.map_err(|why| format!("{}: {why}", entry.about.id)));
+        results.lock().expect("no worker panics").extend(found);
     });
-    let faults = faults.into_inner().expect("no worker panics");
+    let results = results.into_inner().expect("no worker panics");
+    let faults: Vec<&str> = results.iter().filter_map(|one| Some(one.as_ref().err()?.as_str())).collect();
     assert!(faults.is_empty(), "{}", faults.join("\n"));
-    found.into_inner().expect("no worker panics")
+    results.len()
 }
 
-/// An input and an answer that follows it smoothly.
-pub(crate) fn pair(entry: &Entry, record: &Record) -> Option<(VariedInput, Answer)> {
+fn pair(entry: &Entry, record: &Record) -> Option<(VariedInput, Answer)> {
     let solution = entry.solve(record, &Stop::new()).ok()?;
     let numbers: Vec<&Answer> =
         solution.answers.iter().filter(|answer| answer.si().is_some_and(|si| si != 0.0)).collect();
@@ -67,17 +104,10 @@ pub(crate) fn pair(entry: &Entry, record: &Record) -> Option<(VariedInput, Answe
     None
 }
 
-fn find_back(entry: &Entry, case: &Case, input: &VariedInput, answer: &Answer) -> Result<(), String> {
+fn find_back(pair: &Pair) -> Result<(), String> {
+    let Pair { entry, input, answer, .. } = pair;
     let shape = entry.shape();
-    let unit = input.measure.own_unit();
-    let mut ends = [0.7, 1.5].map(|share| unit.value(share * input.si));
-    ends.sort_by(f64::total_cmp);
-    let [from, to] = ends;
-    let mut draft = case.draft.clone();
-    let name = unit.ascii();
-    draft
-        .set(&shape, &input.path, &format!("? {from:e} {name} .. {to:e} {name}"))
-        .map_err(|err| err.to_string())?;
+    let mut draft = pair.with_unknown()?;
     let si = answer.si().ok_or("no number")?;
     let given = match answer.unit.coherent() {
         unit if unit == "1" => format!("{si:e}"),
