@@ -110,6 +110,17 @@ pub(crate) struct New {
     pub(crate) force: bool,
 }
 
+/// Form of a worked solution.
+#[derive(Debug, Args)]
+pub(crate) struct OutputForm {
+    /// Output format; default: by the file extension, otherwise text
+    #[arg(long, value_enum)]
+    pub(crate) format: Option<Format>,
+    /// The table to print as CSV: answers, inputs, steps, checks, table-1, plot-1
+    #[arg(long, value_name = "NAME", default_value = "answers")]
+    pub(crate) table: String,
+}
+
 #[derive(Debug, Args)]
 pub(crate) struct Solve {
     /// The id of an analysis, or a problem file; - reads the standard input
@@ -136,12 +147,8 @@ pub(crate) struct Solve {
     /// Solve the same problem with an input changed beside it: 'weighted.mass=m + 2 kg'
     #[arg(long, value_name = "NAME.INPUT=FORMULA")]
     pub(crate) configuration: Vec<String>,
-    /// Output format; default: by the file extension, otherwise text
-    #[arg(long, value_enum)]
-    pub(crate) format: Option<Format>,
-    /// The table to print as CSV: answers, inputs, steps, checks, table-1, plot-1
-    #[arg(long, value_name = "NAME", default_value = "answers")]
-    pub(crate) table: String,
+    #[command(flatten)]
+    pub(crate) form: OutputForm,
     /// Write to a new file; Markdown and Typst write their figures beside it
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
@@ -217,12 +224,8 @@ pub(crate) struct Optimise {
     /// A limit that is to be kept: 'amplitude < 0.2 mm'
     #[arg(long, value_name = "ANSWER<VALUE")]
     pub(crate) limit: Vec<String>,
-    /// Output format; default: by the file extension, otherwise text
-    #[arg(long, value_enum)]
-    pub(crate) format: Option<Format>,
-    /// The table to print as CSV: answers, inputs, steps, checks, table-1, plot-1
-    #[arg(long, value_name = "NAME", default_value = "answers")]
-    pub(crate) table: String,
+    #[command(flatten)]
+    pub(crate) form: OutputForm,
     /// Write to a new file: the problem with the optimum (.toml), or the worked solution by the extension
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,

@@ -72,9 +72,13 @@ pub fn main() -> ExitCode {
 /// Returns true if another program reads what a command prints, errors included.
 fn prints_json(command: &Command) -> bool {
     match command {
-        Command::Solve(solve) => commands::solve::format(solve) == Format::Json,
+        Command::Solve(solve) => {
+            commands::solve::format(&solve.form, solve.output.as_deref()) == Format::Json
+        }
         Command::Find(find) => find.json,
-        Command::Optimise(optimise) => commands::optimise::is_json(optimise),
+        Command::Optimise(optimise) => {
+            commands::solve::format(&optimise.form, optimise.output.as_deref()) == Format::Json
+        }
         Command::List(list) => list.json,
         Command::Show(show) => show.json,
         Command::Study(study) => study.json,

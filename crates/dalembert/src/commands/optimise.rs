@@ -9,8 +9,8 @@ use dalembert_core::{
 };
 
 use crate::{
-    arguments::{Format, Optimise, Solve},
-    commands::solve,
+    arguments::Optimise,
+    commands::solve::{self, Destination},
     console::Console,
     failure::Failure,
     output,
@@ -20,31 +20,11 @@ use crate::{
 /// Finds the best values of the inputs, and prints the worked solution with them, or writes it or the problem to a file.
 pub(crate) fn run(asked: &Optimise, console: &Console) -> Result<ExitCode, Failure> {
     let (changes, given) = requirements(asked)?;
-    let case = asked.case.or_else(|| find(&asked.problem).map(|_| 1));
-    let to_problem = asked.output.as_deref().filter(|path| path.extension() == Some(OsStr::new("toml")));
-    let Some(path) = to_problem else {
-        let wanted = Solve {
-            problem: asked.problem.clone(),
-            case,
-            set: changes,
-            define: Vec::new(),
-            ask: asked.ask.clone(),
-            given,
-            configuration: Vec::new(),
-            format: asked.format,
-            table: asked.table.clone(),
-            output: asked.output.clone(),
-            force: asked.force,
-            strict: false,
-            digits: asked.digits,
-            unit: Vec::new(),
-            units: None,
-        };
-        return solve::run_required(&wanted, &|problem| is_wanted(problem), console);
-    };
-    output::allowed(path, Path::new(&asked.problem), asked.force)?;
+    if let Some(path) = &asked.output {
+        output::allowed(path, Path::new(&asked.problem), asked.force)?;
+    }
     let source = ProblemSource {
-        case,
+        case: asked.case.or_else(|| find(&asked.problem).map(|_| 1)),
         changes: &changes,
         ask: &asked.ask,
         given: &given,
@@ -52,16 +32,22 @@ pub(crate) fn run(asked: &Optimise, console: &Console) -> Result<ExitCode, Failu
     };
     let problem = problem::read(&source, console)?;
     is_wanted(&problem)?;
-    let solution = solve::outcome(&problem, &[])?.map_err(Failure::Refused)?;
-    let Some(found) = solution.determined.as_deref() else { return Err(nothing_wanted()) };
-    output::write(path, &text_of_optimum(asked, problem, found)?, asked.force)?;
-    Ok(ExitCode::SUCCESS)
-}
-
-/// Returns true if JSON is asked for, by name or by the extension of the file.
-pub(crate) fn is_json(asked: &Optimise) -> bool {
-    let extension = asked.output.as_deref().and_then(Path::extension);
-    asked.format.map_or(extension == Some(OsStr::new("json")), |format| format == Format::Json)
+    let outcome = solve::outcome(&problem, &[])?;
+    let path = asked.output.as_deref();
+    if let Some(path) = path.filter(|path| path.extension() == Some(OsStr::new("toml"))) {
+        let solution = outcome.map_err(Failure::Refused)?;
+        let Some(found) = solution.determined.as_deref() else { return Err(nothing_wanted()) };
+        output::write(path, &text_of_optimum(asked, problem, found)?, asked.force)?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    let destination = Destination {
+        problem: &asked.problem,
+        form: &asked.form,
+        path,
+        force: asked.force,
+        digits: asked.digits,
+    };
+    solve::write(&problem, &outcome, &destination, console)
 }
 
 /// The inputs to change and the answers that something is required of, as `dalembert solve` has them.

@@ -11,7 +11,7 @@ use dalembert_tui::glyphs::filter_untrusted;
 use dalembert_units as units;
 
 use crate::{
-    arguments::{Format, Solve},
+    arguments::{Format, OutputForm, Solve},
     console::{Console, print},
     failure::Failure,
     output,
@@ -21,15 +21,6 @@ use crate::{
 
 /// Solves a problem and prints what came of it.
 pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure> {
-    run_required(solve, &|_| Ok(()), console)
-}
-
-/// Solves a problem that meets a requirement and prints what came of it.
-pub(crate) fn run_required(
-    solve: &Solve,
-    required: &dyn Fn(&LoadedProblem) -> Result<(), Failure>,
-    console: &Console,
-) -> Result<ExitCode, Failure> {
     if let Some(output) = &solve.output {
         output::allowed(output, Path::new(&solve.problem), solve.force)?;
     }
@@ -45,7 +36,6 @@ pub(crate) fn run_required(
         ..ProblemSource::named(&solve.problem)
     };
     let problem = problem::read(&asked, console)?;
-    required(&problem)?;
     let mut asked_for = Vec::new();
     for asked in &solve.unit {
         let (answer, unit) = asked.split_once('=').ok_or_else(|| {
@@ -54,22 +44,49 @@ pub(crate) fn run_required(
         })?;
         asked_for.push((answer.trim().to_owned(), unit.trim().to_owned()));
     }
+    let destination = Destination {
+        problem: &solve.problem,
+        form: &solve.form,
+        path: solve.output.as_deref(),
+        force: solve.force,
+        digits: solve.digits,
+    };
+    write(&problem, &outcome(&problem, &asked_for)?, &destination, console)
+}
+
+/// Destination of a worked solution.
+pub(crate) struct Destination<'a> {
+    /// The problem as it is named: its file is never written over.
+    pub(crate) problem: &'a str,
+    pub(crate) form: &'a OutputForm,
+    /// The file to write; `None` for the screen.
+    pub(crate) path: Option<&'a Path>,
+    pub(crate) force: bool,
+    pub(crate) digits: Option<u8>,
+}
+
+/// Prints what came of a problem, or writes it to a file.
+pub(crate) fn write(
+    problem: &LoadedProblem,
+    outcome: &solving::SolveOutcome,
+    to: &Destination<'_>,
+    console: &Console,
+) -> Result<ExitCode, Failure> {
     let mut locale = console.locale.at(problem.entry.about.id);
-    locale.style.digits = solve.digits.unwrap_or(locale.style.digits);
-    let outcome = outcome(&problem, &asked_for)?;
-    let worked = problem.worked(&outcome);
-    let paper = match format(solve) {
+    locale.style.digits = to.digits.unwrap_or(locale.style.digits);
+    let worked = problem.worked(outcome);
+    let paper = match format(to.form, to.path) {
         Format::Text => DocumentFormat::Text,
         Format::Markdown => DocumentFormat::Markdown,
         Format::Html => DocumentFormat::Html,
         Format::Latex => DocumentFormat::Latex,
         Format::Typst => DocumentFormat::Typst,
         Format::Json => {
-            put(solve, &json_text(&json(&worked, &locale)))?;
+            put(to, &json_text(&json(&worked, &locale)))?;
             return status(&worked, console);
         }
         Format::Csv => {
-            put(solve, &spreadsheet(&worked, &solve.table, &locale)?)?;
+            put(to, &spreadsheet(&worked, &to.form.table, &locale)?)?;
             return status(&worked, console);
         }
     };
@@ -82,18 +99,18 @@ pub(crate) fn run_required(
         _ => document(&worked, &locale),
     };
     let document = document.map(&plain);
-    match &solve.output {
-        _ if paper == DocumentFormat::Text => put(solve, &text(&document, console.width))?,
+    match to.path {
+        _ if paper == DocumentFormat::Text => put(to, &text(&document, console.width))?,
         None => print(&paper.write(&document, None, &locale))?,
         Some(path) => {
             let files = paper.files(&document, path, &locale).unwrap_or_default();
             let files: Vec<_> =
                 files.into_iter().map(|(name, text)| (path.with_file_name(name), text)).collect();
             for (file, _) in &files {
-                output::allowed(file, Path::new(&solve.problem), solve.force)?;
+                output::allowed(file, Path::new(to.problem), to.force)?;
             }
             for (file, text) in &files {
-                output::write(file, text, solve.force)?;
+                output::write(file, text, to.force)?;
             }
         }
     }
@@ -101,9 +118,9 @@ pub(crate) fn run_required(
 }
 
 /// Output format: by name, else by the extension of the file.
-pub(crate) fn format(solve: &Solve) -> Format {
-    solve.format.unwrap_or_else(|| {
-        let path = solve.output.as_deref().unwrap_or(Path::new(""));
+pub(crate) fn format(form: &OutputForm, path: Option<&Path>) -> Format {
+    form.format.unwrap_or_else(|| {
+        let path = path.unwrap_or(Path::new(""));
         match (DocumentFormat::of(path), path.extension().and_then(OsStr::to_str)) {
             (Some(DocumentFormat::Markdown), _) => Format::Markdown,
             (Some(DocumentFormat::Html), _) => Format::Html,
@@ -117,9 +134,9 @@ pub(crate) fn format(solve: &Solve) -> Format {
 }
 
 /// Writes a text to the file that is asked for, or prints it.
-fn put(solve: &Solve, text: &str) -> Result<(), Failure> {
-    match &solve.output {
-        Some(path) => output::write(path, text, solve.force),
+fn put(to: &Destination<'_>, text: &str) -> Result<(), Failure> {
+    match to.path {
+        Some(path) => output::write(path, text, to.force),
         None => print(text),
     }
 }
