@@ -8,7 +8,7 @@ use std::{panic, path::Path, sync::mpsc, thread, time::Duration};
 use dalembert::request::{self, RequestFailure, RequestedProblem};
 use dalembert_core::{
     Answer, Language, Locale, Solution, Stop, Text, nearest,
-    study::{Accumulator, Design, Study, StudyPlan},
+    study::{self, Accumulator, Design, Study, StudyPlan},
     vary,
 };
 use dalembert_report::study_json;
@@ -135,16 +135,7 @@ fn wanted(
     let numbers = || solution.answers.iter().filter(|answer| answer.si().is_some());
     let Some(names) = names else { return Ok(numbers().cloned().collect()) };
     let find = |name: &String| {
-        numbers().find(|answer| answer.name.is(name)).cloned().ok_or_else(|| {
-            let known: Vec<String> = numbers().map(|answer| answer.name.to_string()).collect();
-            let why = match nearest(name, known.iter().map(String::as_str)) {
-                Some(near) => Text::new("`{name}` is not a number among the answers; did you mean `{near}`?")
-                    .with("near", near),
-                None => Text::new("`{name}` is not a number among the answers: {known}")
-                    .with("known", known.join(", ")),
-            };
-            input("answers", &why.with("name", name), locale)
-        })
+        study::answer(solution, "answers", name).map_err(|error| of_fields(vec![error], locale))
     };
     names.iter().map(find).collect()
 }

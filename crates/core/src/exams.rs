@@ -76,15 +76,18 @@ fn read(name: &str, text: &'static str) -> Result<&'static Entry, String> {
     let (title, problems) = cases::exam(text)?;
     let linked = linked::entry(&problems);
     let analyses: Vec<&str> = problems.iter().map(|problem| problem.entry.about.title).collect();
+    let (topic, summary) = match linked.linked() {
+        [_, _, ..] => (SEVERAL, "Several problems that feed each other."),
+        _ => (
+            OPTIMUM,
+            "The inputs with which an answer is as small or as large as possible, under limits of others.",
+        ),
+    };
     let about: &'static About = Box::leak(Box::new(About {
         id: intern(&format!("{FAMILY}/{name}")),
         title: intern(&title),
-        topic: if linked.linked().len() > 1 { SEVERAL } else { OPTIMUM },
-        summary: if linked.linked().len() > 1 {
-            "Several problems that feed each other."
-        } else {
-            "The inputs with which an answer is as small or as large as possible, under limits of others."
-        },
+        topic,
+        summary,
         keywords: intern(&analyses.join(" ")),
         sources: linked.about.sources,
         cases: text,

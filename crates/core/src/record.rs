@@ -69,6 +69,11 @@ impl NumberTable {
         self.numbers.chunks_exact(self.units.len().max(1))
     }
 
+    /// Returns true if there is no row.
+    pub fn is_empty(&self) -> bool {
+        self.rows().len() == 0
+    }
+
     /// The rows, to be changed.
     pub fn rows_mut(&mut self) -> ChunksExactMut<'_, f64> {
         Arc::make_mut(&mut self.numbers).chunks_exact_mut(self.units.len().max(1))

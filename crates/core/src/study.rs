@@ -9,7 +9,7 @@ mod statistics;
 
 pub use self::{
     design::Design,
-    evaluation::{Evaluation, Row, Rows, Study},
+    evaluation::{Evaluation, Row, Rows, Study, answer},
     plan::{
         Amount, Correlation, DataColumn, DistributionKind, Limit, ReadData, Sampling, Spacing, StudyPlan,
         Variation,
@@ -158,7 +158,7 @@ impl<'a> Curve<'a> {
         let path = self.input().path.clone();
         let again =
             Perturbed::new(self.entry, self.record, self.inputs.clone(), vec![self.answer.name.to_string()])?;
-        if again.answers.is_empty() || !again.inputs.iter().any(|known| known.path == path) {
+        if again.answers.is_empty() || !again.has_input(&path) {
             return Err(Refusal::because("this input cannot be varied").into());
         }
         Ok(again)
@@ -203,7 +203,7 @@ impl<'a> Curve<'a> {
         let mut series = Vec::new();
         let mut remarks = Vec::new();
         let parameters: Vec<Option<(usize, f64)>> = match family {
-            Some((path, values)) if again.inputs.iter().any(|known| known.path == *path) => {
+            Some((path, values)) if again.has_input(path) => {
                 let at = place_of(&again, path);
                 values.iter().take(MOST_CURVES).map(|value| Some((at, *value))).collect()
             }

@@ -105,11 +105,11 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<NumberTable,
         }
         let above = Heading { line: n + 1, text: words.trim(), comment };
         if comment {
-            headings.extend((table.rows().len() == 0).then_some(above));
+            headings.extend((table.is_empty()).then_some(above));
             continue;
         }
         let (cells, separator) = cells(line, columns.len(), settled);
-        if table.rows().len() == 0 && is_above(line, &cells, columns) {
+        if table.is_empty() && is_above(line, &cells, columns) {
             headings.push(above);
             continue;
         }
@@ -154,7 +154,7 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<NumberTable,
         let own = own_unit(column);
         *assumed &= own.factor != 1.0 || own.dim != Unit::ONE.dim;
     }
-    if table.rows().len() == 0 && faults.is_empty() {
+    if table.is_empty() && faults.is_empty() {
         let above = headings.iter().rev().find(|heading| !heading.comment).map(|heading| heading.line);
         let why = match above.or(heading) {
             Some(line) => Text::new(

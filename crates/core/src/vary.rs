@@ -40,7 +40,23 @@ pub struct Perturbed {
     /// The names of the answers that are found each time.
     pub answers: Vec<String>,
     evaluate: Box<dyn Evaluate>,
-    limits: Vec<ValueLimits>,
+    limits: InputLimits,
+}
+
+/// The limits of several inputs, read once for many points: an analysis does not look at them.
+#[derive(Debug)]
+pub struct InputLimits(Vec<ValueLimits>);
+
+impl InputLimits {
+    /// The limits of inputs that are so measured.
+    pub fn of<'m>(measures: impl IntoIterator<Item = &'m Measure>) -> Self {
+        Self(measures.into_iter().map(Measure::limits).collect())
+    }
+
+    /// Place of the first value of a point, in SI, that is outside the limits of its input.
+    pub fn first_outside(&self, point: &[f64]) -> Option<usize> {
+        self.0.iter().zip(point).position(|(limits, si)| !limits.permit(*si))
+    }
 }
 
 /// Every number among the inputs, in the order of the form. Whole numbers and tables are none; gravity is one.
@@ -245,7 +261,7 @@ impl Perturbed {
             let wanted: Vec<&str> = answers.iter().map(String::as_str).collect();
             let error = match entry.prepare(record, &vary, &wanted) {
                 Ok(evaluate) => {
-                    let limits = inputs.iter().map(|input| input.measure.limits()).collect();
+                    let limits = InputLimits::of(inputs.iter().map(|input| &input.measure));
                     return Ok(Self { inputs, answers, evaluate, limits });
                 }
                 Err(error) => error,
@@ -261,6 +277,11 @@ impl Perturbed {
         }
     }
 
+    /// Returns true if the input at a path can be changed.
+    pub fn has_input(&self, path: &str) -> bool {
+        self.inputs.iter().any(|input| input.path == path)
+    }
+
     /// The answers with these inputs, by their places, changed; NaN where there is none. Values outside the limits of
     /// an input have none.
     ///
@@ -269,7 +290,7 @@ impl Perturbed {
     pub fn with(&mut self, changes: &[(usize, f64)], stop: &Stop) -> Result<Vec<f64>, Refusal> {
         stop.check()?;
         let mut answers = vec![f64::NAN; self.answers.len()];
-        if changes.iter().any(|(at, si)| !self.limits[*at].permit(*si)) {
+        if changes.iter().any(|(at, si)| !self.limits.0[*at].permit(*si)) {
             return Ok(answers);
         }
         let mut point: Vec<f64> = self.inputs.iter().map(|input| input.si).collect();

@@ -17,7 +17,6 @@ pub mod data;
 pub mod output;
 pub mod points;
 pub mod slurm;
-
 pub mod table;
 pub mod workers;
 

@@ -9,7 +9,7 @@ use std::{
 use dalembert_core::{
     Entry, Record, SolveError, Stop, Text,
     study::BLOCK,
-    vary::{self, VariedInput},
+    vary::{self, InputLimits, VariedInput},
 };
 
 /// Answers at the points of arrays.
@@ -52,6 +52,7 @@ pub fn solve(
 ) -> Result<PointAnswers, SolveError> {
     let vary: Vec<&str> = inputs.iter().map(|input| input.path.as_str()).collect();
     let (width, rows) = (inputs.len().max(1), points.len() / inputs.len().max(1));
+    let limits = InputLimits::of(inputs.iter().map(|input| &input.measure));
     let mut answers = vec![f64::NAN; rows * wanted.len()];
     let mut refused = Vec::new();
     let blocks = points.chunks(BLOCK * width).zip(answers.chunks_mut(BLOCK * wanted.len().max(1)));
@@ -65,7 +66,9 @@ pub fn solve(
             let first = refused.len();
             let mut refuse = |row: usize, why| refused.push((n * BLOCK + row, why));
             evaluate.sweep_with_reasons(points, answers, &mut refuse, stop)?;
-            for (row, why) in outside(inputs, points) {
+            for (row, point) in points.chunks_exact(width).enumerate() {
+                let Some(at) = limits.first_outside(point) else { continue };
+                let why = outside(&inputs[at], point[at]);
                 answers[row * wanted.len()..][..wanted.len()].fill(f64::NAN);
                 let row = n * BLOCK + row;
                 match refused[first..].iter_mut().find(|(known, _)| *known == row) {
@@ -90,26 +93,9 @@ pub fn solve(
     Ok(PointAnswers { answers, refused })
 }
 
-/// The rows with an input outside its limits, at which the analysis does not look.
-fn outside(inputs: &[VariedInput], points: &[f64]) -> Vec<(usize, Text)> {
-    let width = inputs.len().max(1);
-    let mut found = Vec::new();
-    for (at, input) in inputs.iter().enumerate() {
-        let column = || points.chunks_exact(width).map(|row| row[at]);
-        let ends =
-            column().fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], x| [least.min(x), most.max(x)]);
-        // The limits are those of a range: where its ends are permitted, all within is.
-        if column().all(f64::is_finite) && ends.into_iter().all(|end| input.permits(end)) {
-            continue;
-        }
-        for (row, si) in column().enumerate().filter(|(_, si)| !input.permits(*si)) {
-            let text = format!("{} {}", input.unit.value(si), input.unit.ascii());
-            let why = Text::new("{input} = {value}: {why}").with("input", &input.path);
-            let why = why.with("value", text.trim_end()).with_text("why", "outside the limits of this input");
-            if found.iter().all(|(known, _)| *known != row) {
-                found.push((row, why));
-            }
-        }
-    }
-    found
+/// Reason for which an input has no such value, in SI.
+fn outside(input: &VariedInput, si: f64) -> Text {
+    let text = format!("{} {}", input.unit.value(si), input.unit.ascii());
+    let why = Text::new("{input} = {value}: {why}").with("input", &input.path);
+    why.with("value", text.trim_end()).with_text("why", "outside the limits of this input")
 }

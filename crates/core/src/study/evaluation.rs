@@ -10,8 +10,8 @@ use super::{
     statistics::AnswerLimit,
 };
 use crate::{
-    Answer, Entry, Evaluate, FieldError, Record, Refusal, Solution, SolveError, Stop, Text,
-    field::ValueLimits, intern::fixed, nearest,
+    Answer, Entry, Evaluate, FieldError, Record, Refusal, Solution, SolveError, Stop, Text, intern::fixed,
+    nearest, vary::InputLimits,
 };
 
 /// A study that is ready to run: its points, and the answers that are wanted at each.
@@ -54,7 +54,7 @@ pub struct Row<'r> {
 pub struct Evaluation<'a> {
     study: &'a Study<'a>,
     evaluate: Box<dyn Evaluate>,
-    limits: Vec<ValueLimits>,
+    limits: InputLimits,
     /// Inputs of the rows in SI.
     points: Vec<f64>,
 }
@@ -152,7 +152,7 @@ impl<'a> Study<'a> {
         Ok(Evaluation {
             study: self,
             evaluate: self.entry.prepare(self.record, &vary, &wanted)?,
-            limits: self.design.inputs.iter().map(|input| input.measure.limits()).collect(),
+            limits: InputLimits::of(self.design.inputs.iter().map(|input| &input.measure)),
             points: Vec::new(),
         })
     }
@@ -185,9 +185,8 @@ impl Evaluation<'_> {
             &mut |row, why| refused.push((row, why)),
             stop,
         )?;
-        // The analysis does not look at the limits of its inputs: the form does.
         for (row, point) in self.points.chunks_exact(inputs).enumerate() {
-            if let Some(at) = (0..inputs).find(|at| !self.limits[*at].permit(point[*at])) {
+            if let Some(at) = self.limits.first_outside(point) {
                 rows.answers[row * wanted..][..wanted].fill(f64::NAN);
                 let input = &design.inputs[at];
                 let text = format!("{} {}", rows.inputs[row * inputs + at], input.unit.ascii());
@@ -247,7 +246,11 @@ impl AnswerLimit {
     }
 }
 
-fn answer(solution: &Solution, path: &str, name: &str) -> Result<Answer, FieldError> {
+/// The answer of that name, which is a number; `path` is where it is named.
+///
+/// # Errors
+/// The answers that are numbers, or the one that is meant.
+pub fn answer(solution: &Solution, path: &str, name: &str) -> Result<Answer, FieldError> {
     let numbers = || solution.answers.iter().filter(|answer| answer.si().is_some());
     if let Some(answer) = numbers().find(|answer| answer.name.is(name)) {
         return Ok(answer.clone());
