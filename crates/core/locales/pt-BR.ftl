@@ -402,7 +402,7 @@ value-of-the-fit = valor do ajuste
 given-value = valor dado
 residual = resíduo
 answer = Resposta
-reached-value = { $reached_value }
+shown-quantity = { $shown_quantity }
 
 ## Inputs in words, and the file that a problem begins with
 a-whole-number-from-min = um número inteiro a partir de { $min }

@@ -195,26 +195,24 @@ impl Entry {
 
     /// Solves, leaving the worked solution.
     pub fn solve(&self, record: &Record, stop: &Stop) -> Result<Solution, SolveError> {
-        self.solve_record(record, None, stop)
+        let determined = unknowns::determine(self, record, stop)?;
+        let record = determined.as_ref().unwrap_or(record);
+        let mut solution = worked(self, record, stop, None)?;
+        solution.exhibits.extend(tolerances::table(self, record, &solution, stop)?.map(Exhibit::Table));
+        Ok(solution)
+    }
+
+    /// Solves at the values as they are, without the worst case over the tolerances.
+    pub(crate) fn solve_nominal(&self, record: &Record, stop: &Stop) -> Result<Solution, SolveError> {
+        let determined = unknowns::determine(self, record, stop)?;
+        worked(self, determined.as_ref().unwrap_or(record), stop, None)
     }
 
     /// Solves with the result of one step wrong by [`trace::PERTURBATION`](crate::trace::PERTURBATION), to see which
     /// checks notice.
     pub fn solve_perturbed(&self, record: &Record, step: usize, stop: &Stop) -> Result<Solution, SolveError> {
-        self.solve_record(record, Some(step), stop)
-    }
-
-    fn solve_record(
-        &self,
-        record: &Record,
-        perturbed: Option<usize>,
-        stop: &Stop,
-    ) -> Result<Solution, SolveError> {
         let determined = unknowns::determine(self, record, stop)?;
-        let record = determined.as_ref().unwrap_or(record);
-        let mut solution = worked(self, record, stop, perturbed)?;
-        solution.exhibits.extend(tolerances::table(self, record, &solution, stop)?.map(Exhibit::Table));
-        Ok(solution)
+        worked(self, determined.as_ref().unwrap_or(record), stop, Some(step))
     }
 
     /// Prepares the plain reading: `vary` are paths of quantities, `wanted` names of answers that are numbers.

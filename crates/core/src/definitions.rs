@@ -196,25 +196,17 @@ impl Plan {
             self.inputs.push(input);
             return Ok(());
         }
-        let (text, tolerance) =
-            split_tolerance(&text).map_or((&*text, None), |(value, tolerance)| (value, Some(tolerance)));
-        if is_unknown(text) || tolerance.is_some() {
-            let fail = |why| FieldError::new(&path, why);
-            let (unknown, start) = if is_unknown(text) {
-                let (unknown, start) = unknowns::read(text, &path, Some(input.measure)).map_err(fail)?;
-                (Some(unknown), start)
-            } else {
-                (None, unknowns::read_value(text, Some(input.measure.meant(text)), None).map_err(fail)?)
-            };
-            if let Some(tolerance) = tolerance {
-                self.tolerances.push(unknowns::read_tolerance(tolerance, &path, &start.unit).map_err(fail)?);
-            }
-            (input.unit, input.value) = (start.unit.clone(), Number::Scalar(start.si));
-            names::write_quantity(record, &path, start);
-            self.unknowns.extend(unknown);
+        let typed = unknowns::read(&text, &path, Some(input.measure));
+        if let Some(typed) = typed.map_err(|why| FieldError::new(&path, why))? {
+            let quantity = typed.quantity;
+            (input.unit, input.value) = (quantity.unit.clone(), Number::Scalar(quantity.si));
+            names::write_quantity(record, &path, quantity);
+            self.unknowns.extend(typed.unknown);
+            self.tolerances.extend(typed.tolerance);
             self.inputs.push(input);
             return Ok(());
         }
+        let text = &*text;
         let scope = input.scope;
         match Formula::parse(text, &|name| names.contains(scope, name)) {
             Ok(formula)
@@ -267,14 +259,9 @@ impl Plan {
         &self.tolerances
     }
 
-    /// The same plan with nothing to be found, and without tolerances.
+    /// The same plan with nothing to be found, what was found being known.
     pub(crate) fn without_unknowns(&self) -> Self {
-        Self { unknowns: Vec::new(), givens: Vec::new(), ..self.without_tolerances() }
-    }
-
-    /// The same plan without tolerances, what was found being known.
-    pub(crate) fn without_tolerances(&self) -> Self {
-        Self { tolerances: Vec::new(), determined: None, ..self.clone() }
+        Self { unknowns: Vec::new(), givens: Vec::new(), determined: None, ..self.clone() }
     }
 
     /// Gives every unknown the range that it was searched in, so that a solve with other inputs need not look for it.
@@ -286,9 +273,8 @@ impl Plan {
         }
     }
 
-    /// Takes the unknowns as they were found, and the tolerances of the plan in which they were unknown.
-    pub(crate) fn determine(&mut self, of: &Plan, determined: Determined) {
-        self.tolerances.clone_from(&of.tolerances);
+    /// Takes the unknowns as they were found.
+    pub(crate) fn determine(&mut self, determined: Determined) {
         self.determined = Some(Arc::new(determined));
     }
 

@@ -128,6 +128,11 @@ impl Text {
         self
     }
 
+    /// A number in SI alone, shown in `unit`.
+    pub fn quantity(si: f64, unit: &'static str) -> Self {
+        Text::new("{shown_quantity}").with_quantity("shown_quantity", si, unit)
+    }
+
     /// The sentence as a user reads it. English where the language lacks it.
     pub fn render(&self, locale: &Locale) -> String {
         if self.is_empty() {

@@ -17,7 +17,7 @@ pub(crate) struct Corners<'t> {
     /// Tolerance and place of each input that has one.
     places: Vec<(&'t Tolerance, usize)>,
     /// The inputs with a tolerance behind those that are unknown.
-    pub(crate) others: Vec<VariedInput>,
+    others: Vec<VariedInput>,
 }
 
 impl<'t> Corners<'t> {
@@ -30,10 +30,10 @@ impl<'t> Corners<'t> {
         record: &Record,
         unknown: &[VariedInput],
     ) -> Result<Self, SolveError> {
-        let fail = |at: &Tolerance, why: Text| SolveError::Fields(vec![FieldError::new(&at.name, why)]);
         if let Some(one) = tolerances.get(MOST) {
             let why = Text::new("{count} tolerances: the worst case is found of at most {most}");
-            return Err(fail(one, why.with("count", tolerances.len()).with("most", MOST)));
+            let why = why.with("count", tolerances.len()).with("most", MOST);
+            return Err(SolveError::Fields(vec![FieldError::new(&one.name, why)]));
         }
         let all = vary::inputs(record);
         let (mut places, mut others) = (Vec::new(), Vec::new());
@@ -43,15 +43,32 @@ impl<'t> Corners<'t> {
                 Some(at) => at,
                 None => {
                     let found = all.iter().find(|input| is_it(input)).cloned();
-                    others.push(found.ok_or_else(|| {
-                        fail(tolerance, "this input cannot be varied, so it has no tolerance".into())
-                    })?);
+                    others.push(found.ok_or_else(|| fixed_input(&tolerance.name))?);
                     unknown.len() + others.len() - 1
                 }
             };
             places.push((tolerance, at));
         }
         Ok(Self { places, others })
+    }
+
+    /// The problem to be solved again at the combinations: the unknown inputs come first.
+    ///
+    /// # Errors
+    /// As [`Perturbed::new`]; a tolerance of an input that the analysis cannot change.
+    pub(crate) fn perturbed(
+        &self,
+        entry: &Entry,
+        record: &Record,
+        unknown: &[VariedInput],
+        answers: Vec<String>,
+    ) -> Result<Perturbed, SolveError> {
+        let inputs = unknown.iter().chain(&self.others).cloned().collect();
+        let perturbed = Perturbed::new(entry, record, inputs, answers)?;
+        match self.others.iter().find(|input| !perturbed.has_input(&input.path)) {
+            Some(lost) => Err(fixed_input(&lost.path)),
+            None => Ok(perturbed),
+        }
     }
 
     /// Number of the combinations, with that of the values themselves.
@@ -82,6 +99,12 @@ impl<'t> Corners<'t> {
     }
 }
 
+/// Refusal of a tolerance of an input that the analysis cannot change.
+fn fixed_input(path: &str) -> SolveError {
+    let why = "this input cannot be varied, so it has no tolerance";
+    SolveError::Fields(vec![FieldError::new(path, why)])
+}
+
 /// Table of the answers with their least and largest values within the tolerances; `None` where there is no tolerance.
 ///
 /// # Errors
@@ -97,7 +120,7 @@ pub(crate) fn table(
         return Ok(None);
     }
     let corners = Corners::new(tolerances, record, &[])?;
-    let plan = record.plan.as_ref().map(|plan| plan.without_tolerances().into());
+    let plan = record.plan.as_ref().map(|plan| plan.without_unknowns().into());
     let record = &Record { plan, ..record.clone() };
     // What was found is an answer of the search alone.
     let found = solution.determined.iter().flat_map(|determined| &determined.unknowns);
@@ -106,13 +129,7 @@ pub(crate) fn table(
         |answer: &&Answer| answer.si().is_some() && !found.iter().any(|name| answer.name.is(name));
     let numbers = solution.answers.iter().filter(is_number);
     let names = numbers.map(|answer| answer.name.to_string()).unique().collect();
-    let mut perturbed = Perturbed::new(entry, record, corners.others.clone(), names)?;
-    if perturbed.inputs.len() < corners.others.len() {
-        let lost = tolerances.iter().find(|one| perturbed.inputs.iter().all(|input| input.path != one.name));
-        let path = lost.map_or("", |tolerance| &tolerance.name);
-        let why = "this input cannot be varied, so it has no tolerance";
-        return Err(SolveError::Fields(vec![FieldError::new(path, why)]));
-    }
+    let mut perturbed = corners.perturbed(entry, record, &[], names)?;
     let mut rows = Vec::new();
     let mut refused = 0;
     let mut ends = vec![[f64::INFINITY, f64::NEG_INFINITY]; perturbed.answers.len()];
@@ -127,12 +144,7 @@ pub(crate) fn table(
         let Some(answer) = solution.answer(name) else { continue };
         let Some(si) = answer.si() else { continue };
         let value = |si: f64| {
-            let unit = fixed(&answer.unit);
-            if si.is_finite() {
-                Text::new("{reached_value}").with_quantity("reached_value", si, unit).into()
-            } else {
-                Cell::Empty
-            }
+            if si.is_finite() { Text::quantity(si, fixed(&answer.unit)).into() } else { Cell::Empty }
         };
         rows.push(vec![answer.title().into(), value(si), value(end[0].min(si)), value(end[1].max(si))]);
     }

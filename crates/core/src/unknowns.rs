@@ -29,7 +29,8 @@ use crate::{
     intern::fixed,
     intern::intern,
     linked, reading,
-    vary::{self, Perturbed, VariedInput},
+    tolerances::Corners,
+    vary::{self, VariedInput},
 };
 
 /// Unknown inputs of a problem as they were found.
@@ -99,21 +100,24 @@ pub(crate) fn determine(entry: &Entry, record: &Record, stop: &Stop) -> Result<O
         variables.push(variable(entry, &known, unknown, input)?);
     }
     let (begin, answers) = begin(entry, &known, &variables, &inputs, (plan, givens), stop)?;
-    if let Some(objectives) = objectives(givens)? {
-        let setting = Setting { entry, begin, plan, inputs, variables, givens, answers };
-        return setting.determine(objectives, stop).map(Some);
-    }
+    let objectives = objectives(givens)?;
+    // A solution is found at the values as they are, an optimum at every end of the tolerances.
+    let tolerances = if objectives.is_some() { plan.tolerances() } else { &[] };
+    let corners = Corners::new(tolerances, &begin, &inputs)?;
     let names: Vec<String> = answers.iter().map(|answer| answer.name.to_string()).collect();
-    let mut again = Perturbed::new(entry, &begin, inputs.clone(), names)?;
-    if again.inputs.len() < inputs.len() {
-        let lost = inputs.iter().find(|input| again.inputs.iter().all(|known| known.path != input.path));
-        return Err(fixed_input(plan, lost.map_or("", |input| &input.path)));
+    let mut again = corners.perturbed(entry, &begin, &inputs, names)?;
+    if let Some(lost) = inputs.iter().find(|input| !again.has_input(&input.path)) {
+        return Err(fixed_input(plan, &lost.path));
     }
     if let Some(lost) = (0..answers.len()).find(|n| !again.answers.contains(&answers[*n].name.to_string())) {
         return Err(fault(
             format!("{}.name", givens[lost].path),
             not_a_number(answers[lost].name, &again.answers),
         ));
+    }
+    if let Some(objectives) = objectives {
+        let setting = Setting { begin, plan, inputs, variables, givens, answers };
+        return setting.determine(objectives, &corners, &mut again, stop).map(Some);
     }
     let targets: Vec<Target> =
         givens.iter().map(|given| Target { si: given.si, tolerance: given.tolerance }).collect();
@@ -174,11 +178,11 @@ pub(crate) fn determine(entry: &Entry, record: &Record, stop: &Stop) -> Result<O
         inverse: None,
         optimum: None,
     };
-    let by_search = with_determined(solved, plan, determined.clone());
+    let by_search = with_determined(solved, determined.clone());
     let ([unknown], [given], [planned]) = (&determined.unknowns[..], &determined.givens[..], givens) else {
         return Ok(Some(by_search));
     };
-    let Ok(base) = entry.solve(&by_search, stop) else { return Ok(Some(by_search)) };
+    let Ok(base) = entry.solve_nominal(&by_search, stop) else { return Ok(Some(by_search)) };
     let defects = base.defects.len();
     let question = Question {
         unknown,
@@ -195,9 +199,9 @@ pub(crate) fn determine(entry: &Entry, record: &Record, stop: &Stop) -> Result<O
     (determined.solutions, determined.inverse) = (solutions, Some(formula));
     let first = determined.solutions[0][0];
     let name = determined.unknowns[0].name.clone();
-    let by_formula = with_determined(solved, plan, determined);
+    let by_formula = with_determined(solved, determined);
     // A formula that the sheet does not take is none.
-    let is_right = entry.solve(&by_formula, stop).is_ok_and(|solution| {
+    let is_right = entry.solve_nominal(&by_formula, stop).is_ok_and(|solution| {
         let is_near = |(si, _): (f64, &Unit)| (si - first).abs() <= ACCEPTED * first.abs();
         solution.defects.len() == defects && solution.computed_input(&name).is_some_and(is_near)
     });
@@ -212,9 +216,9 @@ fn solved(begin: &Record, plan: &Plan, inputs: &[VariedInput], x: &[f64]) -> Res
     })
 }
 
-fn with_determined(mut solved: Record, of: &Plan, determined: Determined) -> Record {
+fn with_determined(mut solved: Record, determined: Determined) -> Record {
     if let Some(plan) = &mut solved.plan {
-        Arc::make_mut(plan).determine(of, determined);
+        Arc::make_mut(plan).determine(determined);
     }
     solved
 }
@@ -309,7 +313,7 @@ fn begin(
     for start in search::starts(variables) {
         let changes = inputs.iter().zip(&start).map(|(input, si)| (input.path.as_str(), *si));
         let Some(changed) = vary::changed_together(known, changes) else { continue };
-        let solution = match entry.solve(&changed, stop) {
+        let solution = match entry.solve_nominal(&changed, stop) {
             Ok(solution) => solution,
             Err(SolveError::Refused(Refusal::Stopped)) => return Err(Refusal::Stopped.into()),
             Err(error) => {
@@ -540,10 +544,7 @@ impl Determined {
     fn residuals(&self) -> TableExhibit {
         let mut rows = Vec::new();
         for given in &self.givens {
-            let value = |si| {
-                let unit = fixed(&given.unit);
-                Cell::Text(Text::new("{reached_value}").with_quantity("reached_value", si, unit))
-            };
+            let value = |si| Cell::Text(Text::quantity(si, fixed(&given.unit)));
             let share = (given.reached - given.given) / given.given;
             let share = if share.is_finite() { Cell::Number(share) } else { Cell::Empty };
             rows.push(vec![given.label.clone().into(), value(given.given), value(given.reached), share]);

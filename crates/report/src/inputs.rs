@@ -141,7 +141,7 @@ impl Place<'_> {
                     input.shown = format!("{} = {value}", input.typed.trim());
                     input.computed = Some((si, unit.clone()));
                 }
-                if let (None, Some((_, tolerance))) = (&input.computed, split_tolerance(&input.typed)) {
+                if let (None, (_, Some(tolerance))) = (&input.computed, split_tolerance(&input.typed)) {
                     input.shown = format!("{} ± {tolerance}", input.shown);
                 }
                 // The components that were found stand in the record of the solution.

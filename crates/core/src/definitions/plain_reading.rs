@@ -115,7 +115,7 @@ pub(crate) fn prepare(
         planned.first()?;
         return Ok(Box::new(planned));
     }
-    let solution = entry.solve(record, &Stop::new())?;
+    let solution = entry.solve_nominal(record, &Stop::new())?;
     if let Some(determined) = &solution.determined {
         planned.plan.keep_ranges(determined);
     }
@@ -336,7 +336,7 @@ impl Planned {
             Some(readings) => readings.read(&self.entry, &mut self.plan, &mut self.record, row, stop),
             None => {
                 let changed = Record { plan: Some(Arc::new(self.plan.clone())), ..self.record.clone() };
-                self.entry.solve(&changed, stop).map(|solution| {
+                self.entry.solve_nominal(&changed, stop).map(|solution| {
                     for (place, name) in row.iter_mut().zip(&self.wanted) {
                         *place = solution.answer(name).and_then(Answer::si).unwrap_or(f64::NAN);
                     }

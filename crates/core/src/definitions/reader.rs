@@ -1,13 +1,13 @@
 //! Definitions, questions, given answers and configurations as they are typed, row by row.
 
-use dalembert_units::{Quantity, Unit};
+use dalembert_units::Unit;
 
 use super::{
     COMMON_LISTS, Definition, Plan, Question, field_error,
     names::Names,
     rows::{question_key, rows, text_of},
     scope,
-    unknowns::{self, Tolerance, Unknown, is_unknown, read_tolerance, split_tolerance},
+    unknowns::{self, Tolerance, Unknown},
 };
 use crate::{
     Field, FieldError, Record, Symbol, Text, Value,
@@ -96,33 +96,19 @@ impl Reader {
         }
         let defined =
             |formula, unit, si| Definition { scope, row: n, name: name.to_owned(), formula, unit, si };
-        let (value, tolerance) =
-            split_tolerance(text).map_or((text, None), |(value, tolerance)| (value, Some(tolerance)));
-        if is_unknown(value) || tolerance.is_some() {
-            let mut read = || -> Result<Quantity, Text> {
-                let quantity = if is_unknown(value) {
-                    let (unknown, start) = unknowns::read(value, &outside(name), None)?;
-                    unknowns.push(unknown);
-                    start
-                } else {
-                    dalembert_units::read_any(value).map_err(|error| crate::reading::text(&error))?
-                };
-                if let Some(tolerance) = tolerance {
-                    tolerances.push(read_tolerance(tolerance, &outside(name), &quantity.unit)?);
-                }
-                Ok(quantity)
-            };
-            return match read() {
-                Ok(quantity) => {
-                    let (unit, si) = (quantity.unit.clone(), quantity.si);
-                    let formula = Formula { root: Expression::Quantity(quantity), text: text.to_owned() };
-                    Some(defined(formula, unit, si))
-                }
-                Err(why) => {
-                    self.errors.push(FieldError::new(path("formula"), why));
-                    None
-                }
-            };
+        match unknowns::read(text, &outside(name), None) {
+            Ok(None) => {}
+            Ok(Some(typed)) => {
+                unknowns.extend(typed.unknown);
+                tolerances.extend(typed.tolerance);
+                let (unit, si) = (typed.quantity.unit.clone(), typed.quantity.si);
+                let formula = Formula { root: Expression::Quantity(typed.quantity), text: text.to_owned() };
+                return Some(defined(formula, unit, si));
+            }
+            Err(why) => {
+                self.errors.push(FieldError::new(path("formula"), why));
+                return None;
+            }
         }
         let formula = self.formula(scope, &path("formula"), text)?;
         let (unit, si) =

@@ -46,7 +46,7 @@ impl Draft {
             let mut text = units::write_quantity(*si, &unknown.unit, style);
             match self.at(shape, &unknown.name) {
                 Ok((Draft::Leaf(typed), _)) => {
-                    if let Some((_, tolerance)) = split_tolerance(typed) {
+                    if let (_, Some(tolerance)) = split_tolerance(typed) {
                         text = format!("{text} ± {tolerance}");
                     }
                     self.set(shape, &unknown.name, &text)?;

@@ -222,8 +222,31 @@ fn unknown_components(text: &str) -> Result<Vec<UnknownComponent<'_>>, Text> {
     Ok(parts)
 }
 
+/// A value that is unknown or has a tolerance, as it is typed.
+pub(super) struct TypedValue {
+    /// The value, or what stands in its place until it is found.
+    pub(super) quantity: Quantity,
+    pub(super) unknown: Option<Unknown>,
+    pub(super) tolerance: Option<Tolerance>,
+}
+
+/// The value at a name where it is unknown or has a tolerance: `? 40 kg`, `40 kg ± 2 %`. `None` for any other text.
+pub(super) fn read(text: &str, name: &str, measure: Option<Measure>) -> Result<Option<TypedValue>, Text> {
+    let (value, tolerance) = split_tolerance(text);
+    let (unknown, quantity) = if is_unknown(value) {
+        let (unknown, start) = read_unknown(value, name, measure)?;
+        (Some(unknown), start)
+    } else if tolerance.is_some() {
+        (None, read_value(value, measure.map(|measure| measure.meant(value)), None)?)
+    } else {
+        return Ok(None);
+    };
+    let tolerance = tolerance.map(|text| read_tolerance(text, name, &quantity.unit)).transpose()?;
+    Ok(Some(TypedValue { quantity, unknown, tolerance }))
+}
+
 /// An unknown at a name, and the quantity that stands in its place until it is found.
-pub(super) fn read(text: &str, name: &str, measure: Option<Measure>) -> Result<(Unknown, Quantity), Text> {
+fn read_unknown(text: &str, name: &str, measure: Option<Measure>) -> Result<(Unknown, Quantity), Text> {
     let typed = text.trim().trim_start_matches('?').trim();
     if typed.contains(';') {
         return read_choices(typed, name, measure);
@@ -264,7 +287,7 @@ pub(super) fn read(text: &str, name: &str, measure: Option<Measure>) -> Result<(
 }
 
 /// A quantity within the limits of a field; a number alone is in the unit `own`, or in that of the field.
-pub(super) fn read_value(text: &str, measure: Option<Measure>, own: Option<&Unit>) -> Result<Quantity, Text> {
+fn read_value(text: &str, measure: Option<Measure>, own: Option<&Unit>) -> Result<Quantity, Text> {
     let read = match (measure, own) {
         (Some(measure), own) => {
             let unit = own.cloned().unwrap_or_else(|| measure.own_unit());
@@ -296,15 +319,17 @@ fn read_choices(typed: &str, name: &str, measure: Option<Measure>) -> Result<(Un
 /// The signs between a value and its tolerance.
 const PLUS_MINUS: [&str; 3] = ["±", "+/-", "+-"];
 
-/// A text before `±`, and that behind it.
-pub fn split_tolerance(text: &str) -> Option<(&str, &str)> {
-    let (value, tolerance) = PLUS_MINUS.into_iter().find_map(|sign| text.split_once(sign))?;
-    Some((value.trim(), tolerance.trim()))
+/// A text before `±`, and that behind it, where there is one.
+pub fn split_tolerance(text: &str) -> (&str, Option<&str>) {
+    match PLUS_MINUS.into_iter().find_map(|sign| text.split_once(sign)) {
+        Some((value, tolerance)) => (value.trim(), Some(tolerance.trim())),
+        None => (text, None),
+    }
 }
 
 /// The tolerance at a name by its text behind `±`: a share, `2 %`, or a difference; a number alone is in the unit of the
 /// value. Of a value in percent, percent is a difference.
-pub(super) fn read_tolerance(text: &str, name: &str, of: &Unit) -> Result<Tolerance, Text> {
+fn read_tolerance(text: &str, name: &str, of: &Unit) -> Result<Tolerance, Text> {
     let is_share = text.contains('%') && of.ascii() != "%";
     let (size, width): (f64, fn(f64) -> Width) = if is_share {
         (units::read_any(text).map_err(|error| reading::text(&error))?.si, Width::Share)
@@ -360,13 +385,10 @@ pub(super) fn given(row: &str, name: &str, text: &str) -> Result<GivenAnswer, Fi
     if goal.is_extreme() {
         return Ok(given(0.0, Unit::ONE, None));
     }
-    let (value, tolerance) = match split_tolerance(text) {
-        Some(_) if goal.is_limit() => {
-            return Err(FieldError::new(path, "a limit has no uncertainty: write its value alone"));
-        }
-        Some((value, tolerance)) => (value, Some(tolerance)),
-        None => (text, None),
-    };
+    let (value, tolerance) = split_tolerance(text);
+    if tolerance.is_some() && goal.is_limit() {
+        return Err(FieldError::new(path, "a limit has no uncertainty: write its value alone"));
+    }
     let (si, unit) = constant(value).map_err(|why| FieldError::new(&path, why))?;
     let tolerance = tolerance.map(|text| match difference(text, &unit)? {
         size if size > 0.0 => Ok(size),

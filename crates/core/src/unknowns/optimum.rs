@@ -5,12 +5,12 @@ use dalembert_numerics::optimisation::{self, FEASIBLE};
 use itertools::Itertools as _;
 
 use super::{
-    Determined, DeterminedInput, ReachedAnswer, equals, fault, listed, search::Variable, solved,
+    Determined, DeterminedInput, ReachedAnswer, column, equals, fault, listed, search::Variable, solved,
     with_determined,
 };
 use crate::{
-    Answer, Axis, Cell, Column, Entry, Exhibit, Goal, Mark, Plot, Record, Refusal, Scale, Series, Sheet,
-    SolveError, Stop, TableExhibit, Term, Text, Worksheet,
+    Answer, Axis, Cell, Column, Exhibit, Goal, Plot, Record, Refusal, Series, Sheet, SolveError, Stop,
+    TableExhibit, Term, Text, Worksheet,
     definitions::{GivenAnswer, Plan},
     intern::fixed,
     tolerances::Corners,
@@ -81,7 +81,6 @@ impl Candidate {
 
 /// A problem whose optimum is sought.
 pub(super) struct Setting<'s> {
-    pub(super) entry: &'s Entry,
     /// The problem at a point where it has answers.
     pub(super) begin: Record,
     pub(super) plan: &'s Plan,
@@ -120,11 +119,13 @@ type Rows<'e> = dyn FnMut(&[f64]) -> Result<Vec<Vec<f64>>, Refusal> + 'e;
 
 impl Setting<'_> {
     /// The problem with the best values of its unknowns.
-    pub(super) fn determine(self, objectives: Objectives, stop: &Stop) -> Result<Record, SolveError> {
-        let corners = Corners::new(self.plan.tolerances(), &self.begin, &self.inputs)?;
-        let varied = self.inputs.iter().chain(&corners.others).cloned().collect();
-        let names: Vec<String> = self.answers.iter().map(|answer| answer.name.to_string()).collect();
-        let mut perturbed = Perturbed::new(self.entry, &self.begin, varied, names)?;
+    pub(super) fn determine(
+        self,
+        objectives: Objectives,
+        corners: &Corners<'_>,
+        perturbed: &mut Perturbed,
+        stop: &Stop,
+    ) -> Result<Record, SolveError> {
         let mut evaluate = |x: &[f64]| {
             corners.changes(x).map(|changes| perturbed.with(&changes, stop)).collect::<Result<Vec<_>, _>>()
         };
@@ -185,7 +186,7 @@ impl Setting<'_> {
             inverse: None,
             optimum: Some(optimum),
         };
-        Ok(with_determined(record, self.plan, determined))
+        Ok(with_determined(record, determined))
     }
 
     fn unit(&self, given: &GivenAnswer, answer: &Answer) -> dalembert_units::Unit {
@@ -404,8 +405,7 @@ impl Setting<'_> {
             limits.filter(|((given, _), _)| !given.goal.is_extreme()).map(|((given, answer), covered)| {
                 let worst = if given.goal == Goal::AtLeast { covered[0] } else { covered[1] };
                 let limit = wanted(answer.title(), given.goal, given.si, &given.unit);
-                let found =
-                    Text::new("{reached_value}").with_quantity("reached_value", worst, fixed(&given.unit));
+                let found = Text::quantity(worst, fixed(&given.unit));
                 Text::new("{limit} (found: {found})").with_text("limit", limit).with_text("found", found)
             });
         let text = Text::new(
@@ -476,12 +476,8 @@ impl Optimum {
         }
         let unknowns = determined.unknowns.iter().map(|one| (one.label.clone(), &one.unit));
         let answers = determined.givens.iter().map(|one| (one.label.clone(), &one.unit));
-        let columns: Vec<Column> = unknowns
-            .clone()
-            .chain(answers)
-            .map(|(heading, unit)| Column { heading, unit: fixed(unit) })
-            .chain([Column { heading: "requirements".into(), unit: "" }])
-            .collect();
+        let columns = unknowns.chain(answers).map(|(heading, unit)| column(heading, unit));
+        let columns = columns.chain([Column { heading: "requirements".into(), unit: "" }]).collect();
         let row = |candidate: &Candidate| {
             let numbers = candidate.x.iter().chain(&candidate.answers).copied().map(Cell::Number);
             let met = if candidate.is_feasible() { "met" } else { "not met" };
@@ -506,29 +502,14 @@ impl Optimum {
         let [Some(first), Some(second)] = objectives_of(determined) else { return None };
         let axis = |at: usize| {
             let given = &determined.givens[at];
-            Axis { label: given.label.clone(), unit: fixed(&given.unit), scale: Scale::Linear }
+            Axis::linear(given.label.clone(), fixed(&given.unit))
         };
         let point = |candidate: &Candidate| (candidate.answers[first], candidate.answers[second]);
         let points: Vec<(f64, f64)> = self.candidates.iter().map(point).collect();
         let worked = points[self.chosen];
-        let front = Series {
-            label: Text::new("Pareto front"),
-            points,
-            joined: true,
-            of: None,
-            with: Vec::new(),
-            at: Vec::new(),
-        };
-        Some(Plot {
-            title: Text::new("Pareto front"),
-            x: axis(first),
-            y: axis(second),
-            marks: vec![Mark { label: Text::new("worked out"), at: worked }],
-            series: vec![front],
-            bands: Vec::new(),
-            levels: Vec::new(),
-            over: None,
-        })
+        let front = Series::line(Text::new("Pareto front"), points);
+        let plot = Plot::new(Text::new("Pareto front"), axis(first), axis(second), vec![front]);
+        Some(plot.mark(Text::new("worked out"), worked))
     }
 }
 
