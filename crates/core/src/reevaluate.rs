@@ -75,7 +75,7 @@ fn evaluated(solution: &Solution, op: &Op, at: usize, numbers: &[Number]) -> Num
         Op::Min(a, b) => Scalar(scalar(*a).min(scalar(*b))),
         Op::Max(a, b) => Scalar(scalar(*a).max(scalar(*b))),
         Op::Call(function, a) => Scalar(function.of(scalar(*a))),
-        Op::Atan2(y, x) => Scalar(f64::atan2(scalar(*y), scalar(*x))),
+        Op::Atan2(y, x) => Scalar(Real::atan2(scalar(*y), scalar(*x))),
         Op::Sum(all) => {
             let mut all = all.iter().map(|id| of(*id));
             let first = all.next().unwrap_or(Scalar(0.0));

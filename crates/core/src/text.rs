@@ -203,6 +203,13 @@ impl From<&'static str> for Text {
     }
 }
 
+/// A sentence that is made only if somebody reads it.
+impl<F: FnOnce() -> Text> From<F> for Text {
+    fn from(sentence: F) -> Self {
+        sentence()
+    }
+}
+
 impl Locale {
     /// English with a decimal point, five digits.
     pub fn english() -> Self {

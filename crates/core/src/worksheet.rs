@@ -3,7 +3,10 @@
 use std::cell::RefCell;
 
 use dalembert_numerics::intervals::IntervalSet;
-use dalembert_numerics::{Real, Vector};
+use dalembert_numerics::{
+    Real, Vector,
+    simd::{SimdVector, SimdVector3},
+};
 use dalembert_units::Unit;
 use nalgebra::Vector3;
 
@@ -93,7 +96,7 @@ pub trait Worksheet: Copy {
     }
     /// Holds two ways to the same vector together, to within 10⁻⁹ of the longer.
     fn check_vector(self, what: impl Into<Text>, left: Self::Vec, right: Self::Vec);
-    /// Runs `checks`, which only check: the plain reading leaves them out.
+    /// Runs `checks`, which only check and warn: the plain reading leaves them out.
     fn verify(self, checks: impl FnOnce()) {
         checks();
     }
@@ -167,26 +170,85 @@ pub enum PathSegment {
     Row(usize),
 }
 
-/// Reads a solve as plain numbers. Nothing is recorded but the answers.
-pub struct Plain<'a> {
-    answers: RefCell<Vec<(Name, f64)>>,
+/// Reads a solve as plain numbers: those of one sample (`f64`), or of as many as a [`SimdVector`] has lanes. Nothing is
+/// recorded but the answers.
+pub struct Plain<'a, N = f64> {
+    answers: RefCell<Vec<(Name, N)>>,
     /// The answers that are wanted, each with its expected place; none where all are.
     wanted: &'a [(usize, Name)],
+    /// The inputs that differ from sample to sample, by the places of their [marks](PlainNumber::mark).
+    varied: &'a [N],
     stop: &'a Stop,
+}
+
+/// The numbers of a plain reading.
+pub trait PlainNumber: Real {
+    /// Their vectors in space.
+    type Vector: Vector<Scalar = Self>;
+    /// The number that an input is lifted to: its value, or that at the place of a mark among `varied`.
+    fn lift(si: f64, varied: &[Self]) -> Self;
+}
+
+impl PlainNumber for f64 {
+    type Vector = Vector3<f64>;
+    #[inline]
+    fn lift(si: f64, _: &[f64]) -> f64 {
+        si
+    }
+}
+
+impl PlainNumber for SimdVector {
+    type Vector = SimdVector3;
+    #[inline]
+    fn lift(si: f64, varied: &[Self]) -> Self {
+        if si.is_nan()
+            && let Some(number) = varied.get((si.to_bits() & !f64::NAN.to_bits()) as usize)
+        {
+            return *number;
+        }
+        si.into()
+    }
+}
+
+/// The value of an input in the fields of a problem that several samples are read of at once: a NaN whose bits hold a
+/// place among the varied inputs. So what is computed from the field itself, and not from its lifted number, is no number
+/// of a sample either.
+pub(crate) fn mark(place: usize) -> f64 {
+    f64::from_bits(f64::NAN.to_bits() | place as u64)
 }
 
 impl<'a> Plain<'a> {
     /// A worksheet without answers.
     #[inline]
     pub fn new(stop: &'a Stop) -> Self {
-        Self { answers: RefCell::default(), wanted: &[], stop }
+        Self::until(stop, &[])
     }
 
     /// A worksheet that goes on only until it has these answers, each with its expected place.
     pub(crate) fn until(stop: &'a Stop, wanted: &'a [(usize, Name)]) -> Self {
-        Self { wanted, ..Self::new(stop) }
+        Self { answers: RefCell::default(), wanted, varied: &[], stop }
+    }
+}
+
+impl<'a> Plain<'a, SimdVector> {
+    /// The same for several samples, which differ in these inputs. `answers` is memory that is used again.
+    pub(crate) fn samples(
+        stop: &'a Stop,
+        wanted: &'a [(usize, Name)],
+        varied: &'a [SimdVector],
+        mut answers: Vec<(Name, SimdVector)>,
+    ) -> Self {
+        answers.clear();
+        Self { answers: answers.into(), wanted, varied, stop }
     }
 
+    /// All answers, in the order they were named.
+    pub(crate) fn into_answers(self) -> Vec<(Name, SimdVector)> {
+        self.answers.into_inner()
+    }
+}
+
+impl<N: Copy> Plain<'_, N> {
     /// Returns true if every wanted answer is there.
     pub(crate) fn is_complete(&self) -> bool {
         let count = self.answers.borrow().len();
@@ -202,7 +264,7 @@ impl<'a> Plain<'a> {
 
     /// The answer of that name, expected (but not required) as the `at`th.
     #[inline]
-    pub fn answer_at(&self, at: usize, name: Name) -> Option<f64> {
+    pub fn answer_at(&self, at: usize, name: Name) -> Option<N> {
         let answers = self.answers.borrow();
         if let Some((found, value)) = answers.get(at)
             && std::ptr::eq(found.base, name.base)
@@ -214,29 +276,30 @@ impl<'a> Plain<'a> {
     }
 
     /// All answers, in the order they were named.
-    pub fn answers(&self) -> Vec<(Name, f64)> {
+    pub fn answers(&self) -> Vec<(Name, N)> {
         self.answers.borrow().clone()
     }
 }
 
-impl Worksheet for &Plain<'_> {
-    type Num = f64;
-    type Vec = Vector3<f64>;
+impl<N: PlainNumber> Worksheet for &Plain<'_, N> {
+    type Num = N;
+    type Vec = N::Vector;
 
     #[inline]
-    fn given(self, _: InputNumber<'_>, si: f64) -> f64 {
-        si
+    fn given(self, _: InputNumber<'_>, si: f64) -> N {
+        N::lift(si, self.varied)
     }
     #[inline]
-    fn given_vector(self, _: InputNumber<'_>, si: Vector3<f64>) -> Vector3<f64> {
-        si
+    fn given_vector(self, _: InputNumber<'_>, si: Vector3<f64>) -> N::Vector {
+        let [x, y, z] = [si.x, si.y, si.z].map(|si| N::lift(si, self.varied));
+        N::Vector::from_components(x, y, z)
     }
     #[inline]
-    fn constant(self, si: f64, _: &Unit) -> f64 {
-        si
+    fn constant(self, si: f64, _: &Unit) -> N {
+        si.into()
     }
     #[inline]
-    fn step(self, _: impl Into<Symbol>, _: &'static str, value: f64, _: impl Into<Reason>) -> f64 {
+    fn step(self, _: impl Into<Symbol>, _: &'static str, value: N, _: impl Into<Reason>) -> N {
         value
     }
     #[inline]
@@ -244,14 +307,14 @@ impl Worksheet for &Plain<'_> {
         self,
         _: impl Into<Symbol>,
         _: &'static str,
-        value: Vector3<f64>,
+        value: N::Vector,
         _: impl Into<Reason>,
-    ) -> Vector3<f64> {
+    ) -> N::Vector {
         value
     }
     #[inline]
-    fn numerical(self, _: impl Into<Symbol>, _: &'static str, si: f64, _: impl Into<Reason>) -> f64 {
-        si
+    fn numerical(self, _: impl Into<Symbol>, _: &'static str, si: f64, _: impl Into<Reason>) -> N {
+        si.into()
     }
     #[inline]
     fn numerical_within(
@@ -261,8 +324,8 @@ impl Worksheet for &Plain<'_> {
         si: f64,
         _: f64,
         _: impl Into<Reason>,
-    ) -> f64 {
-        si
+    ) -> N {
+        si.into()
     }
     #[inline]
     fn numerical_vector(
@@ -271,27 +334,27 @@ impl Worksheet for &Plain<'_> {
         _: &'static str,
         si: Vector3<f64>,
         _: impl Into<Reason>,
-    ) -> Vector3<f64> {
-        si
+    ) -> N::Vector {
+        N::Vector::from_components(si.x.into(), si.y.into(), si.z.into())
     }
     #[inline]
-    fn check(self, _: impl Into<Text>, _: f64, _: f64) {}
+    fn check(self, _: impl Into<Text>, _: N, _: N) {}
     #[inline]
-    fn check_zero(self, _: impl Into<Text>, _: f64, _: f64) {}
+    fn check_zero(self, _: impl Into<Text>, _: N, _: f64) {}
     #[inline]
-    fn check_sum(self, _: impl Into<Text>, _: f64, _: f64, _: f64) {}
+    fn check_sum(self, _: impl Into<Text>, _: N, _: N, _: f64) {}
     #[inline]
-    fn check_residual(self, _: impl Into<Text>, _: f64, _: f64, _: f64) {}
+    fn check_residual(self, _: impl Into<Text>, _: N, _: f64, _: f64) {}
     #[inline]
-    fn check_vector(self, _: impl Into<Text>, _: Vector3<f64>, _: Vector3<f64>) {}
+    fn check_vector(self, _: impl Into<Text>, _: N::Vector, _: N::Vector) {}
     #[inline]
     fn verify(self, _: impl FnOnce()) {}
     #[inline]
-    fn answer(self, name: impl Into<Name>, _: &'static str, value: f64) {
+    fn answer(self, name: impl Into<Name>, _: &'static str, value: N) {
         self.answers.borrow_mut().push((name.into(), value));
     }
     #[inline]
-    fn answer_vector(self, _: impl Into<Name>, _: &'static str, _: Vector3<f64>) {}
+    fn answer_vector(self, _: impl Into<Name>, _: &'static str, _: N::Vector) {}
     #[inline]
     fn answer_list(self, _: impl Into<Name>, _: &'static str, _: &'static str, _: &[f64]) {}
     #[inline]
@@ -367,6 +430,13 @@ impl From<&'static str> for Reason {
 impl From<Text> for Reason {
     fn from(reason: Text) -> Self {
         Self { reason, cite: None }
+    }
+}
+
+/// A reason with arguments, which the plain reading does not write.
+impl<F: FnOnce() -> Text> From<F> for Reason {
+    fn from(reason: F) -> Self {
+        reason().into()
     }
 }
 

@@ -3,11 +3,6 @@
 //!
 //! Prints `name<TAB>figure<TAB>goal`, a row a line; `cargo xtask bench` makes a table of them.
 
-#![expect(
-    clippy::inline_always,
-    reason = "SIMD code is compiled for the widest registers where all is inlined"
-)]
-
 use std::{array::from_fn, f64::consts::TAU, hint::black_box, time::Instant};
 
 use dalembert_mechanics::{
@@ -21,8 +16,9 @@ use dalembert_numerics::simd::{Formula, over};
 #[path = "yardstick/python.rs"]
 mod python;
 
-/// Nanoseconds an angle of numba with the formulas of one slider-crank.
-const YARDSTICK: &str = include_str!("yardstick/slider_crank.py");
+/// Nanoseconds an angle of numba with the formulas of the same linkage, the mean torque and that of its square.
+const YARDSTICKS: [&str; 2] =
+    [include_str!("yardstick/slider_crank.py"), include_str!("yardstick/four_bar.py")];
 
 const ANGLES: usize = 1_000_000;
 const ROUNDS: usize = 9;
@@ -32,10 +28,9 @@ const GRAVITY: f64 = 9.81;
 
 fn main() {
     let angles: Vec<f64> = (0..ANGLES).map(|n| TAU * n as f64 / ANGLES as f64).collect();
-    // An angle in nanoseconds is a million of them in milliseconds.
-    let beside = python::figures(YARDSTICK).map_or(String::new(), |[each]| format!(" (numba {each:.1} ms)"));
-    compare("slider-crank", &angles, &beside, "≤ 6 ms (numba 22.4 ms)", &SliderCrank);
-    compare("four-bar", &angles, "", "", &FourBarLinkage);
+    let [slider_crank, four_bar] = YARDSTICKS.map(python::figures::<3>);
+    compare("slider-crank", &angles, slider_crank, "≤ 6 ms (numba 22.4 ms)", &SliderCrank);
+    compare("four-bar", &angles, four_bar, "", &FourBarLinkage);
 }
 
 /// Sine and angular velocity of the rod, position, velocity and acceleration of the slider, and the torque.
@@ -98,8 +93,14 @@ fn body<S: Real>(mass: f64, along: f64, inertia: f64) -> LinkMass<S> {
     LinkMass { mass: S::from(mass), centre: [S::from(along), S::from(0.0)], inertia: S::from(inertia) }
 }
 
-/// Both readings of a formula at all angles, and how far they are apart.
-fn compare<const N: usize>(name: &str, angles: &[f64], beside: &str, goal: &str, formula: &impl Formula<N>) {
+/// Both readings of a formula at all angles, whose last number is the torque; how far they are apart.
+fn compare<const N: usize>(
+    name: &str,
+    angles: &[f64],
+    yardstick: Option<[f64; 3]>,
+    goal: &str,
+    formula: &impl Formula<N>,
+) {
     let mut columns: [Vec<f64>; N] = from_fn(|_| vec![0.0; ANGLES]);
     let wide = best(|| over(black_box(angles), formula, columns.each_mut().map(Vec::as_mut_slice)));
     let mut single: [Vec<f64>; N] = from_fn(|_| vec![0.0; ANGLES]);
@@ -115,7 +116,17 @@ fn compare<const N: usize>(name: &str, angles: &[f64], beside: &str, goal: &str,
         let size = theirs.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
         off = ours.iter().zip(theirs).map(|(a, b)| (a - b).abs() / size).fold(off, f64::max);
     }
-    println!("{name}, {N} numbers at 1e6 angles, on lanes\t{wide:.2} ms{beside}\t{goal}");
+    let mut beside = String::new();
+    if let Some([theirs, mean, square]) = yardstick {
+        let torques = &columns[N - 1];
+        let our_mean = torques.iter().sum::<f64>() / ANGLES as f64;
+        let our_square = torques.iter().map(|torque| torque * torque).sum::<f64>() / ANGLES as f64;
+        assert!((our_mean - mean).abs() < 1e-9 * square.sqrt(), "{our_mean} and {mean} N·m");
+        assert!((our_square / square - 1.0).abs() < 1e-9, "{our_square} and {square} N²·m²");
+        // An angle in nanoseconds is a million of them in milliseconds.
+        beside = format!(" (numba {theirs:.1} ms)");
+    }
+    println!("{name}, {N} numbers at 1e6 angles, by SIMD\t{wide:.2} ms{beside}\t{goal}");
     println!("{name}, {N} numbers at 1e6 angles, one by one\t{scalar:.2} ms\t");
     println!("{name}, both readings apart, over the largest\t{off:.0e}\t< 1e-13");
 }

@@ -56,9 +56,9 @@ pub fn direction<S: Real>(x: S, y: S) -> S {
 /// other counts as none: what lies on the axis neither jumps by a turn nor to just below one.
 #[inline]
 pub fn marked_direction<S: Real>(x: S, y: S) -> S {
-    if y.value().abs() <= 1e-14 * x.value().abs() {
+    if y.holds_with(x, |y, x| y.abs() <= 1e-14 * x.abs()) {
         y.abs().atan2(x)
-    } else if y.value() < 0.0 {
+    } else if y.holds(|y| y < 0.0) {
         direction(x, y) + TAU
     } else {
         direction(x, y)

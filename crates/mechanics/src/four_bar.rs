@@ -1,11 +1,6 @@
 //! The four-bar linkage: crank of length `a` turning about the origin, coupler `b`, and rocker `c` about a fixed pin
 //! at `(d, 0)`: `a e₂ + b e₃ = d i + c e₄` with unit vectors `e` along the links.
 
-#![expect(
-    clippy::inline_always,
-    reason = "SIMD code is compiled for the widest registers where all is inlined"
-)]
-
 use crate::{
     Real,
     linkage::{LinkRotation, PointMotion},

@@ -5,11 +5,6 @@
 //! velocity `q′ ω` and acceleration `q′ α + q″ ω²`. What is asked of a link or point is a formula, generic over
 //! [`Real`]; where the linkage does not close or stands at a dead point its numbers are not finite.
 
-#![expect(
-    clippy::inline_always,
-    reason = "SIMD code is compiled for the widest registers where all is inlined"
-)]
-
 use crate::Real;
 
 /// Rotation of a link as a function of the crank angle.

@@ -2,6 +2,11 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
+use crate::{
+    Real,
+    simd::{SimdVector, WIDTH, widest},
+};
+
 /// A distribution of a number.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Distribution {
@@ -91,6 +96,21 @@ impl Distribution {
             Self::Data(values) => quantile_of_sorted(values, share),
         }
     }
+
+    /// The [`quantile`](Self::quantile) of many shares in place, bit for bit.
+    pub fn quantiles(&self, shares: &mut [f64]) {
+        match self {
+            Self::Normal { mean, deviation } => {
+                normal_quantiles(shares);
+                shares.iter_mut().for_each(|score| *score = mean + deviation * *score);
+            }
+            Self::Lognormal { mean, deviation } => {
+                normal_quantiles(shares);
+                shares.iter_mut().for_each(|score| *score = (mean + deviation * *score).exp());
+            }
+            _ => shares.iter_mut().for_each(|share| *share = self.quantile(*share)),
+        }
+    }
 }
 
 /// The value below which a share of ascending values lies, with straight lines between them: definition 7 of R. J.
@@ -110,19 +130,77 @@ pub fn quantile_of_sorted(values: &[f64], share: f64) -> f64 {
 /// Rational approximations of M. J. Wichura, *Algorithm AS 241: The Percentage Points of the Normal Distribution*,
 /// Appl. Stat. 37 (1988), routine PPND16.
 pub fn normal_quantile(share: f64) -> f64 {
-    let off = share - 0.5;
-    if off.abs() <= 0.425 {
-        let r = 0.180_625 - off * off;
-        return off * polynomial(&CENTRE[0], r) / polynomial(&CENTRE[1], r);
+    if is_central(share) {
+        return central_quantile(share);
     }
-    let tail = if off < 0.0 { share } else { 1.0 - share };
-    let r = (-tail.ln()).sqrt();
-    let size = if r <= 5.0 {
-        polynomial(&TAIL[0], r - 1.6) / polynomial(&TAIL[1], r - 1.6)
-    } else {
-        polynomial(&FAR_TAIL[0], r - 5.0) / polynomial(&FAR_TAIL[1], r - 5.0)
-    };
-    size.copysign(off)
+    let r = tail_root(share);
+    let size = if r <= FAR { quotient(&TAIL, r - 1.6) } else { quotient(&FAR_TAIL, r - FAR) };
+    size.copysign(share - 0.5)
+}
+
+/// The [`normal_quantile`] of many shares in place, bit for bit.
+pub fn normal_quantiles(shares: &mut [f64]) {
+    widest(
+        #[inline(always)]
+        || {
+            for block in shares.chunks_mut(QUANTILES) {
+                // The tails, one after the other, so that no SIMD vector is computed for a few of its lanes.
+                let (mut tails, mut places, mut count) = ([0.5; QUANTILES], [0; QUANTILES], 0);
+                for (place, share) in block.iter().enumerate() {
+                    (tails[count], places[count]) = (*share, place);
+                    count += usize::from(!is_central(*share));
+                }
+                let (whole, rest) = block.as_chunks_mut::<WIDTH>();
+                for shares in whole {
+                    *shares = central_quantile(SimdVector(*shares)).0;
+                }
+                for share in rest {
+                    *share = central_quantile(*share);
+                }
+                let places = places[..count].chunks(WIDTH);
+                for (places, tails) in places.zip(tails.as_chunks::<WIDTH>().0) {
+                    let root = tail_root(SimdVector(*tails));
+                    let sizes = quotient(&TAIL, root - 1.6);
+                    for (lane, place) in places.iter().enumerate() {
+                        block[*place] = if root.0[lane] <= FAR {
+                            sizes.0[lane].copysign(tails[lane] - 0.5)
+                        } else {
+                            normal_quantile(tails[lane])
+                        };
+                    }
+                }
+            }
+        },
+    );
+}
+
+/// Shares that are taken together.
+const QUANTILES: usize = 256;
+
+#[inline(always)]
+fn is_central(share: f64) -> bool {
+    (share - 0.5).abs() <= 0.425
+}
+
+#[inline(always)]
+fn central_quantile<S: Real>(share: S) -> S {
+    let off = share - 0.5;
+    let r = S::from(0.180_625) - off * off;
+    off * polynomial(&CENTRE[0], r) / polynomial(&CENTRE[1], r)
+}
+
+/// `√(−ln p)` of the share `p` of the nearer tail.
+#[inline(always)]
+fn tail_root<S: Real>(share: S) -> S {
+    (-share.min(S::from(1.0) - share).ln()).sqrt()
+}
+
+/// Where the far tail begins, as `√(−ln p)`.
+const FAR: f64 = 5.0;
+
+#[inline(always)]
+fn quotient<S: Real>([numerator, denominator]: &[[f64; 8]; 2], x: S) -> S {
+    polynomial(numerator, x) / polynomial(denominator, x)
 }
 
 /// The share of standard normal numbers below a number, kept strictly between 0 and 1.
@@ -132,9 +210,13 @@ pub fn normal_cumulative(number: f64) -> f64 {
 }
 
 /// A polynomial by its coefficients, the constant one first.
-#[inline]
-fn polynomial(coefficients: &[f64; 8], x: f64) -> f64 {
-    coefficients.iter().rev().fold(0.0, |sum, coefficient| sum * x + coefficient)
+#[inline(always)]
+fn polynomial<S: Real>(coefficients: &[f64; 8], x: S) -> S {
+    let mut sum = S::from(coefficients[7]);
+    for n in (0..7).rev() {
+        sum = sum * x + coefficients[n];
+    }
+    sum
 }
 
 /// Numerator and denominator for shares within 0.425 of a half.

@@ -1,8 +1,6 @@
 //! QR factorisation by plane rotations of a sparse matrix with a known pattern: factored without any branch, so that
 //! several matrices can be taken in the lanes of a SIMD vector.
 
-#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
-
 use std::collections::BTreeSet;
 
 use crate::simd::SimdReal;

@@ -9,7 +9,7 @@
 //! | roots and extremes | [`roots`], [`nonlinear`], [`polynomial`], [`extremes`] |
 //! | minimum under constraints | [`optimisation`] |
 //! | quadrature | [`quadrature`], [`gauss_legendre`] |
-//! | special functions | [`elliptic`], [`bessel`] |
+//! | special functions | [`elementary`], [`elliptic`], [`bessel`] |
 //! | sets of numbers | [`intervals`] |
 //! | random numbers, points that fill a cube | [`random`], [`sampling`] |
 //! | probability distributions | [`distribution`] |
@@ -31,6 +31,7 @@
 
 pub mod bessel;
 pub mod distribution;
+pub mod elementary;
 pub mod elliptic;
 pub mod extremes;
 pub mod gauss_legendre;

@@ -4,19 +4,32 @@
 //! The counter is mixed twice by the finaliser of SplitMix64 (G. L. Steele, D. Lea and C. H. Flood, *Fast Splittable
 //! Pseudorandom Number Generators*, OOPSLA 2014).
 
-#![expect(
-    clippy::inline_always,
-    reason = "SIMD code is compiled for the widest registers where all is inlined"
-)]
-
 use std::f64::consts::TAU;
 
-use crate::Real;
+use crate::{Real, simd::widest};
 
 /// A random number strictly between 0 and 1 that belongs to this seed, sample and place.
 #[inline]
 pub fn uniform(seed: u64, sample: u64, place: u64) -> f64 {
-    ((uniform_bits(seed, sample, place) >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
+    share(uniform_bits(seed, sample, place))
+}
+
+/// The [`uniform`] numbers of successive samples at one place.
+pub fn uniforms(seed: u64, first: u64, place: u64, numbers: &mut [f64]) {
+    widest(
+        #[inline(always)]
+        || {
+            for (sample, number) in (first..).zip(numbers.iter_mut()) {
+                *number = share(bits_at(key(seed, sample), place));
+            }
+        },
+    );
+}
+
+/// A number strictly between 0 and 1 from the bits.
+#[inline(always)]
+fn share(bits: u64) -> f64 {
+    ((bits >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
 }
 
 /// Two independent standard normal numbers that belong to this seed, sample and place.

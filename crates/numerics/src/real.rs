@@ -4,6 +4,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use nalgebra::Vector3;
 
+use crate::elementary;
+
 /// Arithmetic of real numbers, as formulas use it.
 ///
 /// A formula written once over `Real` gives a number when it is read with `f64`, and writes itself down,
@@ -21,8 +23,17 @@ pub trait Real:
     + Mul<f64, Output = Self>
     + Div<f64, Output = Self>
 {
-    /// The number itself, in SI. For conditions; what is computed from it is not part of the worked solution.
+    /// The number itself, in SI. For numerical methods; what is computed from it is not part of the worked solution.
     fn value(self) -> f64;
+    /// Returns true if a condition holds for the number. Asked so, and not of [`value`](Real::value), SIMD can read the
+    /// formulas as long as the samples have the same answer.
+    fn holds(self, condition: impl Fn(f64) -> bool) -> bool {
+        self.holds_with(self, |number, _| condition(number))
+    }
+    /// Returns true if a condition holds for two numbers.
+    fn holds_with(self, other: Self, condition: impl Fn(f64, f64) -> bool) -> bool {
+        condition(self.value(), other.value())
+    }
     /// `xⁿ`.
     #[must_use]
     fn powi(self, n: i8) -> Self;
@@ -105,6 +116,10 @@ pub trait Vector:
     fn components(self) -> [Self::Scalar; 3];
     /// The components as plain numbers, in SI.
     fn value(self) -> Vector3<f64>;
+    /// Returns true if every component is zero.
+    fn is_zero(self) -> bool {
+        self.value() == Vector3::zeros()
+    }
     /// `a · b`.
     #[must_use]
     fn dot(self, other: Self) -> Self::Scalar;
@@ -143,11 +158,11 @@ impl Real for f64 {
     }
     #[inline]
     fn sin(self) -> f64 {
-        f64::sin(self)
+        elementary::sin(self)
     }
     #[inline]
     fn cos(self) -> f64 {
-        f64::cos(self)
+        elementary::cos(self)
     }
     #[inline]
     fn tan(self) -> f64 {
@@ -155,15 +170,15 @@ impl Real for f64 {
     }
     #[inline]
     fn asin(self) -> f64 {
-        f64::asin(self)
+        elementary::asin(self)
     }
     #[inline]
     fn acos(self) -> f64 {
-        f64::acos(self)
+        elementary::acos(self)
     }
     #[inline]
     fn atan2(self, x: f64) -> f64 {
-        f64::atan2(self, x)
+        elementary::atan2(self, x)
     }
     #[inline]
     fn exp(self) -> f64 {
@@ -171,7 +186,7 @@ impl Real for f64 {
     }
     #[inline]
     fn ln(self) -> f64 {
-        f64::ln(self)
+        elementary::ln(self)
     }
     #[inline]
     fn log10(self) -> f64 {

@@ -5,32 +5,37 @@
 //! has to be inlined for that. No multiplication is fused with an addition, so the results are bit for bit the same on
 //! every machine.
 //!
-//! Conditions see the first lane alone ([`Real::value`]): only formulas without conditions may be evaluated so.
+//! A condition that is asked by [`Real::holds`] is true or false for all lanes at once. Where the lanes differ they
+//! *diverge*, and what follows holds for the first lane alone, as it does after a [`Real::value`] of different lanes.
+//! [`converged`] gives the result of a formula only if its lanes did not diverge.
 
-#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
+mod space;
 
 use std::{
-    f64::consts::{FRAC_2_PI, LN_2, SQRT_2},
+    cell::Cell,
     ops::{Add, Div, Mul, Neg, Sub},
 };
 
 use faer::traits::pulp::{Arch, NullaryFnOnce};
 
-use crate::Real;
+pub use self::space::SimdVector3;
+use crate::{Real, elementary};
 
 /// The number of lanes: more than one register has, so that latencies overlap.
 pub const WIDTH: usize = 16;
 
-/// The largest angle of sine and cosine, rad; beyond it they are NaN.
-pub const LARGEST_ANGLE: f64 = 1e6;
-
 /// A SIMD vector of `f64`, aligned to a cache line: a load across two lines takes twice the time.
 ///
-/// Sine, cosine and logarithm are polynomials without conditions, each with its maximum error stated. The other
-/// functions are those of the standard library, lane by lane.
+/// Each lane is what the same formula gives for `f64`, bit for bit. Sine, cosine, their inverses
+/// and the logarithm are [polynomials](elementary) in SIMD registers; the other functions are those of the standard library, lane by lane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(64))]
 pub struct SimdVector(pub [f64; WIDTH]);
+
+thread_local! {
+    /// Whether lanes have diverged since [`converged`] began.
+    static DIVERGED: Cell<bool> = const { Cell::new(false) };
+}
 
 /// A scalar (`f64`) or a [`SimdVector`], for code that is written once for both.
 pub trait SimdReal: Real {
@@ -124,6 +129,44 @@ pub fn over<const N: usize>(values: &[f64], formula: &impl Formula<N>, mut colum
     );
 }
 
+/// Sums of terms over the rows of columns of one length.
+///
+/// Each lane adds up the rows of its place in blocks of [`WIDTH`], then the lanes are added in their order: the sums are the
+/// same to the last bit on every machine.
+///
+/// # Panics
+/// Unless the columns are of one length.
+pub fn sums<const N: usize, const K: usize>(
+    columns: [&[f64]; N],
+    terms: impl Fn([SimdVector; N]) -> [SimdVector; K],
+) -> [f64; K] {
+    let rows = columns.first().map_or(0, |column| column.len());
+    assert!(columns.iter().all(|column| column.len() == rows), "columns of one length");
+    let mut sums = [SimdVector::from(0.0); K];
+    widest(
+        #[inline(always)]
+        || {
+            for first in (0..rows).step_by(WIDTH) {
+                let mut block = [SimdVector::from(0.0); N];
+                for (vector, column) in block.iter_mut().zip(&columns) {
+                    for (lane, number) in vector.0.iter_mut().zip(&column[first..]) {
+                        *lane = *number;
+                    }
+                }
+                let here = rows - first;
+                for (sum, term) in sums.iter_mut().zip(terms(block)) {
+                    *sum = if here >= WIDTH {
+                        *sum + term
+                    } else {
+                        SimdVector::of(|lane| sum.0[lane] + if lane < here { term.0[lane] } else { 0.0 })
+                    };
+                }
+            }
+        },
+    );
+    sums.map(|sum| sum.0.into_iter().sum())
+}
+
 /// Does the work of a closure with the widest registers of the machine, as far as it is inlined: mark the closure and
 /// what it calls `#[inline(always)]`.
 #[inline(always)]
@@ -138,6 +181,14 @@ pub fn widest<R>(work: impl FnMut() -> R) -> R {
         }
     }
     Arch::new().dispatch(Inlined(work))
+}
+
+/// The result of formulas whose conditions were the same for all lanes; `None` where lanes diverged.
+#[inline(always)]
+pub fn converged<R>(work: impl FnOnce() -> R) -> Option<R> {
+    DIVERGED.set(false);
+    let result = work();
+    (!DIVERGED.get()).then_some(result)
 }
 
 impl SimdVector {
@@ -158,6 +209,19 @@ impl SimdVector {
             #[inline(always)]
             |lane| f(self.0[lane]),
         )
+    }
+}
+
+impl SimdVector {
+    /// Returns true if a condition holds for every lane.
+    #[inline(always)]
+    fn all(self, condition: impl Fn(f64) -> bool) -> bool {
+        // Without an end before the last lane, which would be a branch for each.
+        let mut all = true;
+        for lane in self.0 {
+            all &= condition(lane);
+        }
+        all
     }
 }
 
@@ -198,9 +262,26 @@ impl Neg for SimdVector {
 }
 
 impl Real for SimdVector {
+    /// The number of the first lane. Lanes that are not all the same diverge.
     #[inline(always)]
     fn value(self) -> f64 {
-        self.0[0]
+        let first = self.0[0];
+        if !self.all(|lane| lane.to_bits() == first.to_bits()) {
+            DIVERGED.set(true);
+        }
+        first
+    }
+    #[inline(always)]
+    fn holds_with(self, other: Self, condition: impl Fn(f64, f64) -> bool) -> bool {
+        let first = condition(self.0[0], other.0[0]);
+        let mut same = true;
+        for lane in 1..WIDTH {
+            same &= condition(self.0[lane], other.0[lane]) == first;
+        }
+        if !same {
+            DIVERGED.set(true);
+        }
+        first
     }
     #[inline(always)]
     fn powi(self, n: i8) -> Self {
@@ -220,35 +301,51 @@ impl Real for SimdVector {
     fn abs(self) -> Self {
         self.map(f64::abs)
     }
-    /// To within 2·10⁻¹⁶, for angles up to [`LARGEST_ANGLE`].
     #[inline(always)]
     fn sin(self) -> Self {
-        self.map(sin)
+        if self.all(elementary::is_angle) {
+            self.map(elementary::sin_polynomial)
+        } else {
+            self.map(elementary::sin)
+        }
     }
-    /// To within 2·10⁻¹⁶, for angles up to [`LARGEST_ANGLE`].
     #[inline(always)]
     fn cos(self) -> Self {
-        self.map(cos)
+        if self.all(elementary::is_angle) {
+            self.map(elementary::cos_polynomial)
+        } else {
+            self.map(elementary::cos)
+        }
     }
     fn tan(self) -> Self {
         self.map(f64::tan)
     }
+    #[inline(always)]
     fn asin(self) -> Self {
-        self.map(f64::asin)
+        self.map(elementary::asin)
     }
+    #[inline(always)]
     fn acos(self) -> Self {
-        self.map(f64::acos)
+        self.map(elementary::acos)
     }
+    #[inline(always)]
     fn atan2(self, x: Self) -> Self {
-        self.with(x, f64::atan2)
+        if self.with(x, |y, x| y.abs().max(x.abs())).all(elementary::is_length) {
+            self.with(x, elementary::atan2_polynomial)
+        } else {
+            self.with(x, elementary::atan2)
+        }
     }
     fn exp(self) -> Self {
         self.map(f64::exp)
     }
-    /// To within 3·10⁻¹⁶ of its size or of 1, whichever is larger, for normal numbers; of others, NaN.
     #[inline(always)]
     fn ln(self) -> Self {
-        self.map(ln)
+        if self.all(elementary::is_normal) {
+            self.map(elementary::ln_polynomial)
+        } else {
+            self.map(elementary::ln)
+        }
     }
     fn log10(self) -> Self {
         self.map(f64::log10)
@@ -285,156 +382,80 @@ impl Real for SimdVector {
     }
 }
 
-#[inline(always)]
-fn sin(x: f64) -> f64 {
-    let (rest, quarters) = quarter(x);
-    turned(sin_near_zero(rest), cos_near_zero(rest), quarters)
-}
-
-#[inline(always)]
-fn cos(x: f64) -> f64 {
-    let (rest, quarters) = quarter(x);
-    turned(cos_near_zero(rest), -sin_near_zero(rest), quarters)
-}
-
-/// 1.5·2⁵²: a number added to it is rounded to the nearest whole one, which stands in its last bits.
-const WHOLE: f64 = 6_755_399_441_055_744.0;
-
-/// An angle less the nearest number of quarter turns, within ±π/4, and that number in the last bits.
-#[inline(always)]
-fn quarter(x: f64) -> (f64, u64) {
-    // π/2 in parts of 33 bits: their products with numbers of up to 20 bits are exact (Cody and Waite).
-    const PARTS: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_711_166_5e-21];
-    let marked = x * FRAC_2_PI + WHOLE;
-    let quarters = marked - WHOLE;
-    let rest = ((x - quarters * PARTS[0]) - quarters * PARTS[1]) - quarters * PARTS[2];
-    (if x.abs() <= LARGEST_ANGLE { rest } else { f64::NAN }, marked.to_bits())
-}
-
-/// The function a number of quarter turns on, from itself and its derivative there.
-#[inline(always)]
-fn turned(function: f64, derivative: f64, quarters: u64) -> f64 {
-    // Masks: of two values chosen by a condition the compiler would compute one alone, one lane after the other.
-    let odd = (quarters & 1).wrapping_neg();
-    let found = function.to_bits() & !odd | derivative.to_bits() & odd;
-    f64::from_bits(found ^ (quarters & 2) << 62)
-}
-
-/// `sin x` for `|x| ≤ π/4`.
-#[inline(always)]
-fn sin_near_zero(x: f64) -> f64 {
-    let q = x * x;
-    x + x * q * polynomial(q, &SIN)
-}
-
-/// `cos x` for `|x| ≤ π/4`; the two largest terms are added without loss.
-#[inline(always)]
-fn cos_near_zero(x: f64) -> f64 {
-    let q = x * x;
-    let half = 0.5 * q;
-    let two_terms = 1.0 - half;
-    two_terms + (((1.0 - two_terms) - half) + q * q * polynomial(q, &COS))
-}
-
-/// `k ln 2 + 2 artanh s` with `x = 2ᵏ m`, `√½ < m ≤ √2` and `s = (m − 1)/(m + 1)`.
-#[inline(always)]
-fn ln(x: f64) -> f64 {
-    // The exponent as a number is its bits and those of 2⁵² side by side.
-    const SIDE: f64 = 4_503_599_627_370_496.0;
-    let bits = x.to_bits();
-    let exponent = f64::from_bits(SIDE.to_bits() | bits >> 52) - (SIDE + 1023.0);
-    let mantissa = f64::from_bits(bits & ((1 << 52) - 1) | 1.0_f64.to_bits());
-    let above = mantissa > SQRT_2;
-    let m = if above { 0.5 * mantissa } else { mantissa };
-    let k = if above { exponent + 1.0 } else { exponent };
-    let s = (m - 1.0) / (m + 1.0);
-    let q = s * s;
-    let found = k * LN_2 + (2.0 * s + 2.0 * s * q * polynomial(q, &ARTANH));
-    if (f64::MIN_POSITIVE..f64::INFINITY).contains(&x) { found } else { f64::NAN }
-}
-
-/// `c₀ + c₁ q + c₂ q² + …`
-#[inline(always)]
-fn polynomial<const N: usize>(q: f64, c: &[f64; N]) -> f64 {
-    let mut sum = c[N - 1];
-    for n in (0..N - 1).rev() {
-        sum = sum * q + c[n];
-    }
-    sum
-}
-
-// Polynomials through the Chebyshev points of q = x²: below 2·10⁻¹⁷ of x off.
-
-/// `(sin x/x − 1)/q` for `q ≤ (π/4)²`.
-const SIN: [f64; 6] = [
-    -0.16666666666666666,
-    0.008333333333330948,
-    -0.00019841269836758574,
-    2.755731610255244e-06,
-    -2.5051131845003624e-08,
-    1.5918129294866608e-10,
-];
-
-/// `(cos x − 1 + q/2)/q²` for `q ≤ (π/4)²`.
-const COS: [f64; 6] = [
-    0.041666666666666664,
-    -0.0013888888888887398,
-    2.480158729876569e-05,
-    -2.7557317271729793e-07,
-    2.08761462684032e-09,
-    -1.1382632425521717e-11,
-];
-
-/// `(artanh x/x − 1)/q` for `x ≤ (√2 − 1)/(√2 + 1)`.
-const ARTANH: [f64; 7] = [
-    0.3333333333333335,
-    0.19999999999949752,
-    0.14285714312987743,
-    0.1111110556739754,
-    0.09091444562630861,
-    0.07665860800278021,
-    0.07308224842521703,
-];
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use itertools::Itertools as _;
 
-    /// The largest error of a function of lanes over many numbers from a range, over the given size.
-    fn worst([from, to]: [f64; 2], [ours, library]: [fn(f64) -> f64; 2], size: fn(f64) -> f64) -> f64 {
-        const COUNT: usize = 100_003;
-        let at = |n: usize| from + (to - from) * n as f64 / (COUNT - 1) as f64;
-        (0..COUNT).map(at).map(|x| (ours(x) - library(x)).abs() / size(library(x))).fold(0.0, f64::max)
-    }
+    /// Numbers of many sizes and signs, those among them where functions have no answer or another formula.
+    const NUMBERS: [f64; 24] = [
+        0.0,
+        1e-310,
+        1e-9,
+        0.1,
+        0.5,
+        0.7,
+        1.0,
+        1.5,
+        2.0,
+        3.1,
+        40.0,
+        700.0,
+        -1e-310,
+        -1e-9,
+        -0.1,
+        -0.5,
+        -0.7,
+        -1.0,
+        -1.5,
+        -3.1,
+        1e6,
+        1.1e6,
+        -1e300,
+        f64::INFINITY,
+    ];
 
     #[test]
-    fn functions_are_those_of_the_library_to_the_errors_they_say() {
-        let sin: [fn(f64) -> f64; 2] = [|x| SimdVector::from(x).sin().value(), f64::sin];
-        let cos: [fn(f64) -> f64; 2] = [|x| SimdVector::from(x).cos().value(), f64::cos];
-        for range in [[-1.0, 1.0], [-10.0, 10.0], [-1000.0, 1000.0], [0.9e6, 1e6]] {
-            for (name, function) in [("sin", sin), ("cos", cos)] {
-                let off = worst(range, function, |_| 1.0);
-                assert!(off <= 2e-16, "{name} on {range:?}: {off:e}");
+    fn each_lane_is_the_number_of_the_scalar_formula_bit_for_bit() {
+        type Formulas = (&'static str, fn(SimdVector) -> SimdVector, fn(f64) -> f64);
+        macro_rules! formulas {
+            ($($name:ident => $formula:expr),* $(,)?) => {[$((stringify!($name), $formula, $formula)),*]};
+        }
+        let formulas: [Formulas; 18] = formulas![
+            square => |x| Real::powi(x, 2), cube => |x| Real::powi(x, 3), inverse => |x| Real::powi(x, -1),
+            fifth => |x| Real::powi(x, 5), root => |x| Real::sqrt(x), cube_root => |x| Real::root(x, 3),
+            abs => |x| Real::abs(x), sin => |x| Real::sin(x), cos => |x| Real::cos(x), tan => |x| Real::tan(x),
+            asin => |x| Real::asin(x), acos => |x| Real::acos(x), exp => |x| Real::exp(x), ln => |x| Real::ln(x),
+            log10 => |x| Real::log10(x), tanh => |x| Real::tanh(x),
+            direction => |x| Real::atan2(x, x * 0.3 - 1.0), sum => |x| Real::sum([x, x * 0.1, x / 3.0 - x]),
+        ];
+        for (name, simd, scalar) in formulas {
+            for numbers in NUMBERS.windows(WIDTH) {
+                let x = SimdVector::of(|lane| numbers[lane]);
+                for (found, x) in simd(x).0.iter().zip_eq(x.0) {
+                    let expected = scalar(x);
+                    assert!(
+                        found.to_bits() == expected.to_bits() || found.is_nan() && expected.is_nan(),
+                        "{name} of {x}: {found} and {expected}"
+                    );
+                }
             }
         }
-        for range in [[1e-300, 1e-290], [1e-5, 0.1], [0.5, 2.0], [1.0, 1e6]] {
-            let off = worst(range, [|x| SimdVector::from(x).ln().value(), f64::ln], |y| y.abs().max(1.0));
-            assert!(off <= 3e-16, "ln on {range:?}: {off:e}");
-        }
     }
 
     #[test]
-    fn ends_are_exact_and_what_is_not_claimed_is_not_a_number() {
-        let of = |f: fn(SimdVector) -> SimdVector, x: f64| f(SimdVector::from(x)).value();
-        assert_eq!((of(Real::sin, 0.0), of(Real::cos, 0.0)), (0.0, 1.0));
-        assert_eq!((of(Real::ln, 1.0), of(Real::ln, 2.0)), (0.0, LN_2));
-        for x in [1.1e6, -1e300, f64::INFINITY, f64::NAN] {
-            assert!(of(Real::sin, x).is_nan() && of(Real::cos, x).is_nan(), "{x}");
-        }
-        for x in [0.0, -1.0, 1e-310, f64::INFINITY, f64::NAN] {
-            assert!(of(Real::ln, x).is_nan(), "{x}");
-        }
+    fn lanes_converge_where_a_condition_is_the_same_for_all() {
+        let (same, different) = (SimdVector::from(2.0), SimdVector::of(|lane| lane as f64));
+        assert_eq!(converged(|| same.value()), Some(2.0));
+        assert_eq!(converged(|| different.value()), None);
+        assert_eq!(converged(|| different.holds(|x| x >= 0.0)), Some(true));
+        assert_eq!(converged(|| different.holds(|x| x < 0.0)), Some(false));
+        assert_eq!(converged(|| different.holds(|x| x < 15.0)), None);
+        assert_eq!(converged(|| different.holds_with(same, |a, b| a > b)), None);
+        assert_eq!(converged(|| (different + 3.0).holds_with(same, |a, b| a > b)), Some(true));
+        // What diverged before is forgotten.
+        assert_eq!(converged(|| different.value()).and(converged(|| same.value())), None);
+        assert_eq!(converged(|| same.value()), Some(2.0));
     }
 
     struct DoubleAndRoot;
@@ -453,6 +474,21 @@ mod tests {
             over(&values, &DoubleAndRoot, [&mut double, &mut root]);
             assert!(values.iter().zip_eq(&double).all(|(x, found)| *found == 2.0 * x), "{count}: {double:?}");
             assert!(values.iter().zip_eq(&root).all(|(x, found)| *found == x.sqrt()), "{count}: {root:?}");
+        }
+    }
+
+    #[test]
+    fn sums_are_those_of_all_rows() {
+        for rows in [0, 1, WIDTH - 1, WIDTH, 4 * WIDTH + 3] {
+            let a: Vec<f64> = (0..rows).map(|n| n as f64).collect();
+            let b: Vec<f64> = (0..rows).map(|n| 2.0 - n as f64).collect();
+            let [count, product, inverse] =
+                sums([&a, &b], |[a, b]| [SimdVector::from(1.0), a * b, SimdVector::from(1.0) / (a + 1.0)]);
+            // Whole numbers are added without rounding.
+            assert_eq!(count, rows as f64);
+            assert_eq!(product, a.iter().zip_eq(&b).map(|(a, b)| a * b).sum::<f64>());
+            let expected: f64 = a.iter().map(|a| 1.0 / (a + 1.0)).sum();
+            assert!((inverse - expected).abs() <= 1e-14 * expected, "{rows}: {inverse} {expected}");
         }
     }
 

@@ -2,12 +2,16 @@
 
 use std::{
     collections::{BTreeMap, BTreeSet},
-    sync::mpsc,
+    sync::{Mutex, mpsc},
     thread,
     time::{Duration, Instant},
 };
 
-use dalembert_core::{Answer, Draft, Entry, Field, Record, Solution, SolveError, Stop, Value, vary};
+use dalembert_core::{
+    Answer, Draft, Entry, Field, Record, Solution, SolveError, Stop, Value,
+    vary::{self, Perturbed},
+};
+use dalembert_numerics::random::uniform;
 use dalembert_units::{self as units, Dim};
 use itertools::Itertools as _;
 
@@ -113,6 +117,69 @@ pub fn the_plain_reading_is_the_worked_reading(entries: &[&'static Entry]) {
             assert_eq!(want.to_bits(), got.to_bits(), "{name}: {name_of} is {want} worked and {got} plain");
         }
     });
+}
+
+/// Compares a sweep over many points with a sweep of each point alone, for every case of the analyses that are read by
+/// SIMD: the answers and the reasons of refused points are the same, bit for bit. Each of these analyses has points that
+/// are read several at once.
+pub fn points_read_by_simd_are_those_read_one_by_one(entries: &[&'static Entry]) {
+    /// Points that differ by little, and that differ by so much that conditions have other outcomes.
+    const SPREADS: [(u64, f64); 2] = [(64, 1e-6), (83, 0.9)];
+    let by_simd = Mutex::new(BTreeMap::new());
+    let entries: Vec<&'static Entry> = entries.iter().copied().filter(|entry| entry.simd).collect();
+    if entries.is_empty() {
+        return;
+    }
+    on_all_cores(&problems(&entries), |_, SolvedCase { name, entry, record, solution }| {
+        let numbers = solution.answers.iter().filter(|answer| answer.si().is_some());
+        let wanted = numbers.map(|answer| answer.name.to_string()).collect();
+        let Perturbed { inputs, answers, .. } = Perturbed::new(entry, record, vary::inputs(record), wanted)
+            .unwrap_or_else(|err| panic!("{name}: {err}"));
+        let paths: Vec<&str> = inputs.iter().map(|input| input.path.as_str()).collect();
+        let every: Vec<&str> = answers.iter().map(String::as_str).collect();
+        let value = |sample: u64, place: usize, spread: f64| {
+            let (input, off) = (&inputs[place], spread * (2.0 * uniform(1, sample, place as u64) - 1.0));
+            if input.unit.dim == Dim::ANGLE { input.si + 4.0 * off } else { input.si * (1.0 + off) }
+        };
+        let points: Vec<f64> = SPREADS
+            .into_iter()
+            .flat_map(|(count, spread)| (0..count).map(move |sample| (sample, spread)))
+            .flat_map(|(sample, spread)| (0..paths.len()).map(move |place| (sample, place, spread)))
+            .map(|(sample, place, spread)| value(sample, place, spread))
+            .collect();
+        // All answers together need what no SIMD vector holds; each alone ends before it.
+        for wanted in every.iter().map(std::slice::from_ref).chain([&every[..]]) {
+            let prepare =
+                || entry.prepare(record, &paths, wanted).unwrap_or_else(|err| panic!("{name}: {err}"));
+            let (mut block, mut single) = (prepare(), prepare());
+            let mut together = vec![0.0; points.len() / paths.len() * wanted.len()];
+            let mut refused = Vec::new();
+            let mut refuse = |row, why| refused.push((row, why));
+            let stop = Stop::new();
+            block.sweep_with_reasons(&points, &mut together, &mut refuse, &stop).expect("nobody stops it");
+            let mut refusals = refused.into_iter().peekable();
+            let rows = points.chunks_exact(paths.len()).zip_eq(together.chunks_exact(wanted.len()));
+            for (n, (point, together)) in rows.enumerate() {
+                let (mut alone, mut why) = (vec![0.0; wanted.len()], None);
+                let mut refuse = |_, text| why = Some(text);
+                single.sweep_with_reasons(point, &mut alone, &mut refuse, &stop).expect("nobody stops it");
+                assert_eq!(
+                    refusals.next_if(|(row, _)| *row == n).map(|(_, why)| why),
+                    why,
+                    "{name}: point {n}"
+                );
+                for (answer, (a, b)) in wanted.iter().zip_eq(together.iter().zip_eq(&alone)) {
+                    let is_same = a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan();
+                    assert!(is_same, "{name}: {answer} at point {n} is {a} by SIMD, and {b} alone");
+                }
+            }
+            assert_eq!(single.points_by_simd(), 0);
+            *by_simd.lock().unwrap().entry(entry.about.id).or_insert(0) += block.points_by_simd();
+        }
+    });
+    for (id, points) in by_simd.into_inner().unwrap() {
+        assert!(points > 0, "{id}: no points were read several at once");
+    }
 }
 
 /// Types extreme numbers: a solve answers or refuses; it neither panics nor answers NaN or infinity, and one that takes

@@ -127,6 +127,7 @@ macro_rules! registry_tests {
         $crate::registry_tests!(@ $laboratory => invariance {
             every_answer_scales_with_its_dimension
             the_plain_reading_is_the_worked_reading
+            points_read_by_simd_are_those_read_one_by_one
         });
         $crate::registry_tests!(@ $laboratory => alternatives {
             every_alternative_is_reached_by_a_case

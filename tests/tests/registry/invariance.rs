@@ -20,6 +20,11 @@ fn the_plain_reading_is_the_worked_reading() {
 }
 
 #[test]
+fn points_read_by_simd_are_those_read_one_by_one() {
+    invariance::points_read_by_simd_are_those_read_one_by_one(&chosen());
+}
+
+#[test]
 fn extreme_values_are_answered_or_refused() {
     invariance::extreme_values_are_answered_or_refused(&chosen(), times());
 }

@@ -110,6 +110,14 @@ pub(crate) fn prepare(
     let is_plain =
         plan.after_solution.iter().all(|place| matches!(place, Place::Question(_) | Place::Solution(_)));
     if plan.search().is_none() && is_plain && !wanted.iter().any(is_asked) {
+        let has_no_formula = plan.inputs.iter().all(|input| input.formula.is_none());
+        if plan.names.scopes.len() == 1
+            && has_no_formula
+            && vary.iter().all(|path| plan.lever(path).is_none())
+        {
+            // What is varied and wanted is of the analysis itself.
+            return entry.prepare(&Record { plan: None, ..record.clone() }, vary, wanted);
+        }
         // Answers of the analyses alone: no unit is needed, so nothing is worked out.
         planned.readings = Some(Readings::of_answers(plan, vary, wanted, record));
         planned.first()?;

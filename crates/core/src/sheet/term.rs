@@ -164,11 +164,11 @@ impl Real for Term<'_> {
     }
 
     fn sin(self) -> Self {
-        self.call(Function::Sin, self.value().sin(), Dim::NONE)
+        self.call(Function::Sin, Real::sin(self.value()), Dim::NONE)
     }
 
     fn cos(self) -> Self {
-        self.call(Function::Cos, self.value().cos(), Dim::NONE)
+        self.call(Function::Cos, Real::cos(self.value()), Dim::NONE)
     }
 
     fn tan(self) -> Self {
@@ -176,11 +176,11 @@ impl Real for Term<'_> {
     }
 
     fn asin(self) -> Self {
-        self.call(Function::Asin, self.value().asin(), Dim::ANGLE)
+        self.call(Function::Asin, Real::asin(self.value()), Dim::ANGLE)
     }
 
     fn acos(self) -> Self {
-        self.call(Function::Acos, self.value().acos(), Dim::ANGLE)
+        self.call(Function::Acos, Real::acos(self.value()), Dim::ANGLE)
     }
 
     fn atan2(self, x: Self) -> Self {
@@ -188,7 +188,7 @@ impl Real for Term<'_> {
             sheet.same_dim(a, b);
             Dim::ANGLE
         };
-        self.binary(x, self.value().atan2(x.value()), dim, Op::Atan2)
+        self.binary(x, Real::atan2(self.value(), x.value()), dim, Op::Atan2)
     }
 
     fn exp(self) -> Self {
@@ -196,7 +196,7 @@ impl Real for Term<'_> {
     }
 
     fn ln(self) -> Self {
-        self.call(Function::Ln, self.value().ln(), Dim::NONE)
+        self.call(Function::Ln, Real::ln(self.value()), Dim::NONE)
     }
 
     fn log10(self) -> Self {

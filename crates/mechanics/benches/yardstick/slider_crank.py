@@ -1,5 +1,5 @@
 # Position, velocity, acceleration and torque of a slider-crank at a million angles, by formulas that numba compiles:
-# the nanoseconds of an angle on one thread.
+# the nanoseconds of an angle on one thread, then the mean torque and the mean of its square.
 import math, time
 import numba, numpy
 
@@ -33,10 +33,12 @@ def cycle(angles, speed, acceleration, out):
         )
 
 
-angles, out = numpy.linspace(0, 2 * math.pi, 1_000_000), numpy.empty((6, 1_000_000))
+angles, out = numpy.linspace(0, 2 * math.pi, 1_000_000, endpoint=False), numpy.empty((6, 1_000_000))
 times = []
 for _ in range(10):
     start = time.perf_counter()
     cycle(angles, 30.0, 5.0, out)
     times.append(time.perf_counter() - start)
 print(min(times) * 1e9 / angles.size)
+print(out[5].mean())
+print((out[5] ** 2).mean())

@@ -1,10 +1,5 @@
 //! Vibrations and weights that turn with the shaft, as vectors in a plane.
 
-#![expect(
-    clippy::inline_always,
-    reason = "SIMD code is compiled for the widest registers where all is inlined"
-)]
-
 use crate::Real;
 
 /// A vector that turns with the shaft, by its components: `x + i y`.

@@ -5,8 +5,6 @@
 //! J. K. Reid, *Direct Methods for Sparse Matrices*, ch. 7 and 9). A [`PivotOrder`] is the list of operations; the
 //! numbers of a position are [`LuFactors`].
 
-#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
-
 use super::{
     layout::EquationLayout,
     tolerances::{

@@ -1,7 +1,5 @@
 //! Inverse dynamics of a mechanism: driving forces by virtual power, checked by the Newton–Euler equations.
 
-#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
-
 use super::{
     BodyFrame, Gradient, Model, PlanarBody, PlanarError, PlanarLoad, PlanarMechanism, PlanarState, Pose,
     RelativeCoordinate,

@@ -5,8 +5,6 @@
 //! coordinate exactly: along a tree of such *explicit* equations all origins follow from the angles. What remains are
 //! the *tree coordinates*, which no explicit equation gives, and the *loop equations*, one pair for each closed chain.
 
-#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
-
 mod compile;
 
 use super::{

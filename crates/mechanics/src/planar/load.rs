@@ -1,7 +1,5 @@
 //! Loads on a mechanism besides its weight: forces, force elements along a measure, friction.
 
-#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
-
 use super::{BodyFrame, BodyPoint, Pose, Profile, RelativeCoordinate};
 use crate::Real;
 use dalembert_numerics::simd::SimdReal;

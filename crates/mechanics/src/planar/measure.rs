@@ -4,8 +4,6 @@
 //! a measure `m(q)` of the positions q, the effort conjugate to it does the power `Q ṁ` (virtual power), and acts on
 //! the bodies as `Q ∂m/∂q`; its acceleration is `m̈ = (∂m/∂q) q̈ + b` with `b` quadratic in the velocities.
 
-#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
-
 use crate::Real;
 
 /// A body, counted from 0, or the ground.

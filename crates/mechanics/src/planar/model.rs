@@ -9,8 +9,6 @@
 //! multipliers and rows of the Jacobian `Φ_q` (m × 3n for m equations and n bodies) follow them. Its columns are
 //! *scaled* coordinates: `3 body + (0, 1, 2)` for `(x, y, θ · size)`, m, so that lengths and angles are comparable.
 
-#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
-
 mod check;
 
 use std::ops::Range;

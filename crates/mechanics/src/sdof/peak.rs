@@ -95,5 +95,5 @@ pub fn damping_ratio_from_bandwidth<S: Real>(lower: S, upper: S, natural_frequen
 }
 
 fn has_peak<S: Real>(peak: S) -> bool {
-    peak.value() > 1.0
+    peak.holds(|peak| peak > 1.0)
 }

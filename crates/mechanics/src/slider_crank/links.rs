@@ -1,10 +1,5 @@
 //! Rotation and motion of the links of a slider-crank as functions of the crank angle.
 
-#![expect(
-    clippy::inline_always,
-    reason = "SIMD code is compiled for the widest registers where all is inlined"
-)]
-
 use super::Branch;
 use crate::{
     Real,

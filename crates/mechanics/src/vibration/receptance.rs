@@ -279,7 +279,6 @@ impl Term {
     }
 
     /// Real and imaginary part of g, and both times m.
-    #[expect(clippy::inline_always, reason = "inside the loop that is compiled for the widest registers")]
     #[inline(always)]
     fn at(&self, w: f64) -> [f64; 4] {
         let (u, v) = (self.constant - self.square * w * w, self.turn * w + self.offset);

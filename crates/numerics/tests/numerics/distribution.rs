@@ -2,8 +2,9 @@
 
 use dalembert_numerics::{
     distribution::{Distribution, normal_cumulative, normal_quantile, quantile_of_sorted},
-    random::uniform,
+    random::{uniform, uniforms},
 };
+use itertools::Itertools as _;
 
 fn near(a: f64, b: f64, tolerance: f64) {
     assert!((a - b).abs() <= tolerance * b.abs().max(1e-300), "{a} is not {b}");
@@ -80,4 +81,38 @@ fn uniform_numbers_fill_their_range_evenly() {
     }
     // Each count has a standard deviation of 95.
     assert!(counts.iter().all(|count| count.abs_diff(10_000) < 500), "{counts:?}");
+}
+
+#[test]
+fn quantiles_of_many_shares_are_those_of_each() {
+    let distributions = [
+        Distribution::normal(3.0, 0.2),
+        Distribution::lognormal(2.0, 0.1),
+        Distribution::uniform(-1.0, 4.0),
+        Distribution::triangular(-1.0, 0.5, 4.0),
+        Distribution::of_data(vec![1.0, 3.0, 4.5]),
+    ];
+    for count in [0, 1, 15, 16, 300, 1029] {
+        let mut shares = vec![0.0; count];
+        uniforms(7, 5, 3, &mut shares);
+        for (sample, share) in (5..).zip(&shares) {
+            assert_eq!(share.to_bits(), uniform(7, sample, 3).to_bits());
+        }
+        // Both tails, their ends and what lies far out in them.
+        let far = [0.075, 0.925, 0.5, 1e-3, 1e-9, 1e-12, 1e-300, 1.0 - 1e-16];
+        for (place, share) in shares.iter_mut().step_by(7).zip(far) {
+            *place = share;
+        }
+        for distribution in distributions.iter().flatten() {
+            let mut found = shares.clone();
+            distribution.quantiles(&mut found);
+            for (share, found) in shares.iter().zip_eq(&found) {
+                assert_eq!(
+                    found.to_bits(),
+                    distribution.quantile(*share).to_bits(),
+                    "{distribution:?} at {share:e}"
+                );
+            }
+        }
+    }
 }

@@ -95,9 +95,11 @@ impl Analysis for TwoPlane {
         sources: &[&RIUL, &MABIE],
         cases: include_str!("../../cases/two_plane.toml"),
     };
+    const SIMD: bool = true;
 
+    #[inline(always)]
     fn solve<W: Worksheet>(&self, given: &TwoPlaneGiven<W>, sheet: W) -> Result<(), Refusal> {
-        if self.plane_a == self.plane_b {
+        if given.plane_a.holds_with(given.plane_b, |a, b| a == b) {
             return Err(Refusal::because(COINCIDENT));
         }
         let x = Along::new(
@@ -114,7 +116,9 @@ impl Analysis for TwoPlane {
             ["U_y", "U_By", "U_Ay"],
             "Unbalance of each mass along y",
         );
-        self.check_balance(sheet, given, [&x, &y])?;
+        let mut checked = Ok(());
+        sheet.verify(|| checked = self.check_balance(sheet, given, [&x, &y]));
+        checked?;
 
         let b = self.correction(sheet, ("U_B", "m_B", "r_B", "θ_B"), (x.in_b, y.in_b), &given.correction_b);
         let a = self.correction(sheet, ("U_A", "m_A", "r_A", "θ_A"), (x.in_a, y.in_a), &given.correction_a);
@@ -135,18 +139,20 @@ impl Analysis for TwoPlane {
             before(sheet, speed, given.plane_a, [&x, &y]);
         }
 
-        let corrections = [(x.in_a.value(), y.in_a.value()), (x.in_b.value(), y.in_b.value())];
-        let largest = self.masses.iter().map(|m| m.mass * m.radius).fold(0.0, f64::max);
-        let reach = corrections.iter().map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max);
-        if reach > 10.0 * largest {
-            sheet.warn(|| {
-                Text::new("the planes are so close together that a correction is {times} times the largest unbalance")
-                    .with("times", format!("{:.0}", reach / largest))
-            });
-        }
-        sheet.show(|| Exhibit::Table(views::table(&self.shown(corrections), true)));
-        sheet.show(|| Exhibit::Drawing(views::polar(&self.shown(corrections))));
-        sheet.show(|| Exhibit::Drawing(views::side(&self.shown(corrections), None)));
+        let corrections = || [&x, &y].map(|along| [along.in_a.value(), along.in_b.value()]);
+        sheet.verify(|| {
+            let largest = self.masses.iter().map(|m| m.mass * m.radius).fold(0.0, f64::max);
+            let reach = a.unbalance.value().max(b.unbalance.value());
+            if reach > 10.0 * largest {
+                sheet.warn(|| {
+                    Text::new("the planes are so close together that a correction is {times} times the largest unbalance")
+                        .with("times", format!("{:.0}", reach / largest))
+                });
+            }
+        });
+        sheet.show(|| Exhibit::Table(views::table(&self.shown(corrections()), true)));
+        sheet.show(|| Exhibit::Drawing(views::polar(&self.shown(corrections()))));
+        sheet.show(|| Exhibit::Drawing(views::side(&self.shown(corrections()), None)));
         Ok(())
     }
 }
@@ -162,6 +168,7 @@ struct Along<N> {
 }
 
 impl<N: Real> Along<N> {
+    #[inline(always)]
     fn new<W: Worksheet<Num = N>>(
         sheet: W,
         given: &TwoPlaneGiven<W>,
@@ -197,6 +204,7 @@ struct Corrected<N> {
 
 impl TwoPlane {
     /// Magnitude, angle and mass (or radius) of a correction from its components.
+    #[inline(always)]
     fn correction<W: Worksheet>(
         &self,
         sheet: W,
@@ -291,8 +299,8 @@ impl TwoPlane {
         Ok(())
     }
 
-    /// The masses and the corrections, to be listed and drawn.
-    fn shown(&self, corrections: [(f64, f64); 2]) -> Vec<ListedUnbalance> {
+    /// The masses and the corrections, whose components along x and y are those in both planes, to be listed and drawn.
+    fn shown(&self, [x, y]: [[f64; 2]; 2]) -> Vec<ListedUnbalance> {
         let masses = self.masses.iter().zip(1..).map(|(m, n)| ListedUnbalance {
             name: Text::new("mass {n}").with("n", n),
             label: format!("m{}", dalembert_units::subscript(n)),
@@ -301,7 +309,7 @@ impl TwoPlane {
             position: m.position,
             ink: Ink::Force,
         });
-        let [in_a, in_b] = corrections;
+        let [in_a, in_b] = [(x[0], y[0]), (x[1], y[1])];
         let plane = |name: &'static str, label: &str, unbalance, position| ListedUnbalance {
             name: name.into(),
             label: label.into(),

@@ -86,7 +86,9 @@ impl Analysis for RotatingUnbalance {
         sources: &[&RAO, &KELLY, &LISTS],
         cases: include_str!("../../cases/rotating_unbalance.toml"),
     };
+    const SIMD: bool = true;
 
+    #[inline(always)]
     fn solve<W: Worksheet>(&self, given: &RotatingUnbalanceGiven<W>, sheet: W) -> Result<(), Refusal> {
         let k = stiffness(&given.support, sheet)?;
         let natural = sheet.step(
@@ -99,7 +101,7 @@ impl Analysis for RotatingUnbalance {
         let zeta = match &given.damping {
             MachineDampingGiven::Ratio { ratio } => *ratio,
             MachineDampingGiven::Between { least, most } => {
-                if least.value() > most.value() {
+                if least.holds_with(*most, |least, most| least > most) {
                     return Err(Refusal::because(
                         "the minimum damping ratio exceeds the maximum one: exchange them",
                     ));
@@ -150,7 +152,7 @@ impl Analysis for RotatingUnbalance {
             }
             MachineDampingGiven::Decay { amplitudes } => decrement(amplitudes, sheet).damping_ratio,
         };
-        if zeta.value() == 0.0 && ratio.value() == 1.0 {
+        if zeta.holds_with(ratio, |zeta, ratio| zeta == 0.0 && ratio == 1.0) {
             return Err(Refusal::because(
                 "without damping, the amplitude at the natural frequency grows without bound: there is no steady state",
             ));
@@ -222,7 +224,7 @@ impl Analysis for RotatingUnbalance {
             });
             sheet.answer("least_amplitude", "Amplitude with the maximum damping", least);
         }
-        if zeta.value() > 0.0 && zeta.value() < FRAC_1_SQRT_2 {
+        if zeta.holds(|zeta| zeta > 0.0 && zeta < FRAC_1_SQRT_2) {
             let worst = sheet.step(
                 "ωₘₐₓ",
                 "rpm",
@@ -245,16 +247,19 @@ impl Analysis for RotatingUnbalance {
                 sheet.answer("largest_amplitude", "Maximum amplitude at any speed", largest);
             }
         }
-        if zeta.value() < 0.05 && (ratio.value() - 1.0).abs() < 0.05 {
-            sheet.warn(|| {
-                Text::new(
-                    "the machine runs within 5 % of its natural frequency with little damping: small errors of mass, \
-                     stiffness or speed change the amplitude greatly",
-                )
-            });
-        }
-        let (wn, zeta) = (natural.value(), zeta.value());
-        sheet.show(|| Exhibit::Plot(self.amplitude_over_speed(wn, zeta, amplitude.value())));
+        sheet.verify(|| {
+            if zeta.value() < 0.05 && (ratio.value() - 1.0).abs() < 0.05 {
+                sheet.warn(|| {
+                    Text::new(
+                        "the machine runs within 5 % of its natural frequency with little damping: small errors of mass, \
+                         stiffness or speed change the amplitude greatly",
+                    )
+                });
+            }
+        });
+        sheet.show(|| {
+            Exhibit::Plot(self.amplitude_over_speed(natural.value(), zeta.value(), amplitude.value()))
+        });
         sheet.show(|| Exhibit::Drawing(self.machine()));
         Ok(())
     }

@@ -261,11 +261,11 @@ impl Template for RollingDisc {
                     "the centre of the disc is not on the far side of the wall: move the wall away from the disc",
                 ));
             }
-            let why = ("Virtual work of the spring, −k (s − L_0) u".into(), RIUL.at("eq. 1"));
+            let why = ("Virtual work of the spring, −k (s − L_0) u", RIUL.at("eq. 1"));
             works.push(symbol("δW", "k"), -(spring.stiffness * (length - spring.free)) * shift, why.0, why.1);
         }
         if self.damping > 0.0 && self.moves() {
-            let why = "Virtual work of the damper, −c v u".into();
+            let why = "Virtual work of the damper, −c v u";
             works.push(symbol("δW", "c"), -(given.damping * velocity) * shift, why, RIUL.at("eq. 1"));
         }
         let disc = PointWork { shift: plane::<W>(shift, zero), acceleration: plane::<W>(acceleration, zero) };
@@ -273,7 +273,7 @@ impl Template for RollingDisc {
         let (square, why) = self.gyration(given);
         if self.moves() && square.value() > 0.0 && self.mass > 0.0 {
             let inertia = sheet.step("I", "kg*m^2", given.mass * square, why);
-            let why = "Virtual work of the inertia couple: the disc turns by −u/R, α = −a/R".into();
+            let why = "Virtual work of the inertia couple: the disc turns by −u/R, α = −a/R";
             let work = -(inertia * acceleration * shift) / given.radius.powi(2);
             works.push(symbol("δW_I", "4"), work, why, RIUL.at("eq. 5"));
         }

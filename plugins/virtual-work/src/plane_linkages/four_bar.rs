@@ -130,25 +130,17 @@ impl Analysis for FourBar {
         sources: &[&RIUL, &NORTON, &SHIGLEY],
         cases: include_str!("../../cases/four_bar.toml"),
     };
+    const SIMD: bool = true;
 
+    #[inline(always)]
     fn solve<W: Worksheet>(&self, given: &FourBarGiven<W>, sheet: W) -> Result<(), Refusal> {
         let found = self.efforts(given, sheet)?;
+        let moves = works::moves(given.speed, given.acceleration);
         sheet.answer("coupler_angle", "Angle of the coupler", found.angles[0]);
         sheet.answer("rocker_angle", "Angle of the rocker", found.angles[1]);
-        let between = (found.angles[1] - found.angles[0]).cos().abs().acos();
-        let why = ("Transmission angle: the acute angle between coupler and rocker", NORTON.at("ch. 3"));
-        let between = sheet.step("μ", "deg", between, why);
-        sheet.answer("transmission_angle", "Transmission angle", between);
-        sheet.verify(|| self.check_transmission(given, between, sheet));
-        if between.value() < 40f64.to_radians() {
-            sheet.warn(|| {
-                Text::new("the transmission angle is {angle}: below 40° force transmission is poor and the joint forces are large")
-                    .with_quantity("angle", between.value(), "deg")
-            });
-        }
         sheet.answer("coupler_ratio", "Ratio of angular velocities, coupler to crank", found.ratios[0]);
         sheet.answer("rocker_ratio", "Ratio of angular velocities, rocker to crank", found.ratios[1]);
-        if self.moves() {
+        if moves {
             sheet.answer("coupler_speed", "Angular velocity of the coupler", found.speeds[0]);
             sheet.answer("rocker_speed", "Angular velocity of the rocker", found.speeds[1]);
             let label = "Angular acceleration of the coupler";
@@ -160,8 +152,23 @@ impl Analysis for FourBar {
             FourBarUnknown::Torque { .. } => sheet.answer("torque", "Torque on the crank", found.torque),
             FourBarUnknown::Load { .. } => sheet.answer("load", "Torque on the rocker", found.load),
         }
+        sheet.keep_going()?;
+        let between = (found.angles[1] - found.angles[0]).cos().abs().acos();
+        let why = ("Transmission angle: the acute angle between coupler and rocker", NORTON.at("ch. 3"));
+        let between = sheet.step("μ", "deg", between, why);
+        sheet.answer("transmission_angle", "Transmission angle", between);
+        sheet.verify(|| {
+            self.check_transmission(given, between, sheet);
+            if between.value() < 40f64.to_radians() {
+                sheet.warn(|| {
+                    Text::new("the transmission angle is {angle}: below 40° force transmission is poor and the joint forces are large")
+                        .with_quantity("angle", between.value(), "deg")
+                });
+            }
+        });
         self.instant_centres(given, &found, sheet);
         self.limits(given, sheet);
+        sheet.keep_going()?;
         let [coupler, rocker] = found.angles.map(Real::value);
         let (solved, [o, a, b, c]) = self.built([coupler, rocker], &found).map_err(built::refusal)?;
         works::reaction(
@@ -218,7 +225,7 @@ impl Analysis for FourBar {
                 let size = links.coupler.first.abs().max(links.rocker.first.abs());
                 sheet.check_sum(what, found.ratios[n], link.first.into(), size);
             }
-            if self.moves() {
+            if moves {
                 let (w, alpha) = (self.speed, self.acceleration);
                 let of = |link: dalembert_mechanics::linkage::LinkRotation<f64>| {
                     link.first * alpha + link.second * w * w
@@ -249,12 +256,13 @@ impl Analysis for FourBar {
 impl Template for FourBar {
     type Found<N: Real> = FourBarPosition<N>;
 
+    #[inline(always)]
     fn efforts<W: Worksheet>(
         &self,
         given: &FourBarGiven<W>,
         sheet: W,
     ) -> Result<FourBarPosition<W::Num>, Refusal> {
-        let moves = self.moves();
+        let moves = works::moves(given.speed, given.acceleration);
         let crank = RotatingLinkWork {
             angle: given.angle,
             ratio: 1.0.into(),
@@ -298,7 +306,7 @@ impl Template for FourBar {
                 (sheet.step(symbol("T", "2"), "N*m", -sum, (why, RIUL.at("eq. 5"))), load)
             }
             FourBarUnknownGiven::Load { torque } => {
-                if rocker.ratio.value().abs() < DEAD {
+                if rocker.ratio.holds(|ratio| ratio.abs() < DEAD) {
                     return Err(Refusal::because(
                         "crank and coupler are collinear and the rocker reverses: no torque on the rocker can balance one on the crank; rotate the crank slightly",
                     ));
@@ -346,14 +354,14 @@ impl FourBar {
         sheet: W,
     ) {
         let [coupler, rocker] = found.ratios;
-        if rocker.value().abs() > DEAD {
+        if rocker.holds(|rocker| rocker.abs() > DEAD) {
             let advantage = rocker.abs();
             let advantage = W::Num::from(1.0) / advantage;
             let why = "Mechanical advantage: ratio of rocker torque to crank torque, neglecting masses";
             let advantage = sheet.step("MA", "1", advantage, (why, NORTON.at("ch. 6")));
             sheet.answer("mechanical_advantage", "Mechanical advantage", advantage);
         }
-        if (rocker.value() - 1.0).abs() > DEAD {
+        if rocker.holds(|rocker| (rocker - 1.0).abs() > DEAD) {
             let centre = rocker * given.frame / (rocker - 1.0);
             let why = "Instant centre 24, on the line of the frame: x ω_2 = (x − d) ω_4";
             let centre = sheet.step(symbol("x", "I24"), "mm", centre, (why, SHIGLEY.at("ch. 3")));
@@ -370,7 +378,7 @@ impl FourBar {
                 );
             });
         }
-        if coupler.value().abs() > DEAD {
+        if coupler.holds(|coupler| coupler.abs() > DEAD) {
             let distance = given.crank / coupler.abs();
             let why = "Distance of the crank pin from instant centre 13: a ω_2 = |I13 A| ω_3";
             let distance = sheet.step(symbol("ρ", "I13"), "mm", distance, (why, SHIGLEY.at("ch. 3")));

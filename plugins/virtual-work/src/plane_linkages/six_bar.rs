@@ -388,7 +388,7 @@ impl Template for SixBar {
         let (torque, load) = match given.load {
             OutputLoadGiven::Force { force: load } | OutputLoadGiven::Torque { torque: load } => {
                 if load.value() != 0.0 {
-                    let why = "Virtual work of the load on the output".into();
+                    let why = "Virtual work of the load on the output";
                     works.push(symbol("δW", "out"), load * output[1], why, RIUL.at("eq. 1"));
                 }
                 let why = "Torque: the total virtual work is zero, T_2 δθ_2 + ΣδW = 0";

@@ -4,7 +4,7 @@ use dalembert_core::{
     About, Analysis, Ink, Inputs, Refusal, Text, Worksheet, exhibit::Point as At, register,
 };
 use dalembert_mechanics::{
-    Real,
+    Real, Vector,
     planar::{BodyPoint, PlanarError, PlanarJoint, RelativeCoordinate},
     slider_crank as loops,
 };
@@ -118,13 +118,15 @@ impl Analysis for SliderCrank {
         sources: &[&RIUL, &BEER, &SHIGLEY, &NORTON],
         cases: include_str!("../../cases/slider_crank.toml"),
     };
+    const SIMD: bool = true;
 
+    #[inline(always)]
     fn solve<W: Worksheet>(&self, given: &SliderCrankGiven<W>, sheet: W) -> Result<(), Refusal> {
         let found = self.efforts(given, sheet)?;
+        let moves = works::moves(given.speed, given.acceleration);
         sheet.answer("rod_angle", "Angle of the connecting rod", found.rod_angle);
         sheet.answer("slider_position", "Position of the slider", found.position);
-        self.transmission(given, found.rod_angle, sheet);
-        if self.moves() {
+        if moves {
             sheet.answer("rod_speed", "Angular velocity of the rod", found.rod_speed);
             sheet.answer("slider_velocity", "Velocity of the slider", found.velocity);
             sheet.answer("rod_acceleration", "Angular acceleration of the rod", found.rod_acceleration);
@@ -134,7 +136,9 @@ impl Analysis for SliderCrank {
             SliderCrankUnknown::Torque { .. } => sheet.answer("torque", "Torque on the crank", found.torque),
             SliderCrankUnknown::Force { .. } => sheet.answer("force", "Force on the slider", found.force),
         }
-        if found.shift.value().abs() > DEAD * self.crank {
+        sheet.keep_going()?;
+        self.transmission(given, found.rod_angle, sheet);
+        if found.shift.holds_with(given.crank, |shift, crank| shift.abs() > DEAD * crank) {
             let why = "Ratio of the force on the slider to the force perpendicular to the crank at its pin, T/r, neglecting masses";
             let advantage = given.crank / found.shift.abs();
             let advantage = sheet.step("MA", "1", advantage, (why, SHIGLEY.at("ch. 3")));
@@ -146,6 +150,7 @@ impl Analysis for SliderCrank {
                 sheet.check(what, advantage * arm.abs(), given.crank);
             });
         }
+        sheet.keep_going()?;
         let plain = SliderCrankPosition {
             rod_angle: found.rod_angle.value(),
             position: found.position.value(),
@@ -186,7 +191,7 @@ impl Analysis for SliderCrank {
             solved.check_across(joints[3], across, sheet);
             let outside = [bearing, [plain.force, guide[0]], [self.pin_force.x, self.pin_force.y]];
             works::check_balance(&outside, solved.inertia_resultant(), sheet);
-            if self.moves() {
+            if moves {
                 let (r, l, two, three) = (given.crank, given.rod, given.angle, found.rod_angle);
                 let speed = loops::rod_speed(r, l, two, three, given.speed);
                 sheet.check(
@@ -210,27 +215,29 @@ impl Analysis for SliderCrank {
 impl Template for SliderCrank {
     type Found<N: Real> = SliderCrankPosition<N>;
 
+    #[inline(always)]
     fn efforts<W: Worksheet>(
         &self,
         given: &SliderCrankGiven<W>,
         sheet: W,
     ) -> Result<SliderCrankPosition<W::Num>, Refusal> {
-        let bridged = (self.offset - self.crank * self.angle.sin()).abs();
-        if bridged > self.rod {
+        let (r, l, two) = (given.crank, given.rod, given.angle);
+        let bridged = (given.offset - r * two.sin()).abs();
+        if bridged.holds_with(l, |bridged, rod| bridged > rod) {
+            let bridged = bridged.value();
             return Err(Refusal::because(
                 Text::new("at this angle the rod has to span {distance} from the crank pin to the line of the slider: it is {gap} too short")
                     .with_quantity("distance", bridged, "mm")
                     .with_quantity("gap", bridged - self.rod, "mm"),
             ));
         }
-        let (r, l, two) = (given.crank, given.rod, given.angle);
         let three = sheet.step(
             symbol("θ", "3"),
             "deg",
             loops::rod_angle(r, l, given.offset, two),
             ("Angle of the rod: r sin θ_2 + l sin θ_3 = e", SHIGLEY.at("ch. 2")),
         );
-        if three.value().cos() < FLAT {
+        if three.cos().holds(|cosine| cosine < FLAT) {
             return Err(Refusal::because(
                 "the rod is perpendicular to the line of the slider (limit position): the crank angle does not determine the motion; change it slightly",
             ));
@@ -260,7 +267,7 @@ impl Template for SliderCrank {
             ),
         );
         let zero = W::Num::from(0.0);
-        let moves = self.moves();
+        let moves = works::moves(given.speed, given.acceleration);
         let (mut rod_speed, mut velocity, mut rod_acceleration, mut acceleration) = (zero, zero, zero, zero);
         if moves {
             let (speed, alpha) = (given.speed, given.acceleration);
@@ -288,7 +295,7 @@ impl Template for SliderCrank {
         let rod = RotatingLinkWork { angle: three, ratio, speed: rod_speed, acceleration: rod_acceleration };
         let mut works = Works::new(given.gravity, moves, sheet);
         works.link(TWO, given.crank_mass.as_ref(), r, works::fixed(), crank);
-        let pin_matters = self.rod_mass.is_some() || self.pin_force != Vector3::zeros();
+        let pin_matters = given.rod_mass.is_some() || !given.pin_force.is_zero();
         if pin_matters {
             let arm = sheet.step_vector(
                 symbol("r", "A"),
@@ -308,7 +315,7 @@ impl Template for SliderCrank {
                 (works.balanced("B", force * shift, "Virtual work of the force on the slider"), force)
             }
             SliderCrankUnknownGiven::Force { torque } => {
-                if shift.value().abs() <= DEAD * self.crank {
+                if shift.holds_with(r, |shift, crank| shift.abs() <= DEAD * crank) {
                     return Err(Refusal::because(
                         "crank and rod are collinear (dead centre): no force on the slider can balance a torque; rotate the crank slightly",
                     ));
@@ -350,9 +357,9 @@ impl SliderCrank {
             let what = "the rod at the transmission angle reaches from the crank pin to the slider's line";
             sheet.check_sum(what, l * angle.cos(), bridged, self.crank + self.offset.abs());
         });
-        if self.crank + self.offset.abs() <= self.rod {
+        let cosine = (given.crank + given.offset.abs()) / given.rod;
+        if cosine.holds(|cosine| cosine <= 1.0) {
             let why = "Minimum transmission angle over a revolution: crank perpendicular to the slider's line, crank pin farthest from it";
-            let cosine = (given.crank + given.offset.abs()) / given.rod;
             let least = sheet.step(symbol("μ", "min"), "deg", cosine.acos(), (why, NORTON.at("ch. 3")));
             sheet.answer("least_transmission_angle", "Minimum transmission angle over a revolution", least);
             sheet.verify(|| {

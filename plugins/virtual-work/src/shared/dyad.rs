@@ -52,6 +52,7 @@ pub(crate) struct Slide<W: Worksheet> {
 
 /// The triangle of two bars between their supports: the common pin is to the left of the way from the first support
 /// to the second, or to its right. `span` names that way.
+#[inline(always)]
 pub(crate) fn two_bars<W: Worksheet>(
     span: &'static str,
     [p, q]: [DyadPin<W>; 2],
@@ -61,45 +62,43 @@ pub(crate) fn two_bars<W: Worksheet>(
     sheet: W,
 ) -> Result<Bars<W>, Refusal> {
     let [first, second] = numbers;
-    let why = Text::new("From {from} to {to}").with("from", p.name).with("to", q.name);
+    let why = || Text::new("From {from} to {to}").with("from", p.name).with("to", q.name);
     let s = sheet.step_vector(symbol("s", span), "mm", q.at - p.at, why);
-    let (distance, longest) = (s.magnitude(), b.value() + c.value());
-    let shortest = (b.value() - c.value()).abs();
-    let (apart, gap) = if distance.value() > longest {
-        ("longest", distance.value() - longest)
-    } else {
-        ("shortest", shortest - distance.value())
-    };
-    if gap > 0.0 {
-        let why = if apart == "longest" {
-            "the loop does not close: {from} and {to} are {distance} apart, {gap} more than links {one} and {two} can span"
-        } else {
-            "the loop does not close: {from} and {to} are {distance} apart, {gap} less than links {one} and {two} can fold to"
-        };
-        return Err(Refusal::because(
+    let distance = s.magnitude();
+    let (beyond, short) = (distance - (b + c), (b - c).abs() - distance);
+    let refusal = |why: &'static str, gap: W::Num| {
+        Refusal::because(
             Text::new(why)
                 .with("from", p.name)
                 .with("to", q.name)
                 .with_quantity("distance", distance.value(), "mm")
-                .with_quantity("gap", gap, "mm")
+                .with_quantity("gap", gap.value(), "mm")
                 .with("one", first.link)
                 .with("two", second.link),
-        ));
+        )
+    };
+    if beyond.holds(|gap| gap > 0.0) {
+        let why = "the loop does not close: {from} and {to} are {distance} apart, {gap} more than links {one} and {two} can span";
+        return Err(refusal(why, beyond));
+    }
+    if short.holds(|gap| gap > 0.0) {
+        let why = "the loop does not close: {from} and {to} are {distance} apart, {gap} less than links {one} and {two} can fold to";
+        return Err(refusal(why, short));
     }
     let [x, y, _] = s.components();
     let beta = sheet.step(symbol("β", span), "deg", y.atan2(x), "Angle of that line");
     let cosine = (b.powi(2) + distance.powi(2) - c.powi(2)) / (b * distance * 2.0);
-    let why = Text::new("Law of cosines: angle between that line and link {n}").with("n", first.link);
+    let why = || Text::new("Law of cosines: angle between that line and link {n}").with("n", first.link);
     let psi = sheet.step(symbol("ψ", first.link), "deg", cosine.acos(), (why, SHIGLEY.at("ch. 2")));
     let angle = if left { beta + psi } else { beta - psi };
-    let why = Text::new("Angle of link {n}").with("n", first.link);
+    let why = || Text::new("Angle of link {n}").with("n", first.link);
     let one = sheet.step(symbol("θ", first.link), "deg", angle, why);
-    let why = Text::new("Vector of link {n}").with("n", first.link);
+    let why = || Text::new("Vector of link {n}").with("n", first.link);
     let reach = sheet.step_vector(symbol("r", first.link), "mm", direction::<W>(one) * b, why);
-    let why = Text::new("Vector of link {n}, which closes the loop").with("n", second.link);
+    let why = || Text::new("Vector of link {n}, which closes the loop").with("n", second.link);
     let other = sheet.step_vector(symbol("r", second.link), "mm", reach - s, why);
     let [x, y, _] = other.components();
-    let why = Text::new("Angle of link {n}").with("n", second.link);
+    let why = || Text::new("Angle of link {n}").with("n", second.link);
     let two = sheet.step(symbol("θ", second.link), "deg", y.atan2(x), why);
     sheet.verify(|| {
         let what = Text::new("link {n} has its length").with("n", second.link);
@@ -108,8 +107,8 @@ pub(crate) fn two_bars<W: Worksheet>(
         let what = what.with("one", first.link).with("two", second.link);
         sheet.check_vector(what, p.at + direction::<W>(one) * b, q.at + direction::<W>(two) * c);
     });
-    let sine = Vector::cross(reach.value(), other.value()).z / (b.value() * c.value());
-    if sine.is_nan() || sine.abs() < DEAD {
+    let [.., across] = reach.cross(other).components();
+    if (across / (b * c)).holds(|sine| sine.is_nan() || sine.abs() < DEAD) {
         return Err(dead(numbers));
     }
     Ok(Bars { angles: [one, two], reach: [reach, other], at: p.at + reach, numbers, sheet })
@@ -124,6 +123,7 @@ fn dead([first, second]: [Number; 2]) -> Refusal {
 }
 
 /// The motion of a point against another; none if neither moves.
+#[inline(always)]
 fn against<W: Worksheet>(p: Option<W::Vec>, q: Option<W::Vec>) -> Option<W::Vec> {
     match (p, q) {
         (Some(p), Some(q)) => Some(p - q),
@@ -135,23 +135,27 @@ fn against<W: Worksheet>(p: Option<W::Vec>, q: Option<W::Vec>) -> Option<W::Vec>
 
 impl<W: Worksheet> Bars<W> {
     /// The virtual turns of both bars for a unit of the coordinate, by the displacements of their supports.
+    #[inline(always)]
     pub(crate) fn turns(&self, base: &'static str, shifts: [Option<W::Vec>; 2]) -> [W::Num; 2] {
         let [first, second] = self.numbers;
         let [one, two] = self.reach;
         let Some(apart) = against::<W>(shifts[0], shifts[1]) else { return [0.0.into(); 2] };
-        let why = Text::new(
-            "Virtual rotation of link {n}: displacement of the common pin along both paths, dotted with the vector of link {m}",
-        );
-        let of =
-            |n: Number, m: Number| (why.clone().with("n", n.link).with("m", m.link), SHIGLEY.at("ch. 3"));
+        let why = |n: Number, m: Number| {
+            let why = move || {
+                let why = "Virtual rotation of link {n}: displacement of the common pin along both paths, dotted with the vector of link {m}";
+                Text::new(why).with("n", n.link).with("m", m.link)
+            };
+            (why, SHIGLEY.at("ch. 3"))
+        };
         let turn = -(apart.dot(two)) / across::<W>(one).dot(two);
-        let turn = self.sheet.step(symbol(base, first.link), "1", turn, of(first, second));
+        let turn = self.sheet.step(symbol(base, first.link), "1", turn, why(first, second));
         let other = apart.dot(one) / across::<W>(two).dot(one);
-        let other = self.sheet.step(symbol(base, second.link), "1", other, of(second, first));
+        let other = self.sheet.step(symbol(base, second.link), "1", other, why(second, first));
         [turn, other]
     }
 
     /// The whole motion of both bars: their supports' and the velocity of the coordinate are known.
+    #[inline(always)]
     pub(crate) fn motion(
         &self,
         [p, q]: [DyadPin<W>; 2],
@@ -172,7 +176,7 @@ impl<W: Worksheet> Bars<W> {
         let sheet = self.sheet;
         let speed = |n: usize| {
             let link = self.numbers[n].link;
-            let why = Text::new("Angular velocity of link {n}").with("n", link);
+            let why = || Text::new("Angular velocity of link {n}").with("n", link);
             sheet.step(symbol("ω", link), "rad/s", ratios[n] * rate, why)
         };
         let (w1, w2) = (speed(0), speed(1));
@@ -191,6 +195,7 @@ impl<W: Worksheet> Bars<W> {
     }
 
     /// The angular accelerations of both bars.
+    #[inline(always)]
     pub(crate) fn accelerations(&self, [p, q]: [DyadPin<W>; 2], [w1, w2]: [W::Num; 2]) -> [W::Num; 2] {
         let [one, two] = self.reach;
         let of = |support: DyadPin<W>| support.moving.map(|moving| moving.acceleration);
@@ -203,8 +208,10 @@ impl<W: Worksheet> Bars<W> {
         let why = "Relative acceleration to be compensated by the angular accelerations of the pair";
         let apart =
             self.sheet.step_vector(symbol("e", first.link), "m/s^2", apart, (why, SHIGLEY.at("ch. 4")));
-        let why = Text::new("Angular acceleration of link {n}");
-        let of = |n: Number| (why.clone().with("n", n.link), SHIGLEY.at("ch. 4"));
+        let of = |n: Number| {
+            let why = move || Text::new("Angular acceleration of link {n}").with("n", n.link);
+            (why, SHIGLEY.at("ch. 4"))
+        };
         let turn = apart.dot(two) / across::<W>(one).dot(two);
         let turn = self.sheet.step(symbol("α", first.link), "rad/s^2", turn, of(first));
         let other = -(apart.dot(one)) / across::<W>(two).dot(one);
@@ -250,10 +257,11 @@ pub(crate) fn bar_and_slider<W: Worksheet>(
     sheet: W,
 ) -> Result<Slide<W>, Refusal> {
     let (support, moving) = pin;
-    let why = Text::new("Distance of the slider's line to the left of {point}").with("point", support.name);
+    let why =
+        || Text::new("Distance of the slider's line to the left of {point}").with("point", support.name);
     let height = sheet.step(symbol("n", of), "mm", (line.through - support.at).dot(line.left), why);
-    let gap = height.value().abs() - length.value();
-    if gap > 0.0 {
+    if height.holds_with(length, |height, length| height.abs() > length) {
+        let gap = height.value().abs() - length.value();
         return Err(Refusal::because(
             Text::new("the loop does not close: the line of the slider is {distance} away from {point}, and link {n} is {gap} too short")
                 .with_quantity("distance", height.value().abs(), "mm")
@@ -268,12 +276,12 @@ pub(crate) fn bar_and_slider<W: Worksheet>(
         Some(angle) => angle + against_line,
         None => against_line,
     };
-    let why = Text::new("Angle of link {n}").with("n", number.link);
+    let why = || Text::new("Angle of link {n}").with("n", number.link);
     let angle = sheet.step(symbol("θ", number.link), "deg", angle, (why, SHIGLEY.at("ch. 2")));
-    let why = Text::new("Vector of link {n}").with("n", number.link);
+    let why = || Text::new("Vector of link {n}").with("n", number.link);
     let reach = sheet.step_vector(symbol("r", number.link), "mm", direction::<W>(angle) * length, why);
     let turned = across::<W>(reach);
-    if Vector::dot(turned.value(), line.left.value()).abs() < 1e-7 * length.value() {
+    if turned.dot(line.left).holds_with(length, |across, length| across.abs() < 1e-7 * length) {
         return Err(Refusal::because(
             Text::new("link {n} is perpendicular to the line of its slider (limit position): change the coordinate slightly")
                 .with("n", number.link),
@@ -286,7 +294,8 @@ pub(crate) fn bar_and_slider<W: Worksheet>(
         let end = support.at + direction::<W>(angle) * length;
         sheet.check_vector(what, end, line.through + line.along * position);
     });
-    let why = Text::new("Virtual rotation of link {n}: the slider stays on its line").with("n", number.link);
+    let why =
+        || Text::new("Virtual rotation of link {n}: the slider stays on its line").with("n", number.link);
     let ratio = -(moving.shift.dot(line.left)) / turned.dot(line.left);
     let ratio = sheet.step(symbol("h", number.link), "1", ratio, (why, SHIGLEY.at("ch. 3")));
     let shift = (moving.shift + turned * ratio).dot(line.along);
@@ -297,7 +306,7 @@ pub(crate) fn bar_and_slider<W: Worksheet>(
         let bar = RotatingLinkWork { angle, ratio, speed: zero, acceleration: zero };
         return Ok(Slide { bar, position, shift, velocity: zero, acceleration: zero });
     };
-    let why = Text::new("Angular velocity of link {n}").with("n", number.link);
+    let why = || Text::new("Angular velocity of link {n}").with("n", number.link);
     let speed = sheet.step(symbol("ω", number.link), "rad/s", ratio * rate, why);
     let velocity = sheet.step(symbol("v", of), "m/s", shift * rate, "Velocity of the slider");
     sheet.verify(|| {
@@ -307,7 +316,7 @@ pub(crate) fn bar_and_slider<W: Worksheet>(
         sheet.check_sum(what, end.dot(reach), start.dot(reach), size);
     });
     let inward = moving.acceleration - reach * speed.powi(2);
-    let why = Text::new("Angular acceleration of link {n}").with("n", number.link);
+    let why = || Text::new("Angular acceleration of link {n}").with("n", number.link);
     let turning = -(inward.dot(line.left)) / turned.dot(line.left);
     let turning = sheet.step(symbol("α", number.link), "rad/s^2", turning, (why, SHIGLEY.at("ch. 4")));
     let acceleration = (inward + turned * turning).dot(line.along);

@@ -5,7 +5,6 @@
 
 use dalembert_core::{Cite, Inputs, Symbol, Text, Worksheet};
 use dalembert_mechanics::{Real, Vector};
-use nalgebra::Vector3;
 
 use crate::{
     shared::built::{self, Solved},
@@ -58,6 +57,9 @@ pub(crate) const FIVE: Number = Number { link: "5", centre: "G5" };
 /// Link 6.
 pub(crate) const SIX: Number = Number { link: "6", centre: "G6" };
 
+/// Works of most linkages: weight, inertia force and couple of three links, a force and a couple.
+const WORKS: usize = 11;
+
 /// A point: its virtual displacement for a unit of the coordinate, and its acceleration.
 #[derive(Clone, Copy)]
 pub(crate) struct PointWork<W: Worksheet> {
@@ -82,33 +84,44 @@ pub(crate) struct Works<W: Worksheet> {
     done: Vec<W::Num>,
 }
 
+/// Returns true if the coordinate has a velocity or an acceleration: otherwise the problem is one of statics.
+#[inline(always)]
+pub(crate) fn moves<N: Real>(speed: N, acceleration: N) -> bool {
+    speed.holds_with(acceleration, |speed, acceleration| speed != 0.0 || acceleration != 0.0)
+}
+
 /// A symbol that belongs to a part.
 pub(crate) fn symbol(base: &'static str, of: &'static str) -> Symbol {
     Symbol { of, ..Symbol::from(base) }
 }
 
 /// The unit vector of a direction.
+#[inline(always)]
 pub(crate) fn direction<W: Worksheet>(angle: W::Num) -> W::Vec {
     W::Vec::from_components(angle.cos(), angle.sin(), 0.0.into())
 }
 
 /// A vector in the plane.
+#[inline(always)]
 pub(crate) fn plane<W: Worksheet>(x: W::Num, y: W::Num) -> W::Vec {
     W::Vec::from_components(x, y, 0.0.into())
 }
 
 /// A vector turned a quarter turn counter-clockwise, `k × a`.
+#[inline(always)]
 pub(crate) fn across<W: Worksheet>(a: W::Vec) -> W::Vec {
     W::Vec::from_components(0.0.into(), 0.0.into(), 1.0.into()).cross(a)
 }
 
 /// A point that is at rest.
+#[inline(always)]
 pub(crate) fn fixed<W: Worksheet>() -> PointWork<W> {
     let zero = plane::<W>(0.0.into(), 0.0.into());
     PointWork { shift: zero, acceleration: zero }
 }
 
 /// The point at `arm` from the first pin of a link.
+#[inline(always)]
 pub(crate) fn moving<W: Worksheet>(
     of: &'static str,
     pin: PointWork<W>,
@@ -117,19 +130,19 @@ pub(crate) fn moving<W: Worksheet>(
     moves: bool,
     sheet: W,
 ) -> PointWork<W> {
-    let still = pin.shift.value() == Vector3::zeros();
+    let still = pin.shift.is_zero();
     let turned = across::<W>(arm);
     // The coordinate itself turns by 1.
-    let turned = if turning.ratio.value() == 1.0 { turned } else { turned * turning.ratio };
+    let turned = if turning.ratio.holds(|h| h == 1.0) { turned } else { turned * turning.ratio };
     let shift = if still { turned } else { pin.shift + turned };
-    let why = Text::new("Virtual displacement of {point} per unit of the coordinate").with("point", of);
+    let why = || Text::new("Virtual displacement of {point} per unit of the coordinate").with("point", of);
     let shift = sheet.step_vector(symbol("u", of), "mm", shift, (why, SHIGLEY.at("ch. 3")));
     if !moves {
         return PointWork { shift, acceleration: plane::<W>(0.0.into(), 0.0.into()) };
     }
     let turned = across::<W>(arm) * turning.acceleration - arm * turning.speed.powi(2);
     let acceleration = if still { turned } else { pin.acceleration + turned };
-    let why = Text::new("Acceleration of {point}").with("point", of);
+    let why = || Text::new("Acceleration of {point}").with("point", of);
     let acceleration = sheet.step_vector(symbol("a", of), "m/s^2", acceleration, (why, SHIGLEY.at("ch. 4")));
     PointWork { shift, acceleration }
 }
@@ -151,61 +164,70 @@ impl LinkMass {
 
 impl<W: Worksheet> Works<W> {
     /// No works yet. Without gravity no weight is written, without motion no inertia load.
+    #[inline(always)]
     pub(crate) fn new(gravity: W::Vec, moves: bool, sheet: W) -> Self {
-        let gravity = (gravity.value() != Vector3::zeros()).then_some(gravity);
-        Self { sheet, gravity, moves, done: Vec::new() }
+        let gravity = (!gravity.is_zero()).then_some(gravity);
+        Self { sheet, gravity, moves, done: Vec::with_capacity(WORKS) }
     }
 
     /// The work of a force whose point moves by `shift`.
+    #[inline(always)]
     pub(crate) fn force(&mut self, of: &'static str, force: W::Vec, shift: W::Vec) {
-        if force.value() != Vector3::zeros() {
-            let why =
-                Text::new("Virtual work of the force at {point}: force times displacement").with("point", of);
+        if !force.is_zero() {
+            let why = || {
+                Text::new("Virtual work of the force at {point}: force times displacement").with("point", of)
+            };
             self.push(symbol("δW", of), force.dot(shift), why, RIUL.at("eq. 1"));
         }
     }
 
     /// The work of a couple on a link that turns by `ratio`.
+    #[inline(always)]
     pub(crate) fn couple(&mut self, of: Number, moment: W::Num, ratio: W::Num) {
-        if moment.value() != 0.0 {
-            let why =
-                Text::new("Virtual work of the couple on link {n}: couple times rotation").with("n", of.link);
+        if moment.holds(|moment| moment != 0.0) {
+            let why = || {
+                Text::new("Virtual work of the couple on link {n}: couple times rotation").with("n", of.link)
+            };
             self.push(symbol("δW_T", of.link), moment * ratio, why, RIUL.at("eq. 1"));
         }
     }
 
     /// The work of a known torque on the crank.
+    #[inline(always)]
     pub(crate) fn driving(&mut self, torque: W::Num) {
-        if torque.value() != 0.0 {
-            let why = "Virtual work of the torque for δθ_2 = 1".into();
+        if torque.holds(|torque| torque != 0.0) {
+            let why = "Virtual work of the torque for δθ_2 = 1";
             self.push(symbol("δW_T", "2"), torque, why, RIUL.at("eq. 1"));
         }
     }
 
     /// A work that was written elsewhere.
-    pub(crate) fn push(&mut self, symbol: Symbol, work: W::Num, why: Text, cite: Cite) {
+    #[inline(always)]
+    pub(crate) fn push(&mut self, symbol: Symbol, work: W::Num, why: impl Into<Text>, cite: Cite) {
         let work = self.sheet.step(symbol, "N*m", work, (why, cite));
         self.done.push(work);
     }
 
     /// The works of the weight and of the inertia force of a mass.
+    #[inline(always)]
     pub(crate) fn mass(&mut self, of: Number, mass: W::Num, point: PointWork<W>) {
-        if mass.value() == 0.0 {
+        if mass.holds(|mass| mass == 0.0) {
             return;
         }
         if let Some(gravity) = self.gravity {
-            let why = Text::new("Virtual work of the weight of link {n}").with("n", of.link);
+            let why = || Text::new("Virtual work of the weight of link {n}").with("n", of.link);
             let work = (gravity * mass).dot(point.shift);
             self.push(symbol("δW_W", of.link), work, why, RIUL.at("eq. 5"));
         }
         if self.moves {
-            let why = Text::new("Virtual work of the inertia force −m a of link {n}").with("n", of.link);
+            let why = || Text::new("Virtual work of the inertia force −m a of link {n}").with("n", of.link);
             let work = -(point.acceleration * mass).dot(point.shift);
             self.push(symbol("δW_F", of.link), work, why, RIUL.at("eq. 5"));
         }
     }
 
     /// The works of the weight and of the inertia loads of a link, from its first pin on.
+    #[inline(always)]
     pub(crate) fn link(
         &mut self,
         of: Number,
@@ -219,15 +241,16 @@ impl<W: Worksheet> Works<W> {
         let (mass, arm, inertia) = match *mass {
             LinkMassGiven::Uniform { mass } => {
                 let why =
-                    Text::new("Link {n} is a uniform bar: from its first pin to its middle").with("n", n);
+                    || Text::new("Link {n} is a uniform bar: from its first pin to its middle").with("n", n);
                 let arm = direction::<W>(turning.angle) * (length / 2.0);
                 let arm = sheet.step_vector(symbol("r", of.centre), "mm", arm, why);
-                let why = Text::new("Moment of inertia of the uniform bar, link {n}").with("n", n);
+                let why = || Text::new("Moment of inertia of the uniform bar, link {n}").with("n", n);
                 (mass, arm, sheet.step(symbol("I", n), "kg*m^2", mass * length.powi(2) / 12.0, why))
             }
             LinkMassGiven::Given { mass, distance, offset, inertia } => {
-                let angle = if offset.value() == 0.0 { turning.angle } else { turning.angle + offset };
-                let why = Text::new("From the first pin of link {n} to its centre of mass").with("n", n);
+                let angle =
+                    if offset.holds(|offset| offset == 0.0) { turning.angle } else { turning.angle + offset };
+                let why = || Text::new("From the first pin of link {n} to its centre of mass").with("n", n);
                 let arm = direction::<W>(angle) * distance;
                 (mass, sheet.step_vector(symbol("r", of.centre), "mm", arm, why), inertia)
             }
@@ -236,6 +259,7 @@ impl<W: Worksheet> Works<W> {
     }
 
     /// The same of a body whose centre of mass is at `arm` from a point of it.
+    #[inline(always)]
     pub(crate) fn body(
         &mut self,
         of: Number,
@@ -245,28 +269,30 @@ impl<W: Worksheet> Works<W> {
         mass: W::Num,
         inertia: W::Num,
     ) {
-        if mass.value() != 0.0 {
+        if mass.holds(|mass| mass != 0.0) {
             let centre = moving(of.centre, point, arm, turning, self.moves, self.sheet);
             self.mass(of, mass, centre);
         }
-        if self.moves && inertia.value() != 0.0 {
-            let why = Text::new("Virtual work of the inertia couple −I α of link {n}").with("n", of.link);
+        if self.moves && inertia.holds(|inertia| inertia != 0.0) {
+            let why = || Text::new("Virtual work of the inertia couple −I α of link {n}").with("n", of.link);
             let couple = -(inertia * turning.acceleration);
-            let work = if turning.ratio.value() == 1.0 { couple } else { couple * turning.ratio };
+            let work = if turning.ratio.holds(|h| h == 1.0) { couple } else { couple * turning.ratio };
             self.push(symbol("δW_I", of.link), work, why, RIUL.at("eq. 5"));
         }
     }
 
     /// The torque on link 2 that brings the works, with that of the load on the output, to zero.
+    #[inline(always)]
     pub(crate) fn balanced(&mut self, of: &'static str, work: W::Num, why: &'static str) -> W::Num {
-        if work.value() != 0.0 {
-            self.push(symbol("δW", of), work, why.into(), RIUL.at("eq. 1"));
+        if work.holds(|work| work != 0.0) {
+            self.push(symbol("δW", of), work, why, RIUL.at("eq. 1"));
         }
         let why = "Torque: the total virtual work is zero, T_2 δθ_2 + ΣδW = 0";
         self.sheet.step(symbol("T", "2"), "N*m", -self.sum(), (why, RIUL.at("eq. 5")))
     }
 
     /// The sum of the works.
+    #[inline(always)]
     pub(crate) fn sum(&self) -> W::Num {
         match self.done[..] {
             [] => self.sheet.numerical("ΣδW", "N*m", 0.0, "No load does work: there is nothing to balance"),

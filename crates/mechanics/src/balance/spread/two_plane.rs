@@ -80,7 +80,6 @@ struct Job {
     spread: [f64; 2],
 }
 
-#[expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 impl Job {
     /// The sizes of the weights under disturbances by such standard normal numbers.
     #[inline(always)]
@@ -128,7 +127,6 @@ impl Job {
 }
 
 /// Independent standard normal numbers, two for each of the samples with those keys.
-#[expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 #[inline(always)]
 fn normal_lanes(keys: &[u64; WIDTH], place: u64) -> Phasor<SimdVector> {
     let (mut u, mut v) = ([0.0; WIDTH], [0.0; WIDTH]);

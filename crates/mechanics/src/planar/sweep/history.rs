@@ -1,7 +1,5 @@
 //! Prediction of the tree coordinates from their derivatives at the last positions.
 
-#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
-
 use crate::planar::tolerances::{HISTORY, MAX_STEP_GROWTH};
 use dalembert_numerics::simd::SimdReal;
 

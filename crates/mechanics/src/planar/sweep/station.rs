@@ -1,7 +1,5 @@
 //! Station of a sweep: the numbers of a mechanism at one position, or at several in the lanes of a SIMD vector.
 
-#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
-
 use super::{SweepResult, history::History};
 use crate::planar::{
     Model,
