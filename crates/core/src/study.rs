@@ -23,7 +23,7 @@ pub use self::{
         StudyPlan, Variation,
     },
     scatter::Distribution,
-    statistics::{Accumulator, AnswerLimit, AnswerStatistics, BLOCK, Exceedance, MOST_LEVELLED, Summary},
+    statistics::{Accumulator, AnswerLimit, AnswerStatistics, BLOCK, Exceedance, LEVEL_ROWS, Summary},
     values::{Histogram, PERCENTILES},
 };
 use crate::{

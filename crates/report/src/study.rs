@@ -148,13 +148,13 @@ fn influence(
     let row = |(input, [least, largest]): &(usize, [f64; 2])| {
         let correlation = of.correlations[*input];
         let number = units::write_number((correlation * 1e3).round() / 1e3, locale.style);
-        let share = percent(correlation * correlation, locale);
+        let share = percent(of.shares[*input], locale);
         let label = study.design.inputs[*input].label.render(locale);
         vec![label, quantity(*least), quantity(*largest), number, share]
     };
     let rows: Vec<Vec<String>> = ranked.iter().map(row).collect();
     let title = Text::new("Influence on {answer}").with_text("answer", answer.title()).render(locale);
-    let columns = ["input", "least mean", "largest mean", "correlation coefficient", "share of the variance"];
+    let columns = ["input", "least mean", "largest mean", "correlation", "share of variance"];
     let columns = columns.map(|text| Text::from(text).render(locale));
     (!rows.is_empty()).then(|| table(&title, &columns, rows))
 }
@@ -166,14 +166,16 @@ fn sobol_indices(study: &Study<'_>, answer: &Answer, of: &AnswerStatistics, loca
     };
     let words = |text: &'static str| Text::from(text).render(locale);
     let number = |value: f64| units::write_number((value * 1e4).round() / 1e4, locale.style);
-    let cells = |Estimate { value, interval: [low, high] }: Estimate| [value, low, high].map(number);
+    let cells = |Estimate { value, interval: [low, high] }: Estimate| {
+        let interval = Text::new("{low} to {high}").with("low", number(low)).with("high", number(high));
+        [number(value), interval.render(locale)]
+    };
     let rows = study.design.inputs.iter().zip(&indices.inputs).map(|(input, index)| {
         let label = [input.label.render(locale)];
         label.into_iter().chain(cells(index.first_order)).chain(cells(index.total)).collect()
     });
     let title = Text::new("Sobol' indices of {answer}").with_text("answer", answer.title()).render(locale);
-    let columns =
-        ["input", "first-order index", "95 % interval from", "to", "total index", "95 % interval from", "to"];
+    let columns = ["input", "first order", "95 % interval", "total order", "95 % interval"];
     let Block::Table(mut table) = table(&title, &columns.map(words), rows.collect()) else {
         return Vec::new();
     };

@@ -86,3 +86,17 @@ impl LevelSums {
         self.counts.iter().zip(&self.sums).map(mean).collect()
     }
 }
+
+/// Share of the variance of an answer that lies between its means at levels: the square of the correlation ratio, without what levels
+/// would have by chance (T. L. Kelley, *Proc. Natl. Acad. Sci.* 21, 1935, 554–559).
+pub(super) fn share_between(levels: &[LevelMean], variance: f64) -> f64 {
+    let taken = || levels.iter().filter(|level| level.count > 0);
+    let count: f64 = taken().map(|level| level.count as f64).sum();
+    let mean = taken().map(|level| level.count as f64 * level.mean).sum::<f64>() / count;
+    let between: f64 = taken().map(|level| level.count as f64 * (level.mean - mean).powi(2)).sum();
+    let all = variance * (count - 1.0);
+    let freedom = taken().count() as f64 - 1.0;
+    let by_chance = (all - between).max(0.0) * freedom / (count - 1.0 - freedom);
+    let share = (between - by_chance) / all;
+    if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 }
+}

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::{
     indices::{INDEPENDENT, IndexSums, SobolIndices, TWO_SIDED_95},
-    levels::{LevelMean, LevelSums, Levels},
+    levels::{LevelMean, LevelSums, Levels, share_between},
     sample::{self, RowSample},
     values::{Histogram, Values},
 };
@@ -17,7 +17,7 @@ use crate::Text;
 /// Rows whose sums are taken together.
 pub const BLOCK: usize = 4096;
 /// Rows up to which the means at levels are those of all rows.
-pub const MOST_LEVELLED: u64 = 250_000;
+pub const LEVEL_ROWS: u64 = 250_000;
 /// Statistics of all answers.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Summary {
@@ -62,8 +62,10 @@ pub struct AnswerStatistics {
     pub bin_width: f64,
     /// Correlation coefficient with each input; 0 where one of them is constant.
     pub correlations: Vec<f64>,
-    /// Main effects: the mean at each level of every input, over at most about [`MOST_LEVELLED`] points.
+    /// Main effects: the mean at each level of every input, over at most about [`LEVEL_ROWS`] points.
     pub effects: Vec<Vec<LevelMean>>,
+    /// Share of the variance between the levels of each input; of independent inputs about their first-order index.
+    pub shares: Vec<f64>,
     /// Of each map, the mean at the levels of both inputs, those of the second one fastest.
     pub maps: Vec<Vec<LevelMean>>,
     /// Sobol' indices, where the plan asks for them.
@@ -112,7 +114,7 @@ pub struct Accumulator {
     /// The rows of the present block.
     rows: Vec<f64>,
     /// Those of them, by their places, that the means at levels are of.
-    levelled: Vec<usize>,
+    at_levels: Vec<usize>,
     /// The largest hash of a point that they are of.
     largest_hash: u64,
     /// Number of the first point, counted from 0.
@@ -178,7 +180,7 @@ impl Accumulator {
             levels: Vec::new(),
             maps: Vec::new(),
             rows: Vec::with_capacity(BLOCK * (inputs + answers)),
-            levelled: Vec::new(),
+            at_levels: Vec::new(),
             largest_hash: 0,
             first: 0,
             points: 0,
@@ -189,7 +191,7 @@ impl Accumulator {
         }
     }
 
-    /// The same with the means at the levels of every input, and over pairs of inputs; of more than [`MOST_LEVELLED`] of
+    /// The same with the means at the levels of every input, and over pairs of inputs; of more than [`LEVEL_ROWS`] of
     /// so many rows these are those of about that number, chosen at random.
     #[must_use]
     pub fn with_levels(mut self, levels: Vec<Levels>, maps: Vec<[usize; 2]>, rows: u64) -> Self {
@@ -198,7 +200,7 @@ impl Accumulator {
             sums.effects = (0..self.inputs).map(|input| LevelSums::new(count(input))).collect();
             sums.maps = maps.iter().map(|[a, b]| LevelSums::new(count(*a) * count(*b))).collect();
         }
-        Self { levels, maps, largest_hash: sample::largest_hash(MOST_LEVELLED, rows), ..self }
+        Self { levels, maps, largest_hash: sample::largest_hash(LEVEL_ROWS, rows), ..self }
     }
 
     /// The same with Sobol' indices from base samples of so many points.
@@ -239,7 +241,7 @@ impl Accumulator {
             let hash = sample::hash(point);
             self.sample.take(hash, &self.rows[begin..]);
             if hash <= self.largest_hash {
-                self.levelled.push(begin);
+                self.at_levels.push(begin);
             }
         }
         if self.rows.len() == BLOCK * (self.inputs + self.answers.len()) {
@@ -272,7 +274,7 @@ impl Accumulator {
 
     fn take_block(&mut self) {
         let width = self.inputs + self.answers.len();
-        let rows = || self.levelled.iter().map(|begin| &self.rows[*begin..begin + width]);
+        let rows = || self.at_levels.iter().map(|begin| &self.rows[*begin..begin + width]);
         let level = |(input, levels): (usize, &Levels)| rows().map(|row| levels.of(row[input])).collect();
         let levels: Vec<Vec<usize>> = self.levels.iter().enumerate().map(level).collect();
         for (at, sums) in self.answers.iter_mut().enumerate() {
@@ -297,7 +299,7 @@ impl Accumulator {
                 values.clone().for_each(|(row, value)| map.take(cell(row), value - centre));
             }
         }
-        self.levelled.clear();
+        self.at_levels.clear();
         self.rows.clear();
     }
 }
@@ -370,16 +372,18 @@ impl AnswerSums {
         let correlation = |input: &Comoments| or_zero(input.product / (input.square * square).sqrt());
         let exceedances = limits.zip(self.exceeded).map(exceedance).collect();
         let correlations = self.inputs.iter().map(correlation).collect();
-        let means = |sums: &Vec<LevelSums>| {
+        let means = |sums: &[LevelSums]| -> Vec<Vec<LevelMean>> {
             sums.iter().map(|sums| sums.means(self.centre.unwrap_or_default())).collect()
         };
         let (effects, maps) = (means(&self.effects), means(&self.maps));
+        let variance = square / (count - 1.0);
+        let shares = effects.iter().map(|levels| share_between(levels, variance)).collect();
         let (least, largest) = (self.values.least.unwrap_or(0.0), self.values.largest.unwrap_or(0.0));
         let (percentiles, bin_width, histogram) = self.values.distribution();
         AnswerStatistics {
             count: count as u64,
             mean,
-            deviation: or_zero((square / (count - 1.0)).sqrt()),
+            deviation: or_zero(variance.sqrt()),
             skewness: or_zero(count.sqrt() * cube / square.powf(1.5)),
             kurtosis: or_zero(count * fourth / (square * square) - 3.0),
             least,
@@ -388,6 +392,7 @@ impl AnswerSums {
             bin_width,
             correlations,
             effects,
+            shares,
             maps,
             sobol_indices: None,
             exceedances,

@@ -232,7 +232,12 @@ fn svg(part: &PictureElement) -> String {
             short(to.0 - from.0),
             short(to.1 - from.1),
             paint(tone),
-            if *opacity < 1.0 { format!(" opacity=\"{opacity}\"") } else { String::new() }
+            // Cells that touch show no seams.
+            if *opacity < 1.0 {
+                format!(" opacity=\"{opacity}\"")
+            } else {
+                " shape-rendering=\"crispEdges\"".to_owned()
+            }
         ),
         PictureElement::Words { at, anchor, text, tone } => {
             let anchor = match anchor {

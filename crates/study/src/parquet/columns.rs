@@ -179,7 +179,7 @@ fn missing() -> ParquetError {
     ParquetError::General("a row group has fewer columns than its schema".to_owned())
 }
 
-/// What the columns are, as JSON.
+/// Version, plan and columns as JSON.
 fn metadata(run: &Run<'_>) -> String {
     let inputs = run.study.design.inputs.iter().map(|input| {
         json!({ "name": input.path, "unit": input.unit.ascii(), "symbol": input.symbol, "role": "input" })
