@@ -8,7 +8,7 @@ use std::{panic, path::Path, sync::mpsc, thread, time::Duration};
 use dalembert::request::{self, RequestFailure, RequestedProblem};
 use dalembert_core::{
     Answer, Language, Locale, Solution, Stop, Text, nearest,
-    study::{self, Accumulator, Design, Study, StudyPlan},
+    study::{self, Design, Study, StudyPlan},
     vary,
 };
 use dalembert_report::study_json;
@@ -210,7 +210,7 @@ fn studied(
     let (inputs, answers) = (study.design.inputs.len(), study.answers.len());
     let mut columns = vec![Vec::new(); inputs + answers];
     let mut refused = Vec::new();
-    let mut sums = Accumulator::new(inputs, answers, study.limits.clone());
+    let mut sums = study.accumulator(0);
     workers::solve(&study, 0..study.design.points(), threads, None, stop, &mut |block| {
         for row in block.rows.iter() {
             if let Some(why) = row.refusal {

@@ -477,7 +477,8 @@ pub fn program() -> PathBuf {
     if let Some(path) = std::env::var_os("DALEMBERT_BIN") {
         return path.into();
     }
-    built("dalembert", &["--package", "dalembert"])
+    let features = if cfg!(feature = "parquet") { "parquet" } else { "" };
+    built("dalembert", &["--package", "dalembert", "--features", features])
 }
 
 /// The smallest program on the terminal's lifecycle, which is built first.

@@ -9,6 +9,7 @@ pub mod docs;
 pub mod find;
 pub mod new_analysis;
 pub mod new_plugin;
+pub mod parquet;
 pub mod pictures;
 pub mod python;
 pub mod soak;

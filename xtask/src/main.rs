@@ -3,7 +3,8 @@
 use std::{env, process::ExitCode};
 
 use xtask::{
-    bench, cluster, docs, find, new_analysis, new_plugin, pictures, python, root, soak, tidy, verify, words,
+    bench, cluster, docs, find, new_analysis, new_plugin, parquet, pictures, python, root, soak, tidy,
+    verify, words,
 };
 
 const USAGE: &str = "\
@@ -24,6 +25,7 @@ usage: cargo xtask COMMAND
   soak perturb --draws N     every case N times with its numbers changed at random: answered or refused with reason?
   soak nets --times N        N times the points of each plot, every extreme value: path independence and invariance
   python                     the wheel of the Python module, built and installed, its tests, notebook and Dask example
+  parquet                    the program built with Parquet: clippy, and tables written and read back
   cluster [POINTS]           a study killed and resumed, in shards by GNU parallel and by a real Slurm: the same bytes?
   bench [PART]...            measure; parts: plain units solve keys tui
 ";
@@ -51,6 +53,7 @@ fn main() -> ExitCode {
         ["pictures", "--check"] => pictures::check(&root()).map(|_| ()),
         ["soak", words @ ..] => soak::run(&root(), words),
         ["python"] => python::run(&root()),
+        ["parquet"] => parquet::run(&root()),
         ["cluster"] => cluster::run(&root(), 1_000_000),
         ["cluster", points] => match points.parse() {
             Ok(points) => cluster::run(&root(), points),

@@ -17,7 +17,9 @@ pub use self::clip::clipped;
 pub use self::deferred::{Deferred, Frames};
 pub use self::side::LabelSide;
 pub use self::space::{Point3, Scene, Shape3, Viewpoint3};
-use crate::Text;
+use dalembert_units::Unit;
+
+use crate::{Text, intern::fixed};
 
 /// Figure or table of the results.
 #[derive(Clone, Debug, PartialEq)]
@@ -407,6 +409,11 @@ impl Axis {
     /// A linear axis.
     pub fn linear(label: impl Into<Text>, unit: &'static str) -> Self {
         Self { label: label.into(), unit, scale: Scale::Linear }
+    }
+
+    /// A linear axis in a unit that was read.
+    pub fn in_unit(label: impl Into<Text>, unit: &Unit) -> Self {
+        Self::linear(label, fixed(unit))
     }
 
     /// A logarithmic axis.

@@ -1,23 +1,30 @@
 //! Questions about a whole range of inputs: how an answer runs over one of them, where it takes a wanted value, and
 //! how it scatters when the inputs do; and studies of any size, by a [plan](StudyPlan).
 
+mod amounts;
 mod design;
 mod evaluation;
+mod grid;
+mod indices;
+mod levels;
 mod plan;
+mod sample;
 mod scatter;
 mod statistics;
+mod values;
 
 pub use self::{
     design::Design,
     evaluation::{Evaluation, Row, Rows, Study, answer},
+    indices::{Estimate, SobolIndex, SobolIndices},
+    levels::{LevelMean, Levels},
     plan::{
-        Amount, Correlation, DataColumn, DistributionKind, Limit, ReadData, Sampling, Spacing, StudyPlan,
-        Variation,
+        Amount, Correlation, DataColumn, DistributionKind, Limit, MappedInputs, ReadData, Sampling, Spacing,
+        StudyPlan, Variation,
     },
     scatter::Distribution,
-    statistics::{
-        Accumulator, AnswerLimit, AnswerStatistics, BLOCK, Exceedance, Histogram, PERCENTILES, Summary,
-    },
+    statistics::{Accumulator, AnswerLimit, AnswerStatistics, BLOCK, Exceedance, LEVEL_ROWS, Summary},
+    values::{Histogram, PERCENTILES},
 };
 use crate::{
     Answer, Axis, Entry, Plot, Record, Refusal, Scale, Series, SolveError, Stop, Text,

@@ -1,8 +1,13 @@
 //! Statistics and designs of studies, compared with sums over all rows and with closed forms.
 
+use std::f64::consts::PI;
+
 use dalembert_core::Text;
-use dalembert_core::study::{Accumulator, AnswerLimit, BLOCK, PERCENTILES};
-use dalembert_numerics::random::{normal_pair, uniform};
+use dalembert_core::study::{Accumulator, AnswerLimit, BLOCK, Estimate, PERCENTILES, SobolIndices};
+use dalembert_numerics::{
+    random::{normal_pair, uniform},
+    sampling::sobol,
+};
 use itertools::zip_eq;
 
 /// Rows of two inputs and an answer, the answer a little over twice the first input.
@@ -106,4 +111,126 @@ fn the_interval_of_a_probability_is_wilsons() {
             assert!((found - published).abs() < 5e-5, "{found} is not {published}");
         }
     }
+}
+
+/// Points of base samples in their order, each input between −π and π: `A`, `B`, and `A` with an input of `B`.
+fn base_samples(count: u64, inputs: usize, share: impl Fn(u64, usize) -> f64) -> Vec<Vec<f64>> {
+    let mut points = Vec::new();
+    for sample in 0..count {
+        let half = |other: usize| -> Vec<f64> {
+            (0..inputs).map(|input| PI * (2.0 * share(sample, input + other * inputs) - 1.0)).collect()
+        };
+        let (a, b) = (half(0), half(1));
+        points.extend([a.clone(), b.clone()]);
+        for input in 0..inputs {
+            let mut mixed = a.clone();
+            mixed[input] = b[input];
+            points.push(mixed);
+        }
+    }
+    points
+}
+
+/// T. Ishigami and T. Homma, *Proc. First Int. Symp. Uncertainty Modeling and Analysis*, 1990.
+fn ishigami(x: &[f64]) -> f64 {
+    x[0].sin() + 7.0 * x[1].sin().powi(2) + 0.1 * x[2].powi(4) * x[0].sin()
+}
+
+/// The first-order and total indices of [`ishigami`] in closed form.
+fn ishigami_indices() -> [[f64; 2]; 3] {
+    let (a, b) = (7.0_f64, 0.1_f64);
+    let first = 0.5 * (1.0 + b * PI.powi(4) / 5.0).powi(2);
+    let second = a * a / 8.0;
+    let both = 8.0 * b * b * PI.powi(8) / 225.0;
+    let all = first + second + both;
+    [[first, first + both], [second, second], [0.0, both]].map(|of| of.map(|part| part / all))
+}
+
+fn indices_of(points: &[Vec<f64>], answer: impl Fn(usize, &[f64]) -> f64) -> SobolIndices {
+    let inputs = points[0].len();
+    let mut sums = Accumulator::new(inputs, 1, Vec::new()).with_sobol_indices(inputs + 2);
+    for (n, point) in points.iter().enumerate() {
+        sums.push(point, &[answer(n, point)], None);
+    }
+    sums.summary().answers.remove(0).sobol_indices.expect("indices were asked for")
+}
+
+fn estimates(indices: &SobolIndices) -> Vec<[Estimate; 2]> {
+    indices.inputs.iter().map(|input| [input.first_order, input.total]).collect()
+}
+
+#[test]
+fn sobol_indices_are_those_of_the_closed_form() {
+    let count = 1 << 14;
+    let points = base_samples(count, 3, |sample, dimension| sobol(4, sample, dimension));
+    let indices = indices_of(&points, |_, x| ishigami(x));
+    assert_eq!((indices.samples, indices.left_out), (count, 0));
+    for (found, closed) in zip_eq(estimates(&indices).concat(), ishigami_indices().concat()) {
+        // The interval is that of random samples; those of the sequence lie at least five times closer.
+        let half = (found.interval[1] - found.interval[0]) / 2.0;
+        assert!((found.value - closed).abs() < half / 5.0, "{found:?} is not {closed}");
+        assert!(half < 3.0 / (count as f64).sqrt(), "{found:?}");
+    }
+}
+
+#[test]
+fn intervals_of_sobol_indices_hold_the_closed_form_in_95_of_100_cases() {
+    let (cases, count) = (400, 1000);
+    let mut held = [[0; 2]; 3];
+    for seed in 0..cases {
+        let points = base_samples(count, 3, |sample, dimension| uniform(seed, sample, dimension as u64));
+        let found = estimates(&indices_of(&points, |_, x| ishigami(x)));
+        for (held, (found, closed)) in zip_eq(&mut held, zip_eq(found, ishigami_indices())) {
+            for (held, (found, closed)) in zip_eq(held, zip_eq(found, closed)) {
+                *held += u64::from((found.interval[0]..=found.interval[1]).contains(&closed));
+            }
+        }
+    }
+    // Of 400 cases 380 ± 4.4.
+    for held in held.concat() {
+        assert!((363..=394).contains(&held), "{held} of {cases}");
+    }
+}
+
+#[test]
+fn a_base_sample_with_a_refused_point_is_left_out_of_the_indices() {
+    let points = base_samples(2000, 2, |sample, dimension| uniform(1, sample, dimension as u64));
+    let answer = |x: &[f64]| x[0] + 2.0 * x[1];
+    let refused = |n: usize| n.is_multiple_of(14);
+    let left: Vec<Vec<f64>> = points
+        .chunks(4)
+        .enumerate()
+        .filter(|(sample, _)| !(4 * sample..4 * sample + 4).any(refused))
+        .flat_map(|(_, points)| points.to_vec())
+        .collect();
+    let with = indices_of(&points, |n, x| if refused(n) { f64::NAN } else { answer(x) });
+    let without = indices_of(&left, |_, x| answer(x));
+    assert_eq!(with.left_out, 2000 - without.samples);
+    assert_eq!((with.samples, &with.inputs), (without.samples, &without.inputs));
+    // A constant has no variance to share out.
+    assert_eq!(indices_of(&points, |_, _| 3.7).inputs, []);
+}
+
+#[test]
+fn statistics_beside_indices_are_those_of_the_independent_points() {
+    let points = base_samples(3000, 2, |sample, dimension| uniform(2, sample, dimension as u64));
+    let mut sums = Accumulator::new(2, 1, Vec::new()).with_sobol_indices(4);
+    let mut independent = Accumulator::new(2, 1, Vec::new());
+    for (n, point) in points.iter().enumerate() {
+        sums.push(point, &[point[0] * point[1]], None);
+        if n % 4 < 2 {
+            independent.push(point, &[point[0] * point[1]], None);
+        }
+    }
+    let (sums, independent) = (sums.summary(), independent.summary());
+    assert_eq!((sums.points, sums.answers[0].count), (12_000, 6000));
+    assert_eq!(sums.answers[0].deviation, independent.answers[0].deviation);
+    assert_eq!(sums.answers[0].percentiles, independent.answers[0].percentiles);
+    // A part that begins within a base sample leaves that one out.
+    let mut part = Accumulator::new(2, 1, Vec::new()).with_sobol_indices(4).starting_at(4098);
+    for point in &points[4098..] {
+        part.push(point, &[point[0]], None);
+    }
+    let of = part.summary().answers.remove(0).sobol_indices.expect("indices were asked for");
+    assert_eq!((of.samples, of.left_out), (3000 - 1025, 0));
 }

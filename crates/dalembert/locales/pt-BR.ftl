@@ -175,10 +175,12 @@ a-study-plan-a-problem-file-or-the-id-of-an-analysis = Um plano de estudo, um ar
 vary-an-input-of-a-problem-speed-600-1800-rpm-13-speed-10-1000-31-log-mass-40-kg-45-kg-mass-normal-2 = Variar um dado de um problema: speed='600..1800 rpm:13', speed=10..1000:31:log, mass='40 kg; 45 kg', mass='normal(2 %)', mass='uniform(38 kg; 42 kg)'
 the-answers-separated-by-commas-default-every-answer-that-is-a-number = Os resultados, separados por vírgulas; padrão: todo resultado numérico
 a-limit-whose-probability-of-being-exceeded-is-wanted-amplitude-0-2-mm = Um limite cuja probabilidade de ser excedido se deseja: 'amplitude > 0.2 mm'
+sobol-indices-shares-of-the-inputs-in-the-variance-of-each-answer = Índices de Sobol': parcelas dos dados na variância de cada resultado
+two-inputs-over-which-the-answers-are-mapped-separated-by-a-comma-default-the-first-two-that-vary = Dois dados sobre os quais os resultados são mapeados, separados por vírgula; padrão: os dois primeiros que variam
+write-all-points-to-a-csv-or-parquet-file-a-run-that-was-broken-off-goes-on-where-it-ended = Gravar todos os pontos em um arquivo CSV ou Parquet; uma execução interrompida continua de onde parou
 number-of-samples-of-the-inputs-that-have-a-distribution = Número de amostras dos dados que têm distribuição
 method-by-which-samples-are-drawn = Método de sorteio das amostras
 seed-of-the-samples-the-same-seed-gives-the-same-ones = Semente das amostras: a mesma semente dá as mesmas amostras
-write-all-points-to-a-csv-file-a-run-that-was-broken-off-goes-on-where-it-ended = Gravar todos os pontos em um arquivo CSV; uma execução interrompida continua de onde parou
 solve-one-of-several-parts-of-the-points-into-a-file-beside-that-of-the-whole-3-16 = Resolver uma de várias partes dos pontos, em um arquivo ao lado do arquivo do todo: 3/16
 merge-the-shards-into-the-file = Juntar as partes no arquivo
 number-of-threads-default-one-for-each-processor = Número de threads; padrão: uma por processador
@@ -188,6 +190,7 @@ print-the-plan-as-a-file-and-solve-nothing = Imprimir o plano como arquivo, sem 
 vary-text-write-an-input-and-its-values-as-in-vary-speed-600-1800-rpm-13-vary-mass-40-kg-45-kg-or = --vary { $text }: escreva um dado e seus valores, como em --vary speed='600..1800 rpm:13', --vary mass='40 kg; 45 kg' ou --vary mass='normal(2 %)'
 limit-text-write-an-answer-and-a-value-as-in-limit-amplitude-0-2-mm = --limit { $text }: escreva um resultado e um valor, como em --limit 'amplitude > 0.2 mm'
 shard-text-write-the-number-of-the-part-and-of-all-parts-as-in-shard-3-16 = --shard { $text }: escreva o número da parte e o total de partes, como em --shard 3/16
+map-text-write-two-inputs-that-vary-as-in-map-speed-mass = --map { $text }: escreva dois dados que variam, como em --map speed,mass
 subject-path-why = { $subject }: { $path }: { $why }
 remaining = restantes
 

@@ -262,7 +262,13 @@ pub(crate) struct Study {
     /// Seed of the samples: the same seed gives the same ones
     #[arg(long, value_name = "N")]
     pub(crate) seed: Option<u64>,
-    /// Write all points to a CSV file; a run that was broken off goes on where it ended
+    /// Sobol' indices: shares of the inputs in the variance of each answer
+    #[arg(long)]
+    pub(crate) sobol_indices: bool,
+    /// Two inputs over which the answers are mapped, separated by a comma; default: the first two that vary
+    #[arg(long, value_name = "INPUT,INPUT")]
+    pub(crate) map: Vec<String>,
+    /// Write all points to a CSV or Parquet file; a run that was broken off goes on where it ended
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
     /// Overwrite an existing file

@@ -109,6 +109,7 @@ impl Block {
             }),
             Block::Figure(mut picture) => {
                 picture.title = change(&picture.title);
+                picture.letters = all(picture.letters);
                 for part in &mut picture.parts {
                     if let PictureElement::Words { text, .. } = part {
                         *text = change(text);

@@ -3,11 +3,14 @@
 
 pub mod axes;
 mod labels;
+mod letters;
+pub mod map;
 pub mod picture;
 mod plotted;
 mod sketched;
 pub mod strokes;
 pub mod ticks;
+pub mod tornado;
 
 use dalembert_core::{Drawing, Exhibit, Locale, Plot};
 
@@ -36,6 +39,12 @@ pub fn figure(exhibit: &Exhibit, locale: &Locale) -> Option<Picture> {
 /// A plot as it is examined.
 pub fn plot(plot: &Plot, seen: &Seen<'_>, locale: &Locale) -> Option<Picture> {
     plotted::picture(plot, seen, locale)
+}
+
+/// Separate points, with letters for a screen of fixed pitch.
+pub fn scatter(plot: &Plot, locale: &Locale) -> Option<Picture> {
+    let picture = self::plot(plot, &Seen::default(), locale)?;
+    Some(Picture { letters: letters::of_points(plot, locale), ..picture })
 }
 
 /// A drawing.

@@ -16,6 +16,7 @@ mod latex;
 mod markdown;
 mod math;
 mod study;
+mod study_figures;
 mod text;
 mod typst;
 mod units;

@@ -2,20 +2,23 @@
 
 use dalembert_core::{
     Answer, Exhibit, Locale, Text,
-    study::{AnswerStatistics, Exceedance, Histogram, Study, Summary},
+    study::{AnswerStatistics, Estimate, Exceedance, Histogram, LevelMean, Study, Summary},
 };
 use dalembert_units::{self as units, Unit};
 use serde_json::{Value as Json, json};
 
 use crate::{
     document::{Block, Document, DocumentTable, NamedValue},
-    figure::figure,
+    figure::{figure, picture::Picture},
+    study_figures,
 };
 
 /// Letters of the longest bar of a histogram.
 const LONGEST_BAR: f64 = 40.0;
-/// Correlations below this one are those of independent numbers.
-const SMALL_CORRELATION: f64 = 0.01;
+/// Inputs of the table of their influence: those that have most.
+const MOST_INPUTS: usize = 12;
+/// Inputs over which the points of an answer are shown.
+const MOST_SCATTERS: usize = 2;
 /// Smaller shares are not written with their digits.
 const SMALL_SHARE: f64 = 1e-4;
 
@@ -99,32 +102,96 @@ pub fn study_document(study: &Study<'_>, title: &str, summary: &Summary, locale:
         let columns = ["limit", "probability", "95 % interval from", "to"].map(words);
         blocks.push(table(&words("Limits"), &columns, limits));
     }
-    for (answer, of) in all() {
-        blocks.extend(influence(study, answer, of, locale));
+    for (place, (answer, of)) in all().enumerate() {
+        let ranked = ranked(of);
+        blocks.extend(influence(study, answer, of, &ranked, locale));
+        blocks.extend(study_figures::tornado(study, answer, of, &ranked, locale).map(Block::Figure));
+        blocks.extend(sobol_indices(study, answer, of, locale));
         blocks.extend(distribution(&say(&answer.title()), &answer.unit, of, locale));
         let plot = of.histogram.plot(answer, |value| answer.unit.si(value));
         blocks.extend(plot.and_then(|plot| figure(&Exhibit::Plot(plot), locale)).map(Block::Figure));
+        for (n, (input, _)) in ranked.iter().take(MOST_SCATTERS).enumerate() {
+            let picture = study_figures::scatter(study, summary, place, *input, locale);
+            // One is enough on a screen.
+            let letters =
+                |picture: Picture| if n > 0 { Picture { letters: Vec::new(), ..picture } } else { picture };
+            blocks.extend(picture.map(letters).map(Block::Figure));
+        }
+        blocks.extend(study_figures::maps(study, summary, place, locale).into_iter().map(Block::Figure));
     }
     Document { title: title.to_owned(), blocks }
 }
 
-/// Table of the correlation of an answer with every input, the largest first.
-fn influence(study: &Study<'_>, answer: &Answer, of: &AnswerStatistics, locale: &Locale) -> Option<Block> {
-    let inputs = study.design.inputs.iter().zip(&of.correlations);
-    let mut inputs: Vec<(f64, String)> = inputs
-        .map(|(input, correlation)| (*correlation, input.label.render(locale)))
-        .filter(|(correlation, _)| correlation.abs() >= SMALL_CORRELATION)
-        .collect();
-    inputs.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
-    let row = |(correlation, input): (f64, String)| {
-        let number = units::write_number((correlation * 1e3).round() / 1e3, locale.style);
-        vec![input, number, percent(correlation * correlation, locale)]
+/// The inputs over whose levels the mean of an answer changes, by their places, with its least and its largest value in
+/// the unit of the answer; the largest change first.
+fn ranked(of: &AnswerStatistics) -> Vec<(usize, [f64; 2])> {
+    let range = |(input, levels): (usize, &Vec<LevelMean>)| {
+        let means = || levels.iter().filter(|level| level.count > 0).map(|level| level.mean);
+        let ends = [means().reduce(f64::min)?, means().reduce(f64::max)?];
+        (ends[0] < ends[1]).then_some((input, ends))
     };
-    let rows: Vec<Vec<String>> = inputs.into_iter().map(row).collect();
+    let mut inputs: Vec<(usize, [f64; 2])> = of.effects.iter().enumerate().filter_map(range).collect();
+    inputs.sort_by(|(_, a), (_, b)| (b[1] - b[0]).total_cmp(&(a[1] - a[0])));
+    inputs.truncate(MOST_INPUTS);
+    inputs
+}
+
+/// Table of the influence of the inputs on an answer.
+fn influence(
+    study: &Study<'_>,
+    answer: &Answer,
+    of: &AnswerStatistics,
+    ranked: &[(usize, [f64; 2])],
+    locale: &Locale,
+) -> Option<Block> {
+    let quantity = |value: f64| units::write_quantity(answer.unit.si(value), &answer.unit, locale.style);
+    let row = |(input, [least, largest]): &(usize, [f64; 2])| {
+        let correlation = of.correlations[*input];
+        let number = units::write_number((correlation * 1e3).round() / 1e3, locale.style);
+        let share = percent(of.shares[*input], locale);
+        let label = study.design.inputs[*input].label.render(locale);
+        vec![label, quantity(*least), quantity(*largest), number, share]
+    };
+    let rows: Vec<Vec<String>> = ranked.iter().map(row).collect();
     let title = Text::new("Influence on {answer}").with_text("answer", answer.title()).render(locale);
-    let columns = ["input", "correlation coefficient", "share of the variance"];
+    let columns = ["input", "least mean", "largest mean", "correlation", "share of variance"];
     let columns = columns.map(|text| Text::from(text).render(locale));
     (!rows.is_empty()).then(|| table(&title, &columns, rows))
+}
+
+/// Table of the Sobol' indices of an answer, with the sum of the first-order ones.
+fn sobol_indices(study: &Study<'_>, answer: &Answer, of: &AnswerStatistics, locale: &Locale) -> Vec<Block> {
+    let Some(indices) = of.sobol_indices.as_ref().filter(|indices| !indices.inputs.is_empty()) else {
+        return Vec::new();
+    };
+    let words = |text: &'static str| Text::from(text).render(locale);
+    let number = |value: f64| units::write_number((value * 1e4).round() / 1e4, locale.style);
+    let cells = |Estimate { value, interval: [low, high] }: Estimate| {
+        let interval = Text::new("{low} to {high}").with("low", number(low)).with("high", number(high));
+        [number(value), interval.render(locale)]
+    };
+    let rows = study.design.inputs.iter().zip(&indices.inputs).map(|(input, index)| {
+        let label = [input.label.render(locale)];
+        label.into_iter().chain(cells(index.first_order)).chain(cells(index.total)).collect()
+    });
+    let title = Text::new("Sobol' indices of {answer}").with_text("answer", answer.title()).render(locale);
+    let columns = ["input", "first order", "95 % interval", "total order", "95 % interval"];
+    let Block::Table(mut table) = table(&title, &columns.map(words), rows.collect()) else {
+        return Vec::new();
+    };
+    let sum: f64 = indices.inputs.iter().map(|index| index.first_order.value).sum();
+    table.foot = vec![words("sum"), number(sum)];
+    table.foot.resize(columns.len(), String::new());
+    let mut blocks = vec![Block::Table(table)];
+    if indices.left_out > 0 {
+        let why = Text::new(
+            "{left} of {all} base samples are left out of the indices, since a point of them has no answer.",
+        )
+        .with("left", indices.left_out)
+        .with("all", indices.left_out + indices.samples);
+        blocks.push(Block::Paragraph(why.render(locale)));
+    }
+    blocks
 }
 
 /// Table of the frequencies of an answer, with bars.

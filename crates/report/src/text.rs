@@ -38,8 +38,7 @@ pub fn text(document: &Document, width: usize) -> String {
             Block::Lines(lines) => page.pairs(lines),
             Block::Step(number, step) => page.step(*number, step),
             Block::Table(table) => page.table(table),
-            // There is no way to draw one with letters that could be read.
-            Block::Figure(_) => {}
+            Block::Figure(picture) => page.lines.extend(picture.letters.iter().cloned()),
         }
     }
     let mut text = page.lines.join("\n");
@@ -67,7 +66,8 @@ impl Page {
             | Block::Paragraph(_)
             | Block::Step(..)
             | Block::Table(_) => !under_heading,
-            Block::Lines(_) | Block::Items(_) | Block::Figure(_) => false,
+            Block::Figure(picture) => !picture.letters.is_empty(),
+            Block::Lines(_) | Block::Items(_) => false,
         };
         if wanted && !self.lines.is_empty() {
             self.lines.push(String::new());

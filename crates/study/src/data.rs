@@ -4,16 +4,21 @@ use std::path::Path;
 
 use dalembert_core::{Text, study::DataColumn};
 
+use crate::parquet;
+
 /// Reads the columns of a CSV file whose first line has headings, with the unit in brackets: `mass [kg],speed [rpm]`.
-/// Lines that begin with `#` are skipped; columns are separated by commas, or by semicolons where the headings are.
+/// Lines that begin with `#` are skipped; columns are separated by commas, or by semicolons where the headings are. Of a
+/// Parquet file, which its name says, the columns of numbers.
 ///
 /// # Errors
 /// Why the file cannot be read, with the line of a cell that is no number.
 pub fn read(path: &Path) -> Result<Vec<DataColumn>, Text> {
-    let failed = |why: String| Text::new("{file}: {why}").with("file", path.display()).with("why", why);
-    let text = std::fs::read_to_string(path).map_err(|error| failed(error.to_string()))?;
-    columns(&text)
-        .map_err(|why| Text::new("{file}: {why}").with("file", path.display()).with_text("why", why))
+    let read = if parquet::is_parquet(path) {
+        parquet::read(path)
+    } else {
+        std::fs::read_to_string(path).map_err(Text::verbatim).and_then(|text| columns(&text))
+    };
+    read.map_err(|why| Text::new("{file}: {why}").with("file", path.display()).with_text("why", why))
 }
 
 /// The columns of a text.
@@ -42,7 +47,8 @@ fn columns(text: &str) -> Result<Vec<DataColumn>, Text> {
     Ok(columns)
 }
 
-fn heading(text: &str) -> DataColumn {
+/// The column of a heading, without numbers.
+pub(crate) fn heading(text: &str) -> DataColumn {
     let (name, unit) = text.trim_start_matches('\u{feff}').split_once('[').unwrap_or((text, ""));
     DataColumn {
         name: name.trim().to_owned(),

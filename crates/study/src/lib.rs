@@ -8,13 +8,15 @@
 //! | [`output`] | writes a table or a shard of it, goes on with one that was broken off, merges shards |
 //! | [`slurm`] | has the shards solved by a cluster |
 //! | [`points`] | solves points that are given as arrays |
-//! | [`data`] | reads CSV files that a plan names |
+//! | [`data`] | reads files that a plan names |
+//! | [`parquet`] | reads and writes Parquet, where the program is built with it |
 //!
 //! A table is the same to the last byte on any number of threads, broken off and resumed or not, and merged from any
 //! number of shards: a row is a function of its number alone, and the statistics are taken from the rows in their order.
 
 pub mod data;
 pub mod output;
+pub mod parquet;
 pub mod points;
 pub mod slurm;
 pub mod table;

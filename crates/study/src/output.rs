@@ -79,7 +79,7 @@ impl Run<'_> {
     /// # Errors
     /// [`StudyError::Solve`] once stopped.
     pub fn summarise(&self) -> Result<Summary, StudyError> {
-        let mut sums = self.accumulator();
+        let mut sums = self.study.accumulator(0);
         let points = self.study.design.points();
         self.solve(0..points, 0, &mut sums, None)?;
         Ok(sums.summary())
@@ -97,7 +97,7 @@ impl Run<'_> {
         let range = shard.map_or(0..points, |shard| shard.range(points));
         let header = table::header(self.study, self.fingerprint, shard.map(|shard| (shard.number, shard.of)));
         let mut part = Part::open(&path, &header)?;
-        let mut sums = self.accumulator();
+        let mut sums = self.study.accumulator(range.start);
         let done = part.resume(&header, &mut |row| self.push(row, &mut sums), self.numbers())?;
         let from = range.start + done;
         if from > range.end {
@@ -113,13 +113,25 @@ impl Run<'_> {
     /// # Errors
     /// A file that cannot be read, or is of another plan.
     pub fn read(&self, path: &Path, shard: Option<Shard>) -> Result<Summary, StudyError> {
+        let points = self.study.design.points();
+        let mut sums = self.study.accumulator(shard.map_or(0, |shard| shard.range(points).start));
+        self.rows(path, shard, &mut |row| self.push(row, &mut sums))?;
+        Ok(sums.summary())
+    }
+
+    /// Hands on the rows of a table or a shard that is whole.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or is of another plan.
+    pub fn rows(
+        &self,
+        path: &Path,
+        shard: Option<Shard>,
+        take: &mut dyn FnMut(&ReadRow),
+    ) -> Result<(), StudyError> {
         let header = table::header(self.study, self.fingerprint, shard.map(|shard| (shard.number, shard.of)));
         let file = File::open(path).map_err(StudyError::of_file(path))?;
-        let mut sums = self.accumulator();
-        read_rows(&mut below(file, &header, path)?, self.numbers(), path, &mut |row| {
-            self.push(row, &mut sums);
-        })?;
-        Ok(sums.summary())
+        read_rows(&mut below(file, &header, path)?, self.numbers(), path, take).map(drop)
     }
 
     /// Merges the shards beside a table into it.
@@ -143,7 +155,7 @@ impl Run<'_> {
         let header = table::header(self.study, self.fingerprint, None);
         let mut part = Part::open(table, &header)?;
         part.restart(&header)?;
-        let mut sums = self.accumulator();
+        let mut sums = self.study.accumulator(0);
         let points = self.study.design.points();
         for shard in shards {
             let path = shard.path(table);
@@ -168,11 +180,6 @@ impl Run<'_> {
     /// Numbers of a row.
     fn numbers(&self) -> usize {
         self.study.design.inputs.len() + self.study.answers.len()
-    }
-
-    fn accumulator(&self) -> Accumulator {
-        let Study { design, answers, limits, .. } = self.study;
-        Accumulator::new(design.inputs.len(), answers.len(), limits.clone())
     }
 
     fn push(&self, row: &ReadRow, sums: &mut Accumulator) {

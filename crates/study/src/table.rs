@@ -36,15 +36,19 @@ pub fn header(study: &Study<'_>, fingerprint: &str, shard: Option<(u64, u64)>) -
     if let Some((shard, of)) = shard {
         lines += &format!("# shard {shard} of {of}\n");
     }
-    let inputs = study.design.inputs.iter().map(|input| heading(&input.path, &input.unit.ascii()));
-    let answers = study.answers.iter().map(|answer| heading(&answer.name.to_string(), &answer.unit.ascii()));
-    let headings: Vec<String> = inputs.chain(answers).chain([REFUSAL.to_owned()]).collect();
+    let headings: Vec<String> = headings(study).iter().map(|heading| quoted(heading)).collect();
     lines + &headings.join(",") + "\n"
 }
 
+/// The headings of the columns: inputs, answers, and the reasons of refusals.
+pub fn headings(study: &Study<'_>) -> Vec<String> {
+    let inputs = study.design.inputs.iter().map(|input| heading(&input.path, &input.unit.ascii()));
+    let answers = study.answers.iter().map(|answer| heading(&answer.name.to_string(), &answer.unit.ascii()));
+    inputs.chain(answers).chain([REFUSAL.to_owned()]).collect()
+}
+
 fn heading(name: &str, unit: &str) -> String {
-    let text = if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") };
-    quoted(&text)
+    if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") }
 }
 
 /// A text as a cell, on one line.

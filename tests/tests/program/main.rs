@@ -4,6 +4,8 @@ mod cli;
 mod faults;
 mod json;
 mod optimise;
+#[cfg(feature = "parquet")]
+mod parquet;
 mod replay;
 mod study;
 mod workbench;

@@ -8,10 +8,16 @@ use dalembert_numerics::{
     random::uniform,
     sampling::{SOBOL_DIMENSIONS, SOBOL_POINTS, latin_hypercube, sobol},
 };
-use dalembert_units::{self as units, Unit};
+use dalembert_units as units;
 use nalgebra::{DMatrix, DVector};
 
-use super::plan::{Amount, DataColumn, DistributionKind, ReadData, Sampling, Spacing, StudyPlan, Variation};
+use super::{
+    amounts::{amount, shown, unit_of},
+    grid::{GridAxis, InputRange},
+    indices::INDEPENDENT,
+    levels::Levels,
+    plan::{Amount, DistributionKind, ReadData, Sampling, Spacing, StudyPlan, Variation},
+};
 use crate::{
     FieldError, Record, Text, nearest,
     vary::{self, VariedInput},
@@ -37,15 +43,10 @@ pub struct Design {
     sampling: Sampling,
     seed: u64,
     samples: u64,
-}
-
-/// Values that one or several inputs take together.
-#[derive(Clone, Debug)]
-enum GridAxis {
-    /// A range of an input, by its place: first and last value, number of points, spacing.
-    Range { input: usize, from: f64, to: f64, points: u64, spacing: Spacing },
-    /// Rows of values, in the unit of each input and in SI.
-    Rows { inputs: Vec<usize>, rows: Vec<Vec<[f64; 2]>> },
+    /// Points of a sample: one, or those of a base sample of Sobol' indices.
+    points_of_sample: u64,
+    /// Pairs of inputs over which the answers are mapped, by their places.
+    pub maps: Vec<[usize; 2]>,
 }
 
 /// An input that is drawn from a distribution in its unit.
@@ -84,7 +85,9 @@ impl Design {
         }
         if errors.is_empty() {
             errors.extend(design.correlate(plan).err());
+            errors.extend(design.read_indices(plan).err());
             errors.extend(design.check_samples(plan).err());
+            errors.extend(design.read_maps(plan).err());
         }
         if errors.is_empty() { Ok(design) } else { Err(errors) }
     }
@@ -98,12 +101,40 @@ impl Design {
             sampling: plan.sampling,
             seed: plan.seed,
             samples: 1,
+            points_of_sample: 1,
+            maps: Vec::new(),
         }
     }
 
     /// Number of points.
     pub fn points(&self) -> u64 {
-        self.grid.iter().map(GridAxis::len).product::<u64>() * self.samples
+        self.grid.iter().map(GridAxis::len).product::<u64>() * self.samples * self.points_of_sample
+    }
+
+    /// Number of points of a base sample; `None` without Sobol' indices.
+    pub fn base_sample(&self) -> Option<usize> {
+        (self.points_of_sample > 1).then_some(self.points_of_sample as usize)
+    }
+
+    /// Levels of every input: the values of a grid, where they are few, or intervals.
+    pub fn levels(&self) -> Vec<Levels> {
+        let mut levels = vec![Levels::default(); self.inputs.len()];
+        for axis in &self.grid {
+            match axis {
+                GridAxis::Range(range) => {
+                    levels[range.input] = Levels::of_values((0..range.points).map(|at| range.value(at)));
+                }
+                GridAxis::Rows { inputs, rows } => {
+                    for (n, input) in inputs.iter().enumerate() {
+                        levels[*input] = Levels::of_values(rows.iter().map(|row| row[n][0]));
+                    }
+                }
+            }
+        }
+        for drawn in &self.drawn {
+            levels[drawn.input] = Levels::of_distribution(&drawn.distribution);
+        }
+        levels
     }
 
     /// The inputs that are drawn from a distribution, by their places.
@@ -113,19 +144,15 @@ impl Design {
 
     /// Writes the inputs of a point, counted from 0, in their units and in SI.
     pub fn point(&self, point: u64, shown: &mut [f64], si: &mut [f64]) {
-        let (mut place, sample) = (point / self.samples, point % self.samples);
+        let (place, of_sample) = (point / self.points_of_sample, point % self.points_of_sample);
+        let (mut place, sample) = (place / self.samples, place % self.samples);
         for axis in self.grid.iter().rev() {
             let at = place % axis.len();
             place /= axis.len();
             match axis {
-                GridAxis::Range { input, from, to, points, spacing } => {
-                    let share = if *points > 1 { at as f64 / (points - 1) as f64 } else { 0.0 };
-                    shown[*input] = match spacing {
-                        _ if at + 1 == *points => *to,
-                        Spacing::Linear => from + (to - from) * share,
-                        Spacing::Log => from * (to / from).powf(share),
-                    };
-                    si[*input] = self.inputs[*input].unit.si(shown[*input]);
+                GridAxis::Range(range) => {
+                    shown[range.input] = range.value(at);
+                    si[range.input] = self.inputs[range.input].unit.si(shown[range.input]);
                 }
                 GridAxis::Rows { inputs, rows } => {
                     for (input, [own, in_si]) in inputs.iter().zip(&rows[at as usize]) {
@@ -134,10 +161,18 @@ impl Design {
                 }
             }
         }
+        // Of a base sample, the first point takes one half of the dimensions, the second one the other, and each further
+        // one the first half with one input of the other.
+        let dimension = |at: usize| {
+            let is_other = of_sample == 1 || of_sample == (INDEPENDENT + at) as u64;
+            at + if is_other { self.drawn.len() } else { 0 }
+        };
         let quantile = |at: usize| match self.sampling {
-            Sampling::MonteCarlo => uniform(self.seed, sample, at as u64),
-            Sampling::LatinHypercube => latin_hypercube(self.seed, self.samples, sample, at as u64),
-            Sampling::Sobol => sobol(self.seed, sample, at),
+            Sampling::MonteCarlo => uniform(self.seed, sample, dimension(at) as u64),
+            Sampling::LatinHypercube => {
+                latin_hypercube(self.seed, self.samples, sample, dimension(at) as u64)
+            }
+            Sampling::Sobol => sobol(self.seed, sample, dimension(at)),
         };
         // Correlation is that of the normal scores.
         let scores = self.correlation.as_ref().map(|root| {
@@ -165,9 +200,11 @@ impl Design {
             return Err(FieldError::new("samples", "write a whole number from 1 on"));
         }
         if self.sampling == Sampling::Sobol {
-            if self.drawn.len() > SOBOL_DIMENSIONS {
+            // Base samples of Sobol' indices take two dimensions for each input.
+            let most = if self.points_of_sample > 1 { SOBOL_DIMENSIONS / 2 } else { SOBOL_DIMENSIONS };
+            if self.drawn.len() > most {
                 let why = Text::new("the Sobol' sequence serves up to {most} inputs, and {have} are drawn; use latin-hypercube")
-                    .with("most", SOBOL_DIMENSIONS)
+                    .with("most", most)
                     .with("have", self.drawn.len());
                 return Err(FieldError::new("sampling", why));
             }
@@ -177,14 +214,61 @@ impl Design {
                 return Err(FieldError::new("samples", why));
             }
         }
-        let points = self.grid.iter().map(GridAxis::len).try_fold(self.samples, u64::checked_mul);
+        let sizes = || {
+            let of_sample = [self.points_of_sample].into_iter().filter(|points| *points > 1);
+            self.grid.iter().map(GridAxis::len).chain([self.samples]).chain(of_sample)
+        };
+        let points = sizes().try_fold(1, u64::checked_mul);
         if points.is_none_or(|points| points > MOST_POINTS) {
-            let sizes = self.grid.iter().map(|axis| axis.len().to_string());
-            let sizes: Vec<String> = sizes.chain([self.samples.to_string()]).collect();
+            let sizes: Vec<String> = sizes().map(|size| size.to_string()).collect();
             let why = Text::new("{sizes} points are more than {most}; write fewer points or samples")
                 .with("sizes", sizes.join(" × "))
                 .with("most", MOST_POINTS);
             return Err(FieldError::new("vary", why));
+        }
+        Ok(())
+    }
+
+    /// Reads whether Sobol' indices are asked for, which are shares of independent inputs.
+    fn read_indices(&mut self, plan: &StudyPlan) -> Result<(), FieldError> {
+        if !plan.sobol_indices {
+            return Ok(());
+        }
+        let of_grid = (0..self.inputs.len()).find(|at| !self.drawn().any(|drawn| drawn == *at));
+        let why = if let Some(at) = of_grid {
+            Text::new("Sobol' indices want a distribution of every input that varies; give {input} one, or leave it at its value in the problem")
+                .with("input", &self.inputs[at].path)
+        } else if self.correlation.is_some() {
+            "Sobol' indices are shares of independent inputs; take the correlations out of the plan, or leave the indices out".into()
+        } else {
+            self.points_of_sample = (INDEPENDENT + self.drawn.len()) as u64;
+            return Ok(());
+        };
+        Err(FieldError::new("sobol_indices", why))
+    }
+
+    /// Reads the pairs of inputs that are mapped.
+    fn read_maps(&mut self, plan: &StudyPlan) -> Result<(), FieldError> {
+        if plan.map.is_empty() && self.inputs.len() > 1 {
+            self.maps.push([0, 1]);
+        }
+        for (n, map) in (1..).zip(&plan.map) {
+            let path = format!("map[{n}].inputs");
+            let place = |name: &String| {
+                let at = self.inputs.iter().position(|input| input.path == *name);
+                at.ok_or_else(|| {
+                    let known: Vec<&str> = self.inputs.iter().map(|input| input.path.as_str()).collect();
+                    let why = Text::new("`{name}` does not vary in this plan; {known} vary")
+                        .with("name", name)
+                        .with("known", known.join(", "));
+                    FieldError::new(&path, why)
+                })
+            };
+            let [across, upwards] = [place(&map.inputs[0])?, place(&map.inputs[1])?];
+            if across == upwards {
+                return Err(FieldError::new(path, "write two different inputs"));
+            }
+            self.maps.push([across, upwards]);
         }
         Ok(())
     }
@@ -225,15 +309,6 @@ impl Design {
         let roots = DMatrix::from_diagonal(&eigen.values.map(|value| value.max(0.0).sqrt()));
         self.correlation = Some(&eigen.vectors * roots * eigen.vectors.transpose());
         Ok(())
-    }
-}
-
-impl GridAxis {
-    fn len(&self) -> u64 {
-        match self {
-            GridAxis::Range { points, .. } => *points,
-            GridAxis::Rows { rows, .. } => rows.len() as u64,
-        }
     }
 }
 
@@ -283,8 +358,8 @@ impl Reader<'_> {
             }
             self.design.grid.push(GridAxis::Rows { inputs: vec![at], rows });
         } else if let Some(points) = variation.points {
-            let axis = range(path, variation, &input, at, points)?;
-            self.design.grid.push(axis);
+            let range = range(path, variation, &input, at, points)?;
+            self.design.grid.push(GridAxis::Range(range));
         } else if let Some(kind) = variation.distribution {
             let distribution = self.distribution(path, variation, &input, kind)?;
             self.design.drawn.push(DrawnInput { input: at, distribution });
@@ -478,7 +553,7 @@ fn range(
     input: &VariedInput,
     at: usize,
     points: u64,
-) -> Result<GridAxis, FieldError> {
+) -> Result<InputRange, FieldError> {
     let end = |name: &str, value: &Option<Amount>| {
         let path = format!("{path}.{name}");
         let value = value.as_ref().ok_or_else(|| FieldError::new(&path, "is missing for this range"))?;
@@ -495,33 +570,5 @@ fn range(
     if points == 0 || points == 1 && from != to {
         return Err(FieldError::new(format!("{path}.points"), "write a whole number from 2 on"));
     }
-    Ok(GridAxis::Range { input: at, from, to, points, spacing })
-}
-
-/// An amount of an input, in SI.
-fn amount(input: &VariedInput, path: &str, amount: &Amount) -> Result<f64, FieldError> {
-    let si = amount.si(&input.unit, input.measure.kind()).map_err(|why| FieldError::new(path, why))?;
-    if si.is_finite() { Ok(si) } else { Err(FieldError::new(path, "is not a finite number")) }
-}
-
-/// The unit of a column of a file, which must measure what the input does.
-fn unit_of(path: &str, column: &DataColumn, input: &VariedInput) -> Result<Unit, FieldError> {
-    if column.unit.is_empty() {
-        return Ok(input.unit.clone());
-    }
-    let unit = units::unit(&column.unit).ok().filter(|unit| unit.dim == input.unit.dim);
-    unit.ok_or_else(|| {
-        let why = Text::new("`{unit}` is no unit of `{input}`, which is in {own}")
-            .with("unit", &column.unit)
-            .with("input", &input.path)
-            .with("own", input.unit.ascii());
-        FieldError::new(path, why)
-    })
-}
-
-/// An SI value in a unit, with the digits that were written where rounding has changed the last one.
-pub(super) fn shown(unit: &Unit, si: f64) -> f64 {
-    let value = unit.value(si);
-    let written = format!("{value:.14e}").parse().unwrap_or(value);
-    if unit.si(written) == si { written } else { value }
+    Ok(InputRange { input: at, from, to, points, spacing })
 }

@@ -5,9 +5,10 @@ use std::ops::Range;
 use dalembert_units::Kind;
 
 use super::{
-    design::{Design, shown},
+    amounts::shown,
+    design::Design,
     plan::{Amount, Limit, StudyPlan},
-    statistics::AnswerLimit,
+    statistics::{Accumulator, AnswerLimit},
 };
 use crate::{
     Answer, Entry, Evaluate, FieldError, Record, Refusal, Solution, SolveError, Stop, Text, intern::fixed,
@@ -139,6 +140,20 @@ impl<'a> Study<'a> {
             }
         }
         Ok(limits)
+    }
+
+    /// The statistics of its rows from that point on, counted from 0.
+    pub fn accumulator(&self, first: u64) -> Accumulator {
+        let Self { design, answers, limits, .. } = self;
+        let base_sample = design.base_sample();
+        let rows = base_sample.map_or(design.points(), |points| design.points() / points as u64 * 2);
+        let sums = Accumulator::new(design.inputs.len(), answers.len(), limits.clone())
+            .with_levels(design.levels(), design.maps.clone(), rows)
+            .starting_at(first);
+        match base_sample {
+            Some(points) => sums.with_sobol_indices(points),
+            None => sums,
+        }
     }
 
     /// A reading of its own for a thread.

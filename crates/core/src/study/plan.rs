@@ -45,6 +45,9 @@ pub struct StudyPlan {
     /// Seed of the samples: the same seed gives the same ones.
     #[serde(default)]
     pub seed: u64,
+    /// True for Sobol' indices: every sample is then a base sample of `d + 2` points of `d` inputs, by Saltelli's scheme.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub sobol_indices: bool,
     /// The inputs that vary. Those without a distribution make a grid, the first one slowest.
     #[serde(default)]
     pub vary: Vec<Variation>,
@@ -57,6 +60,14 @@ pub struct StudyPlan {
     /// Conditions that every point must meet, an answer above or below a value: one that does not is refused.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub condition: Vec<Limit>,
+    /// Pairs of inputs over which the answers are mapped; of the first two that vary where none is named.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub map: Vec<MappedInputs>,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
+fn is_false(value: &bool) -> bool {
+    !value
 }
 
 /// Method by which samples are drawn from the distributions of inputs.
@@ -110,13 +121,13 @@ pub struct Variation {
     /// Most probable value of a triangular distribution; the value of the problem where it is left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mode: Option<Amount>,
-    /// CSV file of measured values that are drawn from.
+    /// CSV or Parquet file of measured values that are drawn from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub data: Option<String>,
     /// Heading of the column of `data`; the name of the input where it is left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub column: Option<String>,
-    /// CSV file whose headings are inputs, `mass [kg],speed [rpm]`, and whose rows are taken one after another.
+    /// CSV or Parquet file whose headings are inputs, `mass [kg],speed [rpm]`, and whose rows are taken one after another.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub table: Option<String>,
 }
@@ -180,6 +191,14 @@ pub struct Correlation {
     pub coefficient: f64,
 }
 
+/// Two inputs over which the answers are mapped.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MappedInputs {
+    /// The input across, and the one upwards.
+    pub inputs: [String; 2],
+}
+
 /// A limit of an answer, or a condition that it must meet.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -194,7 +213,7 @@ pub struct Limit {
     pub below: Option<Amount>,
 }
 
-/// A column of a CSV file: its heading without the unit, the unit, and its numbers.
+/// A column of a file: its heading without the unit, the unit, and its numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DataColumn {
     /// Heading.
@@ -203,6 +222,13 @@ pub struct DataColumn {
     pub unit: String,
     /// Numbers.
     pub numbers: Vec<f64>,
+}
+
+impl DataColumn {
+    /// Heading with the unit: `mass [kg]`.
+    pub fn heading(&self) -> String {
+        if self.unit.is_empty() { self.name.clone() } else { format!("{} [{}]", self.name, self.unit) }
+    }
 }
 
 /// Reads the columns of a file that a plan names, or says why not.

@@ -4,10 +4,7 @@ use std::thread;
 
 use dalembert_numerics::{distribution::normal_quantile, random::uniform};
 
-use super::{
-    MOST_SAMPLES, StudyResult,
-    statistics::{Accumulator, PERCENTILES},
-};
+use super::{MOST_SAMPLES, StudyResult, statistics::Accumulator, values::PERCENTILES};
 use crate::{
     Answer, Entry, Record, Refusal, SolveError, Stop, Text,
     intern::fixed,

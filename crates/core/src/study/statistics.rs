@@ -4,24 +4,20 @@
 //! One-Pass Parallel Computation of Covariances and Arbitrary-Order Statistical Moments*, Sandia report SAND2008-6212):
 //! the statistics are the same to the last bit however many threads or machines computed the rows.
 
-use dalembert_numerics::distribution::quantile_of_sorted;
 use serde::Serialize;
 
-use crate::{Answer, Axis, Plot, Series, Text, intern::fixed};
+use super::{
+    indices::{INDEPENDENT, IndexSums, SobolIndices, TWO_SIDED_95},
+    levels::{LevelMean, LevelSums, Levels, share_between},
+    sample::{self, RowSample},
+    values::{Histogram, Values},
+};
+use crate::Text;
 
 /// Rows whose sums are taken together.
 pub const BLOCK: usize = 4096;
-/// Percentiles of a summary, %.
-pub const PERCENTILES: [f64; 7] = [2.5, 5.0, 25.0, 50.0, 75.0, 95.0, 97.5];
-/// Rows up to which percentiles are exact.
-pub(super) const MOST_EXACT: usize = 10_000_000;
-/// Bins of equal width in which values are counted beyond that.
-const BINS: usize = 100_000;
-/// Bars of a histogram.
-const BARS: usize = 24;
-/// Standard normal number of a two-sided interval of 95 %.
-const TWO_SIDED_95: f64 = 1.959_963_984_540_054;
-
+/// Rows up to which the means at levels are those of all rows.
+pub const LEVEL_ROWS: u64 = 250_000;
 /// Statistics of all answers.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Summary {
@@ -32,8 +28,15 @@ pub struct Summary {
     /// The first of them, counted from 1, and why it is one.
     #[serde(skip)]
     pub first_refusal: Option<(u64, Text)>,
+    /// Levels of every input, in its unit: the values of a grid, or the middles of intervals of equal probability.
+    pub levels: Vec<Vec<f64>>,
+    /// Pairs of inputs over which the answers are mapped, by their places.
+    pub maps: Vec<[usize; 2]>,
     /// Of each answer, in its unit.
     pub answers: Vec<AnswerStatistics>,
+    /// Some points, chosen at random: inputs and answers.
+    #[serde(skip)]
+    pub sample: Vec<Vec<f64>>,
 }
 
 /// Statistics of an answer, in its unit, over the points that have it.
@@ -53,12 +56,21 @@ pub struct AnswerStatistics {
     pub least: f64,
     /// Largest value.
     pub largest: f64,
-    /// Values of [`PERCENTILES`].
+    /// Values of [`PERCENTILES`](super::PERCENTILES).
     pub percentiles: Vec<f64>,
     /// Width of the bins that the percentiles were counted in; 0 where they are exact.
     pub bin_width: f64,
     /// Correlation coefficient with each input; 0 where one of them is constant.
     pub correlations: Vec<f64>,
+    /// Main effects: the mean at each level of every input, over at most about [`LEVEL_ROWS`] points.
+    pub effects: Vec<Vec<LevelMean>>,
+    /// Share of the variance between the levels of each input; of independent inputs about their first-order index.
+    pub shares: Vec<f64>,
+    /// Of each map, the mean at the levels of both inputs, those of the second one fastest.
+    pub maps: Vec<Vec<LevelMean>>,
+    /// Sobol' indices, where the plan asks for them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sobol_indices: Option<SobolIndices>,
     /// Points beyond each limit of this answer.
     pub exceedances: Vec<Exceedance>,
     /// Frequencies.
@@ -80,17 +92,6 @@ pub struct Exceedance {
     pub interval: [f64; 2],
 }
 
-/// Numbers of values in intervals of equal width.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Histogram {
-    /// Beginning of the first interval.
-    pub from: f64,
-    /// Width of each.
-    pub width: f64,
-    /// Numbers of values; none where all values are one.
-    pub counts: Vec<u64>,
-}
-
 /// A limit of an answer, in its unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AnswerLimit {
@@ -102,17 +103,37 @@ pub struct AnswerLimit {
     pub above: bool,
 }
 
-/// Statistics of rows that come one after another.
+/// Statistics of rows that come one after another. Of the points of a base sample of Sobol' indices, the two that are
+/// independent are taken; the others are for the indices alone.
 #[derive(Clone, Debug)]
 pub struct Accumulator {
     inputs: usize,
     limits: Vec<AnswerLimit>,
+    levels: Vec<Levels>,
+    maps: Vec<[usize; 2]>,
     /// The rows of the present block.
     rows: Vec<f64>,
+    /// Those of them, by their places, that the means at levels are of.
+    at_levels: Vec<usize>,
+    /// The largest hash of a point that they are of.
+    largest_hash: u64,
+    /// Number of the first point, counted from 0.
+    first: u64,
     points: u64,
     refused: u64,
     first_refusal: Option<(u64, Text)>,
     answers: Vec<AnswerSums>,
+    base_sample: Option<BaseSample>,
+    sample: RowSample,
+}
+
+/// Values of the answers at the points of a base sample, as far as they have come.
+#[derive(Clone, Debug)]
+struct BaseSample {
+    points: usize,
+    /// Of each answer.
+    values: Vec<Vec<f64>>,
+    sums: Vec<IndexSums>,
 }
 
 /// Moments of an answer about its mean, and of its products with the inputs.
@@ -122,6 +143,10 @@ struct AnswerSums {
     inputs: Vec<Comoments>,
     exceeded: Vec<u64>,
     values: Values,
+    /// Centre of the sums at levels: the first value.
+    centre: Option<f64>,
+    effects: Vec<LevelSums>,
+    maps: Vec<LevelSums>,
 }
 
 /// Number, mean and sums of the second to the fourth power of the deviations from it.
@@ -140,23 +165,6 @@ struct Comoments {
     product: f64,
 }
 
-/// All values up to [`MOST_EXACT`], then their counts in bins.
-#[derive(Clone, Debug, Default)]
-struct Values {
-    least: Option<f64>,
-    largest: Option<f64>,
-    exact: Vec<f64>,
-    bins: Option<Bins>,
-}
-
-/// Counts in bins of equal width; values outside of them are counted at the ends.
-#[derive(Clone, Debug)]
-struct Bins {
-    from: f64,
-    width: f64,
-    counts: Vec<u64>,
-}
-
 impl Accumulator {
     /// Statistics of rows with so many inputs and answers.
     pub fn new(inputs: usize, answers: usize, limits: Vec<AnswerLimit>) -> Self {
@@ -169,21 +177,72 @@ impl Accumulator {
             inputs,
             answers: (0..answers).map(of).collect(),
             limits,
+            levels: Vec::new(),
+            maps: Vec::new(),
             rows: Vec::with_capacity(BLOCK * (inputs + answers)),
+            at_levels: Vec::new(),
+            largest_hash: 0,
+            first: 0,
             points: 0,
             refused: 0,
             first_refusal: None,
+            base_sample: None,
+            sample: RowSample::default(),
         }
+    }
+
+    /// The same with the means at the levels of every input, and over pairs of inputs; of more than [`LEVEL_ROWS`] of
+    /// so many rows these are those of about that number, chosen at random.
+    #[must_use]
+    pub fn with_levels(mut self, levels: Vec<Levels>, maps: Vec<[usize; 2]>, rows: u64) -> Self {
+        let count = |input: usize| levels[input].values.len();
+        for sums in &mut self.answers {
+            sums.effects = (0..self.inputs).map(|input| LevelSums::new(count(input))).collect();
+            sums.maps = maps.iter().map(|[a, b]| LevelSums::new(count(*a) * count(*b))).collect();
+        }
+        Self { levels, maps, largest_hash: sample::largest_hash(LEVEL_ROWS, rows), ..self }
+    }
+
+    /// The same with Sobol' indices from base samples of so many points.
+    #[must_use]
+    pub fn with_sobol_indices(self, points: usize) -> Self {
+        let answers = self.answers.len();
+        let base_sample = BaseSample {
+            points,
+            values: vec![Vec::with_capacity(points); answers],
+            sums: vec![IndexSums::new(points.saturating_sub(INDEPENDENT)); answers],
+        };
+        Self { base_sample: Some(base_sample), ..self }
+    }
+
+    /// The same for rows from that point on, counted from 0.
+    #[must_use]
+    pub fn starting_at(self, first: u64) -> Self {
+        Self { first, ..self }
     }
 
     /// Takes the next row: its inputs, its answers, NaN where there is none, and why the point was refused, if it was.
     pub fn push(&mut self, inputs: &[f64], answers: &[f64], refusal: Option<&Text>) {
-        self.rows.extend_from_slice(inputs);
-        self.rows.extend_from_slice(answers);
+        let point = self.first + self.points;
         self.points += 1;
         if let Some(why) = refusal {
             self.refused += 1;
-            self.first_refusal.get_or_insert_with(|| (self.points, why.clone()));
+            self.first_refusal.get_or_insert_with(|| (point + 1, why.clone()));
+        }
+        if let Some(base_sample) = &mut self.base_sample
+            && !base_sample.take(point, answers)
+        {
+            return;
+        }
+        let begin = self.rows.len();
+        self.rows.extend_from_slice(inputs);
+        self.rows.extend_from_slice(answers);
+        if refusal.is_none() && !self.levels.is_empty() {
+            let hash = sample::hash(point);
+            self.sample.take(hash, &self.rows[begin..]);
+            if hash <= self.largest_hash {
+                self.at_levels.push(begin);
+            }
         }
         if self.rows.len() == BLOCK * (self.inputs + self.answers.len()) {
             self.take_block();
@@ -197,16 +256,27 @@ impl Accumulator {
         let of = |(at, sums): (usize, AnswerSums)| {
             sums.statistics(limits.iter().filter(|limit| limit.answer == at))
         };
+        let mut answers: Vec<AnswerStatistics> = self.answers.into_iter().enumerate().map(of).collect();
+        let indices = self.base_sample.into_iter().flat_map(|base_sample| base_sample.sums);
+        for (answer, sums) in answers.iter_mut().zip(indices) {
+            answer.sobol_indices = Some(sums.indices());
+        }
         Summary {
             points: self.points,
             refused: self.refused,
             first_refusal: self.first_refusal,
-            answers: self.answers.into_iter().enumerate().map(of).collect(),
+            levels: self.levels.into_iter().map(|levels| levels.values).collect(),
+            maps: self.maps,
+            answers,
+            sample: self.sample.rows(),
         }
     }
 
     fn take_block(&mut self) {
         let width = self.inputs + self.answers.len();
+        let rows = || self.at_levels.iter().map(|begin| &self.rows[*begin..begin + width]);
+        let level = |(input, levels): (usize, &Levels)| rows().map(|row| levels.of(row[input])).collect();
+        let levels: Vec<Vec<usize>> = self.levels.iter().enumerate().map(level).collect();
         for (at, sums) in self.answers.iter_mut().enumerate() {
             let column = self.inputs + at;
             let here = || self.rows.chunks_exact(width).filter(|row| row[column].is_finite());
@@ -215,27 +285,40 @@ impl Accumulator {
                 *count += here().filter(|row| limit.is_exceeded(row[column])).count() as u64;
             }
             sums.take(here, column);
+            let values = rows().map(|row| row[column]).enumerate().filter(|(_, value)| value.is_finite());
+            let Some(centre) = sums.centre.or_else(|| values.clone().next().map(|(_, value)| value)) else {
+                continue;
+            };
+            sums.centre = Some(centre);
+            for (levels, effects) in levels.iter().zip(&mut sums.effects) {
+                values.clone().for_each(|(row, value)| effects.take(levels[row], value - centre));
+            }
+            for ([a, b], map) in self.maps.iter().zip(&mut sums.maps) {
+                let columns = self.levels[*b].values.len();
+                let cell = |row: usize| levels[*a][row] * columns + levels[*b][row];
+                values.clone().for_each(|(row, value)| map.take(cell(row), value - centre));
+            }
         }
+        self.at_levels.clear();
         self.rows.clear();
     }
 }
 
-impl Histogram {
-    /// The relative frequencies of an answer as a plot; `None` where all values are one. `si` converts the values that
-    /// were counted.
-    pub fn plot(&self, answer: &Answer, si: impl Fn(f64) -> f64) -> Option<Plot> {
-        let all: u64 = self.counts.iter().sum();
-        let place = |n: usize| si(self.from + n as f64 * self.width);
-        let mut outline = vec![(place(0), 0.0)];
-        for (n, count) in self.counts.iter().enumerate() {
-            let share = *count as f64 / all as f64;
-            outline.extend([(place(n), share), (place(n + 1), share)]);
+impl BaseSample {
+    /// Takes the answers of the next point; true if it is one of the two that are independent.
+    fn take(&mut self, point: u64, answers: &[f64]) -> bool {
+        let place = (point % self.points as u64) as usize;
+        for ((values, sums), answer) in self.values.iter_mut().zip(&mut self.sums).zip(answers) {
+            if place == 0 {
+                values.clear();
+            }
+            values.push(*answer);
+            // What began before the first row is not whole.
+            if place + 1 == self.points && values.len() == self.points {
+                sums.take(values);
+            }
         }
-        outline.push((place(self.counts.len()), 0.0));
-        let title = Text::new("Distribution of {answer}").with_text("answer", answer.title());
-        let x = Axis::linear(answer.title(), fixed(&answer.unit));
-        let y = Axis::linear("relative frequency", "%");
-        (all > 0).then(|| Plot::new(title, x, y, vec![Series::line(answer.title(), outline)]))
+        place < INDEPENDENT
     }
 }
 
@@ -289,12 +372,18 @@ impl AnswerSums {
         let correlation = |input: &Comoments| or_zero(input.product / (input.square * square).sqrt());
         let exceedances = limits.zip(self.exceeded).map(exceedance).collect();
         let correlations = self.inputs.iter().map(correlation).collect();
+        let means = |sums: &[LevelSums]| -> Vec<Vec<LevelMean>> {
+            sums.iter().map(|sums| sums.means(self.centre.unwrap_or_default())).collect()
+        };
+        let (effects, maps) = (means(&self.effects), means(&self.maps));
+        let variance = square / (count - 1.0);
+        let shares = effects.iter().map(|levels| share_between(levels, variance)).collect();
         let (least, largest) = (self.values.least.unwrap_or(0.0), self.values.largest.unwrap_or(0.0));
         let (percentiles, bin_width, histogram) = self.values.distribution();
         AnswerStatistics {
             count: count as u64,
             mean,
-            deviation: or_zero((square / (count - 1.0)).sqrt()),
+            deviation: or_zero(variance.sqrt()),
             skewness: or_zero(count.sqrt() * cube / square.powf(1.5)),
             kurtosis: or_zero(count * fourth / (square * square) - 3.0),
             least,
@@ -302,6 +391,10 @@ impl AnswerSums {
             percentiles,
             bin_width,
             correlations,
+            effects,
+            shares,
+            maps,
+            sobol_indices: None,
             exceedances,
             histogram,
         }
@@ -346,104 +439,6 @@ impl Comoments {
             product: self.product + other.product + off * (of_block.mean - moments.mean) * a * b / count,
         }
     }
-}
-
-impl Values {
-    fn take(&mut self, value: f64) {
-        self.least = Some(self.least.map_or(value, |least| least.min(value)));
-        self.largest = Some(self.largest.map_or(value, |largest| largest.max(value)));
-        match &mut self.bins {
-            Some(bins) => bins.count(value),
-            None if self.exact.len() < MOST_EXACT => self.exact.push(value),
-            None => {
-                // The ends are those of the values so far, and a tenth of their range beyond.
-                let (least, largest) = (self.least.unwrap_or(value), self.largest.unwrap_or(value));
-                let margin = (largest - least) / 10.0;
-                let mut bins = Bins {
-                    from: least - margin,
-                    width: (largest - least + 2.0 * margin) / BINS as f64,
-                    counts: vec![0; BINS],
-                };
-                for value in std::mem::take(&mut self.exact) {
-                    bins.count(value);
-                }
-                bins.count(value);
-                self.bins = Some(bins);
-            }
-        }
-    }
-
-    /// Percentiles, the width of the bins that they were counted in, and the histogram.
-    fn distribution(mut self) -> (Vec<f64>, f64, Histogram) {
-        let (least, largest) = (self.least.unwrap_or(0.0), self.largest.unwrap_or(0.0));
-        let shares = PERCENTILES.iter().map(|percent| percent / 100.0);
-        let width = (largest - least) / BARS as f64;
-        let mut histogram = Histogram { from: least, width, counts: Vec::new() };
-        if width > 0.0 {
-            histogram.counts = vec![0; BARS];
-        }
-        let mut count = |value: f64, times: u64| {
-            if let Some(last) = histogram.counts.len().checked_sub(1) {
-                histogram.counts[(((value - least) / width) as usize).min(last)] += times;
-            }
-        };
-        match &self.bins {
-            None => {
-                self.exact.iter().for_each(|value| count(*value, 1));
-                let mut ranks: Vec<usize> =
-                    shares.clone().flat_map(|share| ranks_about(&self.exact, share)).collect();
-                ranks.sort_unstable();
-                ranks.dedup();
-                put_in_order(&mut self.exact, &ranks);
-                (shares.map(|share| quantile_of_sorted(&self.exact, share)).collect(), 0.0, histogram)
-            }
-            Some(bins) => {
-                for (at, times) in bins.counts.iter().enumerate() {
-                    count((bins.from + (at as f64 + 0.5) * bins.width).clamp(least, largest), *times);
-                }
-                let percentile = |share| bins.quantile(share).clamp(least, largest);
-                (shares.map(percentile).collect(), bins.width, histogram)
-            }
-        }
-    }
-}
-
-impl Bins {
-    fn count(&mut self, value: f64) {
-        let at = ((value - self.from) / self.width).max(0.0) as usize;
-        self.counts[at.min(BINS - 1)] += 1;
-    }
-
-    /// The middle of the bin in which a share of the values is reached.
-    fn quantile(&self, share: f64) -> f64 {
-        let all: u64 = self.counts.iter().sum();
-        let mut left = (share * all.saturating_sub(1) as f64) as u64;
-        for (at, count) in self.counts.iter().enumerate() {
-            if left < *count {
-                return self.from + (at as f64 + 0.5) * self.width;
-            }
-            left -= count;
-        }
-        self.from + BINS as f64 * self.width
-    }
-}
-
-/// The places of the two values that a quantile lies between.
-fn ranks_about(values: &[f64], share: f64) -> [usize; 2] {
-    let last = values.len().saturating_sub(1);
-    let below = (share * last as f64).floor() as usize;
-    [below.min(last), (below + 1).min(last)]
-}
-
-/// Puts the values of these ascending ranks where they stand in ascending order: all that quantiles need, in less time
-/// than sorting.
-fn put_in_order(values: &mut [f64], ranks: &[usize]) {
-    let Some(&rank) = ranks.get(ranks.len() / 2).filter(|rank| **rank < values.len()) else { return };
-    let (below, above) = ranks.split_at(ranks.len() / 2);
-    let (smaller, _, larger) = values.select_nth_unstable_by(rank, f64::total_cmp);
-    put_in_order(smaller, below);
-    let above: Vec<usize> = above[1..].iter().map(|above| above - rank - 1).collect();
-    put_in_order(larger, &above);
 }
 
 /// Wilson's interval of a probability, from the number of hits of so many trials.

@@ -14,13 +14,15 @@ use std::{
 use dalembert_core::{
     FieldError, Locale, Refusal, SolveError, Stop, Text, find,
     study::{
-        Amount, Design, DistributionKind, Limit, Sampling, Spacing, Study, StudyPlan, Summary, Variation,
+        Amount, Design, DistributionKind, Limit, MappedInputs, Sampling, Spacing, Study, StudyPlan, Summary,
+        Variation,
     },
 };
 use dalembert_report::{DocumentFormat, json_text, study_document, study_json, text};
 use dalembert_study::{
     StudyError, data,
     output::{Run, Shard},
+    parquet,
     slurm::Cluster,
     table,
 };
@@ -94,7 +96,8 @@ pub(crate) fn run(asked: &arguments::Study, console: &Console) -> Result<ExitCod
     Ok(if is_empty { ExitCode::from(1) } else { ExitCode::SUCCESS })
 }
 
-/// Solves the points: without a table, into one, into a shard of one, or merges shards.
+/// Solves the points: without a table, into one, into a shard of one, or merges shards. The rows of a Parquet table are
+/// those of a CSV table until they are whole.
 fn carry_out(asked: &arguments::Study, run: &Run<'_>, problem: &LoadedProblem) -> Result<Summary, Failure> {
     let Some(path) = &asked.output else {
         return solving::guarded(problem.entry, || run.summarise())?.map_err(failure);
@@ -108,25 +111,38 @@ fn carry_out(asked: &arguments::Study, run: &Run<'_>, problem: &LoadedProblem) -
             Failure::input(why.with("text", text))
         })?),
     };
-    let written = shard.map_or_else(|| path.clone(), |shard| shard.path(path));
+    let is_parquet = parquet::is_parquet(path);
+    if is_parquet {
+        let named = |why| Text::new("{file}: {why}").with("file", path.display()).with_text("why", why);
+        parquet::available().map_err(|why| Failure::input(named(why)))?;
+    }
+    let table = if is_parquet { parquet::rows_of(path) } else { path.clone() };
+    let written = shard.map_or_else(|| path.clone(), |shard| shard.path(&table));
     // A shard that is there is done: a job that is sent again costs nothing.
     if shard.is_none() || asked.force {
         output::allowed(&written, Path::new(&asked.subject), asked.force)?;
     }
     if let Some(shards) = asked.slurm {
         let command = command_of_shards();
-        let cluster = Cluster { command: &command, table: path, shards, options: &asked.slurm_option };
+        let cluster = Cluster { command: &command, table: &table, shards, options: &asked.slurm_option };
         let points = run.study.design.points();
         cluster.run(&|done| (run.progress)(points * done / shards)).map_err(failure)?;
     }
+    // Rows of a Parquet table that are whole have not been converted yet.
+    let rows = shard.map_or_else(|| table.clone(), |shard| shard.path(&table));
+    let is_done = (shard.is_some() || is_parquet) && rows.exists() && !asked.force;
     let solved = if asked.merge || asked.slurm.is_some() {
-        run.merge(path)
-    } else if shard.is_some() && written.exists() && !asked.force {
-        run.read(&written, shard)
+        run.merge(&table)
+    } else if is_done {
+        run.read(&rows, shard)
     } else {
-        solving::guarded(problem.entry, || run.write(path, shard))?
+        solving::guarded(problem.entry, || run.write(&table, shard))?
     };
-    solved.map_err(failure)
+    let summary = solved.map_err(failure)?;
+    if is_parquet && shard.is_none() {
+        parquet::write(run, path).map_err(failure)?;
+    }
+    Ok(summary)
 }
 
 /// The command line without what concerns the cluster, the threads and the summary.
@@ -184,9 +200,22 @@ fn plan(asked: &arguments::Study, console: &Console) -> Result<(StudyPlan, PathB
             }
         }
     }
+    for text in &asked.map {
+        match text.split_once(',') {
+            Some((across, upwards)) => {
+                let inputs = [across, upwards].map(|name| name.trim().to_owned());
+                plan.map.push(MappedInputs { inputs });
+            }
+            None => {
+                let why = Text::new("--map {text}: write two inputs that vary, as in --map speed,mass");
+                errors.push(why.with("text", text));
+            }
+        }
+    }
     if !errors.is_empty() {
         return Err(Failure::Input(errors));
     }
+    plan.sobol_indices |= asked.sobol_indices;
     if !asked.answers.is_empty() {
         plan.answers = asked.answers.iter().map(|name| name.trim().to_owned()).collect();
     }

@@ -248,7 +248,7 @@ impl<'a> Axes<'a> {
 
 impl<'a> Ruler<'a> {
     /// An axis that covers nothing in particular yet.
-    fn of_axis(axis: &'a Axis, in_decibels: bool) -> Self {
+    pub(super) fn of_axis(axis: &'a Axis, in_decibels: bool) -> Self {
         // A density is a mean square over a bandwidth.
         let factor = if axis.unit.ends_with("/Hz") { 10.0 } else { 20.0 };
         let scale = if in_decibels { Scale::Linear } else { axis.scale };

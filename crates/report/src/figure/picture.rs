@@ -19,6 +19,8 @@ pub struct Picture {
     pub height: f64,
     /// Parts, later ones over earlier ones.
     pub parts: Vec<PictureElement>,
+    /// The same in letters of fixed pitch, a line each; none where it could not be read so.
+    pub letters: Vec<String>,
 }
 
 /// A part of a picture.
@@ -44,7 +46,7 @@ pub enum PictureElement {
         /// Colour role.
         tone: Tone,
     },
-    /// A shaded rectangle.
+    /// A filled rectangle.
     Area {
         /// Upper left corner.
         from: (f64, f64),
@@ -52,6 +54,8 @@ pub enum PictureElement {
         to: (f64, f64),
         /// Colour role.
         tone: Tone,
+        /// Opacity, from 0 to 1.
+        opacity: f64,
     },
     /// Words on one line.
     Words {
@@ -79,6 +83,8 @@ pub enum Tone {
     Good,
     /// Forbidden range.
     Bad,
+    /// A place on the scale of a map, from 0 for the least value to 255 for the largest.
+    Scale(u8),
 }
 
 /// Line style: curves can be distinguished without colours.
@@ -107,17 +113,32 @@ pub enum Anchor {
 
 /// The colours of curves: of middle brightness, so that they stand out on white and on black.
 const CURVES: [&str; 6] = ["2878C8", "D0700C", "2A9658", "C84864", "8660C8", "188E98"];
+/// The scale of maps, red, green and blue at equal distances: viridis, whose brightness rises evenly, so that it is read
+/// in print and by the colour-blind too (S. van der Walt and N. Smith, 2015).
+const SCALE: [[f64; 3]; 5] =
+    [[68.0, 1.0, 84.0], [59.0, 82.0, 139.0], [33.0, 145.0, 140.0], [94.0, 201.0, 98.0], [253.0, 231.0, 37.0]];
 
 impl Tone {
     /// Red, green and blue; `None` for the colour of the words around.
-    fn rgb(self) -> Option<&'static str> {
+    fn rgb(self) -> Option<String> {
         match self {
             Tone::Ink | Tone::Faint => None,
-            Tone::Curve(n) => Some(CURVES[n % CURVES.len()]),
-            Tone::Good => Some(CURVES[2]),
-            Tone::Bad => Some(CURVES[3]),
+            Tone::Curve(n) => Some(CURVES[n % CURVES.len()].to_owned()),
+            Tone::Good => Some(CURVES[2].to_owned()),
+            Tone::Bad => Some(CURVES[3].to_owned()),
+            Tone::Scale(place) => {
+                Some(of_scale(place).iter().map(|part| format!("{part:02X}")).collect::<String>())
+            }
         }
     }
+}
+
+/// The colour at a place of the scale of maps.
+fn of_scale(place: u8) -> [u8; 3] {
+    let at = f64::from(place) / 255.0 * (SCALE.len() - 1) as f64;
+    let below = (at as usize).min(SCALE.len() - 2);
+    let share = at - below as f64;
+    std::array::from_fn(|n| ((1.0 - share) * SCALE[below][n] + share * SCALE[below + 1][n]).round() as u8)
 }
 
 impl LineStyle {
@@ -204,13 +225,19 @@ fn svg(part: &PictureElement) -> String {
             paint(tone),
             faint(tone)
         ),
-        PictureElement::Area { from, to, tone } => format!(
-            "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" opacity=\"0.15\"/>",
+        PictureElement::Area { from, to, tone, opacity } => format!(
+            "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"{}/>",
             short(from.0),
             short(from.1),
             short(to.0 - from.0),
             short(to.1 - from.1),
-            paint(tone)
+            paint(tone),
+            // Cells that touch show no seams.
+            if *opacity < 1.0 {
+                format!(" opacity=\"{opacity}\"")
+            } else {
+                " shape-rendering=\"crispEdges\"".to_owned()
+            }
         ),
         PictureElement::Words { at, anchor, text, tone } => {
             let anchor = match anchor {
@@ -236,6 +263,10 @@ fn tikz(part: &PictureElement, set: &impl Fn(&str) -> String) -> String {
         Tone::Curve(n) => format!("curve{}", n % CURVES.len()),
         Tone::Good => "curve2".to_owned(),
         Tone::Bad => "curve3".to_owned(),
+        Tone::Scale(place) => {
+            let [red, green, blue] = of_scale(*place);
+            format!("color={{rgb,255:red,{red};green,{green};blue,{blue}}}")
+        }
     };
     let place = |(x, y): &(f64, f64)| format!("({},{})", short(*x), short(*y));
     match part {
@@ -267,8 +298,8 @@ fn tikz(part: &PictureElement, set: &impl Fn(&str) -> String) -> String {
         PictureElement::Disc { at, radius, tone } => {
             format!("\\fill[{}] {} circle[radius={}bp];", paint(tone), place(at), short(0.6 * radius))
         }
-        PictureElement::Area { from, to, tone } => {
-            format!("\\fill[{},opacity=0.15] {} rectangle {};", paint(tone), place(from), place(to))
+        PictureElement::Area { from, to, tone, opacity } => {
+            format!("\\fill[{},opacity={opacity}] {} rectangle {};", paint(tone), place(from), place(to))
         }
         PictureElement::Words { at, anchor, text, tone } => {
             let anchor = match anchor {

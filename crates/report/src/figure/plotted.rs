@@ -67,7 +67,7 @@ pub(super) fn picture(plot: &Plot, seen: &Seen<'_>, locale: &Locale) -> Option<P
         parts.push(words((12.0, below), Anchor::Start, line));
     }
     let height = below + 10.0;
-    Some(Picture { title: plot.title.render(locale), width: WIDTH, height, parts })
+    Some(Picture { title: plot.title.render(locale), width: WIDTH, height, parts, letters: Vec::new() })
 }
 
 /// The inside of the axes.
@@ -240,7 +240,8 @@ impl Area<'_> {
         for band in &self.axes.plot.bands {
             if let Some((from, to)) = self.ends(band.from, band.to) {
                 let tone = if band.permitted { Tone::Good } else { Tone::Bad };
-                parts.push(PictureElement::Area { from: (from, self.top), to: (to, self.bottom), tone });
+                let (from, to) = ((from, self.top), (to, self.bottom));
+                parts.push(PictureElement::Area { from, to, tone, opacity: 0.15 });
             }
         }
     }

@@ -37,7 +37,8 @@ pub(super) fn picture(drawing: &Drawing, locale: &Locale) -> Option<Picture> {
         words.at_side(text, Tone::Ink, place(at), *side);
     }
     parts.append(&mut words.parts);
-    Some(Picture { title: drawing.title.render(locale), width: size.0, height: size.1, parts })
+    let title = drawing.title.render(locale);
+    Some(Picture { title, width: size.0, height: size.1, parts, letters: Vec::new() })
 }
 
 fn label(shape: &DrawnShape, locale: &Locale) -> Option<(Point, LabelSide, String)> {
