@@ -499,7 +499,7 @@ fn compare_list(si: &[f64], unit: &units::Unit, expected: &Expected) -> (String,
 fn compare_set(computed: &str, printed: &str, expected: &Expected) -> Option<bool> {
     /// The words or the sign of a part, and its ends.
     fn part(text: &str) -> Option<(&str, Vec<units::Quantity>)> {
-        let read = |text: &str| units::read_any(text).ok();
+        let read = units::quantity_of;
         let text = text.trim();
         if let Some((from, to)) = text.split_once('…') {
             return Some(("…", vec![read(from)?, read(to)?]));

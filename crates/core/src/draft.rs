@@ -334,7 +334,7 @@ fn is_bare(text: &str, shape: &Shape) -> bool {
     match shape {
         Shape::Vector(_, len) => units::read_vector(text, &units::Unit::ONE, units::Kind::Other, *len)
             .is_ok_and(|vector| vector.unit.text.is_empty() && vector.si != [0.0; 3]),
-        _ => units::read_any(text).is_ok_and(|read| read.unit.text.is_empty() && read.si != 0.0),
+        _ => units::quantity_of(text).is_some_and(|read| read.unit.text.is_empty() && read.si != 0.0),
     }
 }
 

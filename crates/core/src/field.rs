@@ -251,7 +251,7 @@ impl Measure {
         if self.others.is_empty() {
             return self;
         }
-        units::read_any(text).map_or(self, |read| self.of(&read.unit))
+        units::quantity_of(text).map_or(self, |read| self.of(&read.unit))
     }
 
     /// The units of all its kinds: `µm | mm/s | 1`.

@@ -6,7 +6,7 @@
 
 use std::{fmt, sync::Arc};
 
-use dalembert_units::{Dim, Unit, UnitSystem, read_any, unit};
+use dalembert_units::{Dim, Unit, UnitSystem, quantity_of, unit};
 
 use crate::{Answer, AnswerValue, Draft, Shape, Solution, Text, gravity, intern::fixed, table, trace::Op};
 
@@ -158,7 +158,7 @@ pub(crate) fn found(draft: &Draft, shape: &Shape, forces: bool) -> Option<UnitSy
                 units.extend(gravity::unit_of(text, &Shape::Quantity(measure.meant(text))));
             }
             // Definitions and given answers.
-            Shape::Text => units.extend(read_any(text).ok().map(|quantity| quantity.unit)),
+            Shape::Text => units.extend(quantity_of(text).map(|quantity| quantity.unit)),
             shape => units.extend(gravity::unit_of(text, shape)),
         }
     });

@@ -37,7 +37,7 @@ pub use crate::{
     dim::Dim,
     kind::Kind,
     read::{
-        Hint, ReadError, WrongKind, group_mark, is_invisible, meant_unit, read_any, read_count,
+        Hint, ReadError, WrongKind, group_mark, is_invisible, meant_unit, quantity_of, read_any, read_count,
         read_quantity, read_vector, thousands, unit, vulgar_fraction, with_point,
     },
     system::UnitSystem,

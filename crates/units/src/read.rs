@@ -74,6 +74,14 @@ pub fn read_any(text: &str) -> Result<Quantity, ReadError> {
     finish(&read(text, range.clone(), &Unit::ONE)?, &Unit::ONE, &text[range.clone()], range)
 }
 
+/// The quantity of any dimension that a text is; `None` where it is something else. What an unknown unit may have been meant
+/// as, which takes much longer to find than the rest, is not sought.
+pub fn quantity_of(text: &str) -> Option<Quantity> {
+    let range = guard(text, LIMIT).ok().filter(|range| !range.is_empty())?;
+    let reading = read_as_written(text, range.clone(), &Unit::ONE).ok()?;
+    finish(&reading, &Unit::ONE, &text[range.clone()], range).ok()
+}
+
 /// Reads a whole number, zero or more, of at most 19 digits.
 ///
 /// # Errors
@@ -106,16 +114,27 @@ enum Amount<'t> {
     Computed(f64),
 }
 
+/// A reading, with what was probably meant where there is none.
+fn read<'t>(text: &'t str, range: Range<usize>, default: &Unit) -> Result<QuantityReader<'t>, ReadError> {
+    read_as_written(text, range.clone(), default).map_err(|error| {
+        let (part, _) = units::split_suffix(text, range);
+        let cursor = Cursor::new(text, part);
+        error.suggesting(default.dim, |span, meant| has_dim(cursor, span, meant, default))
+    })
+}
+
 /// Most texts are a literal and a unit; what is not goes to the arithmetic, which reads those too and
 /// has the errors.
-fn read<'t>(text: &'t str, range: Range<usize>, default: &Unit) -> Result<QuantityReader<'t>, ReadError> {
+fn read_as_written<'t>(
+    text: &'t str,
+    range: Range<usize>,
+    default: &Unit,
+) -> Result<QuantityReader<'t>, ReadError> {
     let (range, suffix) = units::split_suffix(text, range);
     let cursor = Cursor::new(text, range);
     let mut reading = match literal_and_unit(cursor) {
         Some(reading) => reading,
-        None => expression::evaluate(cursor).map_err(|error| {
-            error.suggesting(default.dim, |span, meant| has_dim(cursor, span, meant, default))
-        })?,
+        None => expression::evaluate(cursor)?,
     };
     if suffix != UnitMeaning::Plain {
         let unit = match reading.unit {

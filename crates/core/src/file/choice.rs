@@ -56,7 +56,7 @@ fn note(path: &str, text: &str, full: &str) -> Text {
 
 /// The alternative that a value alone stands for: the only one that has a single input, of the dimension of the value.
 fn of_quantity(variants: &'static [Variant], text: &str) -> Option<&'static Variant> {
-    let dim = units::read_any(text).ok()?.unit.dim;
+    let dim = units::quantity_of(text)?.unit.dim;
     let takes = |variant: &&Variant| match only_field(variant).map(|field| field.shape.present()) {
         Some(Shape::Quantity(measure)) => measure.all().any(|measure| measure.own_unit().dim == dim),
         _ => false,
@@ -118,7 +118,7 @@ pub(super) fn unknown(name: &str, variants: &'static [Variant]) -> Text {
     if path::nearest(name, names()).is_some() {
         return path::unknown("", name, names()).why;
     }
-    if units::read_any(name).is_ok() {
+    if units::quantity_of(name).is_some() {
         return needed(variants);
     }
     Text::new("there is no `{name}`; write one of {known}")

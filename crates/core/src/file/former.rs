@@ -87,7 +87,7 @@ pub(super) fn with_unit(text: String, shape: &Shape, kind: Option<usize>) -> Str
     match unit {
         Some(unit)
             if !unit.text.is_empty()
-                && units::read_any(&text).is_ok_and(|read| read.unit.text.is_empty()) =>
+                && units::quantity_of(&text).is_some_and(|read| read.unit.text.is_empty()) =>
         {
             let number = text.trim();
             if number.parse::<f64>().is_ok() {

@@ -23,14 +23,21 @@ pub(super) struct PivotOrder {
     updates: Vec<(u32, u32)>,
     /// The entries to the right of each pivot: place and column.
     others: Vec<(u32, u32)>,
+    /// The places of the Jacobian and, behind them, of the entries that fill in: what is constant in each, the entries
+    /// that the elimination leaves so and the factors of its removals; zero in the others.
+    constants: Vec<f64>,
+    /// The places that are taken from the Jacobian.
+    taken: Vec<u32>,
+    /// The entries that a constant begins and the elimination goes on with: place and constant.
+    begun: Vec<(u32, f64)>,
+    /// The ratios that are not constant: place of the entry, and numbers of the ratio and the pivot.
+    varying_ratios: Vec<[u32; 3]>,
     /// The number of explicit coordinates, whose pivots come first.
     first_loop: usize,
     /// The columns without a pivot: the independent velocities.
     pub(super) independent: Vec<usize>,
     /// Rows that follow from the others, with their places.
     dependent: Vec<(usize, Vec<usize>)>,
-    /// The places of the Jacobian and, behind them, of the entries that fill in.
-    places: usize,
 }
 
 /// The Jacobian of a position, or of several in the lanes of `S`, eliminated in a [`PivotOrder`].
@@ -73,6 +80,8 @@ struct Pivot {
 struct Removal {
     row: usize,
     place: usize,
+    /// The multiple of the pivot's row that is taken from this one, where it is the same in every position.
+    constant: Option<f64>,
     /// End of its updates.
     updates: usize,
 }
@@ -83,6 +92,8 @@ struct Entry {
     column: usize,
     place: usize,
     value: f64,
+    /// True if it has this value in every position.
+    is_constant: bool,
 }
 
 impl PivotOrder {
@@ -140,11 +151,16 @@ impl PivotOrder {
 
     /// Room for the numbers of a position.
     pub(super) fn factors<S: SimdReal>(&self) -> LuFactors<S> {
-        let zeros = |count| vec![S::from(0.0); count];
+        let ratio = |pivot: &Pivot| {
+            let inverse = 1.0 / pivot.selected;
+            let [from, to] = pivot.others;
+            let others = self.others[from..to].iter();
+            others.map(move |(place, _)| S::from(-self.constants[*place as usize] * inverse))
+        };
         LuFactors {
-            jacobian: zeros(self.places),
+            jacobian: self.constants.iter().map(|constant| S::from(*constant)).collect(),
             inverses: self.pivots.iter().map(|pivot| S::from(1.0 / pivot.selected)).collect(),
-            ratios: zeros(self.others.len()),
+            ratios: self.pivots.iter().flat_map(ratio).collect(),
         }
     }
 
@@ -244,9 +260,12 @@ impl PivotOrder {
     pub(super) fn eliminate_rows<S: SimdReal>(&self, jacobian: &[S], factors: &mut LuFactors<S>) {
         let Self { pivots, removals, updates, first_loop, .. } = self;
         let LuFactors { jacobian: w, inverses, .. } = factors;
-        let (given, filled) = w.split_at_mut(jacobian.len());
-        given.copy_from_slice(jacobian);
-        filled.fill(S::from(0.0));
+        for &place in &self.taken {
+            w[place as usize] = jacobian[place as usize];
+        }
+        for &(place, constant) in &self.begun {
+            w[place as usize] = S::from(constant);
+        }
         let (mut removal, mut update) = (0, 0);
         for (index, (pivot, inverse)) in pivots.iter().zip(inverses).enumerate() {
             // The entries by explicit coordinates are constant.
@@ -254,8 +273,14 @@ impl PivotOrder {
                 *inverse = S::from(1.0) / w[pivot.place];
             }
             for one in &removals[removal..pivot.removals] {
-                let factor = w[one.place] * *inverse;
-                w[one.place] = factor;
+                let factor = match one.constant {
+                    Some(constant) => S::from(constant),
+                    None => {
+                        let factor = w[one.place] * *inverse;
+                        w[one.place] = factor;
+                        factor
+                    }
+                };
                 for &(target, source) in &updates[update..one.updates] {
                     w[target as usize] = w[target as usize] - factor * w[source as usize];
                 }
@@ -269,11 +294,8 @@ impl PivotOrder {
     #[inline(always)]
     pub(super) fn set_ratios<S: SimdReal>(&self, factors: &mut LuFactors<S>) {
         let LuFactors { jacobian: w, inverses, ratios } = factors;
-        for (pivot, inverse) in self.pivots.iter().zip(&*inverses) {
-            let [from, to] = pivot.others;
-            for (ratio, (place, _)) in ratios[from..to].iter_mut().zip(&self.others[from..to]) {
-                *ratio = -w[*place as usize] * *inverse;
-            }
+        for [place, number, pivot] in self.varying_ratios.iter().map(|of| of.map(|n| n as usize)) {
+            ratios[number] = -w[place] * inverses[pivot];
         }
     }
 
@@ -392,7 +414,11 @@ impl Selection {
         jacobian: &[f64],
         columns: usize,
     ) -> (Self, Vec<Vec<Entry>>, Vec<Vec<usize>>) {
-        let entry = |&(column, place): &(usize, usize)| Entry { column, place, value: jacobian[place] };
+        let entry = |&(column, place): &(usize, usize)| {
+            let constant = layout.constant(place);
+            let value = constant.unwrap_or(jacobian[place]);
+            Entry { column, place, value, is_constant: constant.is_some() }
+        };
         let mut rows: Vec<Vec<Entry>> =
             layout.rows.iter().map(|row| row.iter().map(entry).collect()).collect();
         let mut of_column: Vec<Vec<usize>> = vec![Vec::new(); columns];
@@ -401,15 +427,20 @@ impl Selection {
                 of_column[entry.column].push(row);
             }
         }
+        let places = rows.iter().flatten();
+        let taken = places.filter(|entry| !entry.is_constant).map(|entry| entry.place as u32);
         let order = PivotOrder {
             pivots: Vec::new(),
             removals: Vec::new(),
             updates: Vec::new(),
             others: Vec::new(),
+            constants: (0..layout.places()).map(|place| layout.constant(place).unwrap_or(0.0)).collect(),
+            taken: taken.collect(),
+            begun: Vec::new(),
+            varying_ratios: Vec::new(),
             first_loop: layout.explicit.len(),
             independent: Vec::new(),
             dependent: Vec::new(),
-            places: layout.places(),
         };
         let mut selection = Self { order, has_pivot: vec![false; columns] };
         for explicit in layout.explicit.iter().rev() {
@@ -434,27 +465,51 @@ impl Selection {
         for entry in &own {
             of_column[entry.column].retain(|other| *other != row);
         }
+        let is_explicit = order.pivots.len() < order.first_loop;
         for other in std::mem::take(&mut of_column[column]) {
             let Some(at) = rows[other].iter().position(|entry| entry.column == column) else { continue };
             let removed = rows[other].swap_remove(at);
-            let factor = removed.value / pivot.value;
+            let factor = removed.value * (1.0 / pivot.value);
+            let constant = (is_explicit && removed.is_constant).then_some(factor);
+            match constant {
+                // What two ways to the same body leave of its origin.
+                Some(0.0) => continue,
+                Some(constant) => order.constants[removed.place] = constant,
+                None => {}
+            }
             for entry in own.iter().filter(|entry| entry.column != column) {
                 let found = rows[other].iter().position(|target| target.column == entry.column);
                 let at = found.unwrap_or_else(|| {
-                    rows[other].push(Entry { column: entry.column, place: order.places, value: 0.0 });
+                    let place = order.constants.len();
+                    rows[other].push(Entry { column: entry.column, place, value: 0.0, is_constant: true });
                     of_column[entry.column].push(other);
-                    order.places += 1;
+                    order.constants.push(0.0);
                     rows[other].len() - 1
                 });
                 let target = &mut rows[other][at];
+                let before = target.value;
                 target.value -= factor * entry.value;
+                if constant.is_some() && entry.is_constant && target.is_constant {
+                    order.constants[target.place] = target.value;
+                    continue;
+                }
+                if std::mem::take(&mut target.is_constant) {
+                    order.constants[target.place] = 0.0;
+                    order.begun.push((target.place as u32, before));
+                }
                 order.updates.push((target.place as u32, entry.place as u32));
             }
-            order.removals.push(Removal { row: other, place: removed.place, updates: order.updates.len() });
+            let updates = order.updates.len();
+            order.removals.push(Removal { row: other, place: removed.place, constant, updates });
         }
         let from = order.others.len();
-        let right = own.iter().filter(|entry| entry.column != column);
-        order.others.extend(right.map(|entry| (entry.place as u32, entry.column as u32)));
+        for entry in own.iter().filter(|entry| entry.column != column) {
+            if !(is_explicit && entry.is_constant) {
+                let numbers = [entry.place, order.others.len(), order.pivots.len()];
+                order.varying_ratios.push(numbers.map(|n| n as u32));
+            }
+            order.others.push((entry.place as u32, entry.column as u32));
+        }
         let (removals, others) = (order.removals.len(), [from, order.others.len()]);
         let Entry { place, value: selected, .. } = pivot;
         order.pivots.push(Pivot { row, column, place, selected, removals, others });

@@ -24,6 +24,8 @@ pub(super) struct EquationLayout {
     pub(super) rows: Vec<Vec<(usize, usize)>>,
     /// The entries that are constant, in their places; zero elsewhere.
     entries: Vec<f64>,
+    /// Of each place, whether its entry is one of these and not evaluated.
+    is_constant: Vec<bool>,
     /// The explicit equations, in the order in which they can be used.
     pub(super) explicit: Vec<Explicit>,
     /// The rows of the loop equations.
@@ -89,6 +91,11 @@ impl EquationLayout {
     /// The number of places in the flat array.
     pub(super) fn places(&self) -> usize {
         self.entries.len()
+    }
+
+    /// The entry in a place, if it is the same in every position and never written.
+    pub(super) fn constant(&self, place: usize) -> Option<f64> {
+        self.is_constant[place].then_some(self.entries[place])
     }
 
     /// A position that has not been evaluated yet, with the constant terms of these equations.

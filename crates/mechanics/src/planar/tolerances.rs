@@ -98,6 +98,9 @@ pub(super) const ROUNDINGS_OF_STALLED_CORRECTION: f64 = 1e3;
 
 /// Values below which a sweep is not divided among SIMD lanes: the way to the start of each lane would cost more.
 pub(super) const MIN_DIVIDED: usize = 4 * WIDTH;
+/// Largest displacement of a body in one step that is predicted from earlier positions too, of the size: such a
+/// prediction is of the fifth order at least, and beyond [`MAX_STEP`] it has to be right to [`MAX_SMOOTH_CORRECTION`].
+pub(super) const MAX_PREDICTED_STEP: f64 = 0.5;
 /// Smallest step, relative to the distance of two values: the general continuation takes over.
 pub(super) const SWEEP_MIN_STEP: f64 = 1e-3;
 /// Iterations of Newton's method in one step.

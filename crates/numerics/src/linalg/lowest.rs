@@ -71,7 +71,11 @@ pub fn lowest_modes(
         }
     }
 
-    let mut lanczos = Lanczos::new(&m, &factors, count);
+    let mut lanczos = Lanczos::new(&m, factors, count);
+    if let Some(nearer) = lanczos.nearer_shift(&k, shift, count)? {
+        shift = nearer;
+        lanczos.go_on_from(Factors::of(&k, &m, shift));
+    }
     let mut values;
     loop {
         let found = lanczos.run(count)?;
@@ -79,10 +83,10 @@ pub fn lowest_modes(
         values = lanczos.quotients(&k, count);
         // Values between the last one and a little above it would have been left out.
         let last = shift + 1.0 / found;
-        let above = values.iter().fold(last, |last: f64, value| last.max(*value));
-        let below = Factors::of(&k, &m, above * (1.0 - 1e-9) - f64::EPSILON).negative;
-        let seen = values.iter().filter(|value| **value < above * (1.0 - 1e-9) - f64::EPSILON).count();
-        if below <= seen {
+        let last = values.iter().fold(last, |last: f64, value| last.max(*value));
+        let limit = last - 1e-9 * (last - shift) - 8.0 * f64::EPSILON;
+        let seen = values.iter().filter(|value| **value < limit).count();
+        if Factors::of(&k, &m, limit).negative <= seen {
             break;
         }
         lanczos.enrich()?;
@@ -99,7 +103,7 @@ pub fn lowest_modes(
 /// A growing basis, orthonormal in M, and the projection of `A⁻¹ M` on it.
 struct Lanczos<'a> {
     m: &'a SymmetricBand,
-    factors: &'a Factors,
+    factors: Factors,
     basis: Vec<Vec<f64>>,
     /// `qᵢᵀ M A⁻¹ M qⱼ` for each column j that has been worked, i up to its last neighbour.
     columns: Vec<Vec<f64>>,
@@ -115,7 +119,7 @@ struct Lanczos<'a> {
 }
 
 impl<'a> Lanczos<'a> {
-    fn new(m: &'a SymmetricBand, factors: &'a Factors, count: usize) -> Self {
+    fn new(m: &'a SymmetricBand, factors: Factors, count: usize) -> Self {
         let n = m.size();
         let most = (MOST_NUMBERS / n).min(3 * count + 40).max(count + 8).min(n);
         let mut random = Random::new();
@@ -135,6 +139,65 @@ impl<'a> Lanczos<'a> {
         }
     }
 
+    /// A shift close below the lowest values, where more than `count` of them are alike as seen from the present one, so
+    /// that the method would hardly tell them apart. `None` where they are not.
+    ///
+    /// By bisection between the shift and a Rayleigh quotient, with the number of values below (Sylvester).
+    fn nearer_shift(
+        &mut self,
+        k: &SymmetricBand,
+        shift: f64,
+        count: usize,
+    ) -> Result<Option<f64>, LinalgError> {
+        while self.columns.len() < (count + 10).min(self.most) {
+            self.step()?;
+        }
+        let eigen = symmetric_eigen(&self.projection())?;
+        let last = self.columns.len() - 1;
+        if last + 1 == self.m.size() || self.left(&eigen.vectors, last) <= 1e-6 * eigen.values[last] {
+            return Ok(None);
+        }
+        let below = |value: f64| Factors::of(k, self.m, value).negative;
+        let (mut low, mut high) = (shift, shift + 2.0 / eigen.values[last]);
+        if below(high) <= count {
+            return Ok(None);
+        }
+        let least = shift_of(self.m.size());
+        while high - low > least {
+            let middle = 0.5 * (low + high);
+            match below(middle) {
+                0 => low = middle,
+                few if few <= count.div_ceil(2) => break,
+                _ => high = middle,
+            }
+        }
+        // No nearer than what was told apart: the lowest value may lie just above `low`.
+        let nearer = low - 0.5 * (high - low);
+        if nearer <= shift {
+            return Ok(None);
+        }
+        let lowest = (0..count.min(last + 1)).map(|mode| eigen.vectors.column(last - mode));
+        let sum = lowest.fold(DVector::zeros(last + 1), |sum, vector| sum + vector);
+        self.rotate(1, |_| sum.as_slice().to_vec());
+        Ok(Some(nearer))
+    }
+
+    /// Begins anew with another inverse, from the first vector of the basis.
+    fn go_on_from(&mut self, factors: Factors) {
+        self.factors = factors;
+        self.next = self.basis.swap_remove(0);
+        self.continues = false;
+        self.basis.clear();
+        self.columns.clear();
+        self.outside.clear();
+    }
+
+    /// Size of what a vector of the projection leaves outside of the basis.
+    fn left(&self, vectors: &DMatrix<f64>, mode: usize) -> f64 {
+        let parts = vectors.column(mode).into_iter().zip(&self.outside);
+        parts.map(|(entry, outside)| (entry * outside).powi(2)).sum::<f64>().sqrt()
+    }
+
     /// Goes on until the `count` largest values of the projection are settled, puts their vectors first in the
     /// basis and returns the smallest of them.
     fn run(&mut self, count: usize) -> Result<f64, LinalgError> {
@@ -150,11 +213,9 @@ impl<'a> Lanczos<'a> {
             let vectors = &eigen.vectors;
             let last = projection.nrows();
             let settled = |mode: usize| {
-                let column = vectors.column(last - 1 - mode);
-                let left: f64 =
-                    column.iter().zip(&self.outside).map(|(entry, outside)| (entry * outside).powi(2)).sum();
-                left.sqrt() <= 1e-15 * eigen.values[last - 1].abs().max(1e-300)
-                    || left.sqrt() <= 1e-13 * eigen.values[last - 1 - mode]
+                let left = self.left(vectors, last - 1 - mode);
+                left <= 1e-15 * eigen.values[last - 1].abs().max(1e-300)
+                    || left <= 1e-13 * eigen.values[last - 1 - mode]
             };
             let done = full || (0..count).all(settled);
             if done {
@@ -299,18 +360,7 @@ impl<'a> Lanczos<'a> {
         let (last, keep) = (values.len(), keep.min(values.len()));
         self.rotate(keep, |mode| vectors.column(last - 1 - mode).iter().copied().collect());
         self.basis.truncate(keep);
-        let outside: Vec<f64> = (0..keep)
-            .map(|mode| {
-                let column = vectors.column(last - 1 - mode);
-                column
-                    .iter()
-                    .zip(&self.outside)
-                    .map(|(entry, outside)| (entry * outside).powi(2))
-                    .sum::<f64>()
-                    .sqrt()
-            })
-            .collect();
-        self.outside = outside;
+        self.outside = (0..keep).map(|mode| self.left(vectors, last - 1 - mode)).collect();
         self.columns = (0..keep)
             .map(|mode| {
                 (0..=mode).map(|other| if other == mode { values[last - 1 - mode] } else { 0.0 }).collect()

@@ -148,6 +148,61 @@ fn rigid_and_repeated_modes_are_all_found() {
 }
 
 #[test]
+fn the_lowest_modes_are_told_apart_where_ground_springs_bring_them_together() {
+    // Masses in rows of `wide` on springs to their neighbours, the first row to the wall, all on ground springs; or as
+    // many chains that are not joined across. λ = g + 4 sin²(θ/2) (+ 4 sin²(cπ/2w) across a joined row).
+    for (rows, wide, ground, joined) in [
+        (3000, 5, 0.3, true),
+        (3000, 5, 30.0, true),
+        (2000, 1, 3e-4, true),
+        (1500, 2, 0.8, false),
+        (700, 3, 2.0, false),
+    ] {
+        let n = rows * wide;
+        let mut k = found(SymmetricBand::zeros(n, wide));
+        for i in 0..n {
+            k.add(i, i, ground + if i < wide { 1.0 } else { 0.0 });
+            let across = (joined && i % wide > 0).then_some(1);
+            for before in [across, (i >= wide).then_some(wide)].into_iter().flatten() {
+                k.add(i, i, 1.0);
+                k.add(i - before, i - before, 1.0);
+                k.add(i, i - before, -1.0);
+            }
+        }
+        let m = found(SymmetricBand::diagonal(&vec![1.0; n]));
+        let modes = found(lowest_modes(&k, &m, 9));
+        let repeated = if joined { 1 } else { wide };
+        for mode in 0..9 {
+            let along = |mode: usize| {
+                let theta = (2 * mode + 1) as f64 * PI / (2 * rows + 1) as f64;
+                4.0 * (theta / 2.0).sin().powi(2)
+            };
+            let exact = ground + along(mode / repeated);
+            // The entries of K are rounded themselves.
+            close(modes.values[mode], exact, 1e-15 * (ground + 4.0) / exact);
+            let theta = (2 * (mode / repeated) + 1) as f64 * PI / (2 * rows + 1) as f64;
+            // The part of the vector that the modes of this value make up.
+            let shares = (0..wide).map(|column| {
+                let sine = |row: usize| ((row + 1) as f64 * theta).sin();
+                let share: f64 =
+                    (0..rows).map(|row| sine(row) * modes.vectors[(row * wide + column, mode)]).sum();
+                share / ((2 * rows + 1) as f64 / 4.0).sqrt()
+            });
+            let shares: Vec<f64> = shares.collect();
+            let whole = if joined {
+                shares.iter().sum::<f64>().powi(2) / wide as f64
+            } else {
+                shares.iter().map(|share| share * share).sum()
+            };
+            let rounding = 1e-14 * (ground + 4.0) / (along(1) - along(0));
+            assert!((whole - 1.0).abs() < 1e-12 + rounding.powi(2), "{rows} rows, mode {mode}: {whole}");
+        }
+        let products = modes.vectors.tr_mul(&modes.vectors) - DMatrix::identity(9, 9);
+        assert!(products.amax() < 1e-12, "{rows} rows: orthogonal to {}", products.amax());
+    }
+}
+
+#[test]
 fn a_band_gives_what_the_full_matrices_give() {
     let mut random = Random(3);
     for (n, width) in [(20, 3), (60, 2), (40, 7)] {

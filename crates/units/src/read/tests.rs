@@ -633,6 +633,7 @@ fn any_text_is_read_or_refused() {
     for _ in 0..15_000 {
         let text: String = (0..=random(12)).map(|_| PIECES[random(PIECES.len())]).collect();
         let n = random(bares.len());
+        assert_eq!(quantity_of(&text), read_any(&text).ok());
         for result in [read_quantity(&text, &bares[n], kinds[n]), read_any(&text)] {
             match result {
                 Ok(quantity) => {

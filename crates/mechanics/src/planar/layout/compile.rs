@@ -90,11 +90,22 @@ impl EquationLayout {
             let constant = shapes[*row].iter().filter_map(|(_, entry)| *entry);
             constant.fold(0.0f64, |most, entry| most.max(entry.abs()))
         };
+        let mut is_constant: Vec<bool> = entries.iter().map(|entry| *entry != 0.0).collect();
+        for kernel in &kernels {
+            if let Kernel::General { row, is_constant: false, .. }
+            | Kernel::General { row, is_loop: true, .. } = kernel
+            {
+                for (_, place) in &rows[*row] {
+                    is_constant[*place] = false;
+                }
+            }
+        }
         let [tree_angles, tree_origins] = numbered(&tree);
         Self {
             loop_scales: loops.iter().map(scale).collect(),
             rows,
             entries,
+            is_constant,
             explicit,
             loops,
             tree,

@@ -39,6 +39,11 @@ impl<S: SimdReal> History<S> {
         self.known = 0;
     }
 
+    /// Returns true if an earlier position is known.
+    pub(super) fn is_known(&self) -> bool {
+        self.known > 0
+    }
+
     /// Adds the derivatives of the position from which a step was taken.
     pub(super) fn push(&mut self, step: S, derivatives: impl Iterator<Item = [S; 2]>) {
         self.steps.rotate_right(1);

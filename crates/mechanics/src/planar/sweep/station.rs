@@ -6,8 +6,9 @@ use crate::planar::{
     elimination::{LuFactors, PivotOrder},
     layout::{EquationLayout, Position},
     tolerances::{
-        MAX_CORRECTION, MAX_SMOOTH_CORRECTION, MAX_STEP, ROUNDINGS_OF_CORRECTION, STALLED_RESIDUAL,
-        SWEEP_MAX_ITERATIONS, SWEEP_MIN_PIVOT, SWEEP_MIN_STEP, SWEEP_RESIDUAL, SWEEP_STALLED_RESIDUAL,
+        MAX_CORRECTION, MAX_PREDICTED_STEP, MAX_SMOOTH_CORRECTION, MAX_STEP, ROUNDINGS_OF_CORRECTION,
+        STALLED_RESIDUAL, SWEEP_MAX_ITERATIONS, SWEEP_MIN_PIVOT, SWEEP_MIN_STEP, SWEEP_RESIDUAL,
+        SWEEP_STALLED_RESIDUAL,
     },
 };
 use dalembert_numerics::{
@@ -127,7 +128,8 @@ impl<S: SimdReal> Station<S> {
         if largest(whole.abs()) == 0.0 {
             return true;
         }
-        let mut step = (MAX_STEP * path.model.length / largest(whole.abs() * self.largest_first)).min(1.0);
+        let max_step = if self.history.is_known() { MAX_PREDICTED_STEP } else { MAX_STEP };
+        let mut step = (max_step * path.model.length / largest(whole.abs() * self.largest_first)).min(1.0);
         let mut done = 0.0;
         while done < 1.0 {
             let end = if step >= 1.0 - done { 1.0 } else { done + step };
@@ -162,9 +164,10 @@ impl<S: SimdReal> Station<S> {
                     let (correction, displacement) = (correction.lane(lane), displacement.lane(lane));
                     let sign_changes = sign.lane(lane) * self.sign.lane(lane) <= 0.0;
                     let is_smooth = correction <= MAX_SMOOTH_CORRECTION * displacement + rounding;
+                    let is_far = displacement > MAX_STEP * path.model.length;
                     smallest_pivot.lane(lane) > SWEEP_MIN_PIVOT
                         && correction <= MAX_CORRECTION * displacement + rounding
-                        && (!sign_changes || is_smooth)
+                        && (!(sign_changes || is_far) || is_smooth)
                 });
                 self.sign = if stays { sign } else { self.sign };
                 stays
