@@ -9,12 +9,14 @@
 //! | [`slurm`] | has the shards solved by a cluster |
 //! | [`points`] | solves points that are given as arrays |
 //! | [`data`] | reads CSV files that a plan names |
+//! | [`plans`] | reads and writes plans |
 //!
 //! A table is the same to the last byte on any number of threads, broken off and resumed or not, and merged from any
 //! number of shards: a row is a function of its number alone, and the statistics are taken from the rows in their order.
 
 pub mod data;
 pub mod output;
+pub mod plans;
 pub mod points;
 pub mod slurm;
 pub mod table;

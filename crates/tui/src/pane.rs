@@ -139,6 +139,11 @@ pub trait Pane: Any + Debug {
         true
     }
 
+    /// Takes what was chosen in a list that it showed, by its word.
+    fn chosen(&mut self, _problem: &mut Problem, _what: &str) -> Vec<Intent> {
+        Vec::new()
+    }
+
     /// Does what a key means; `None` where it is none of its own.
     fn act(&mut self, _problem: &mut Problem, _ui: &Ui<'_>, _action: Action) -> Option<Vec<Intent>> {
         None

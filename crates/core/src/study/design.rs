@@ -19,8 +19,8 @@ use crate::{
 
 /// The most points of a study.
 pub(super) const MOST_POINTS: u64 = 1_000_000_000;
-/// Samples where the plan says no number.
-const USUAL_SAMPLES: u64 = 10_000;
+/// Samples where a plan says no number.
+pub const USUAL_SAMPLES: u64 = 10_000;
 /// Eigenvalue of a correlation matrix that rounding may take below zero.
 const CORRELATION_ROUNDING: f64 = 1e-12;
 
@@ -109,6 +109,14 @@ impl Design {
     /// The inputs that are drawn from a distribution, by their places.
     pub fn drawn(&self) -> impl Iterator<Item = usize> + '_ {
         self.drawn.iter().map(|drawn| drawn.input)
+    }
+
+    /// The axes of the grid, the first one slowest: places of the inputs that run along it, number of points, spacing.
+    pub fn axes(&self) -> impl Iterator<Item = (Vec<usize>, u64, Spacing)> + '_ {
+        self.grid.iter().map(|axis| match axis {
+            GridAxis::Range { input, points, spacing, .. } => (vec![*input], *points, *spacing),
+            GridAxis::Rows { inputs, rows } => (inputs.clone(), rows.len() as u64, Spacing::Linear),
+        })
     }
 
     /// Writes the inputs of a point, counted from 0, in their units and in SI.
