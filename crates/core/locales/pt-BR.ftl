@@ -670,3 +670,6 @@ skewness-skewness-excess-kurtosis-kurtosis = assimetria { $skewness }, excesso d
 minimum-least-maximum-largest = mínimo { $least }, máximo { $largest }
 above-limit-share-95-interval-low-to-high = acima de { $limit }: { $share }, intervalo de 95 % de { $low } a { $high }
 below-limit-share-95-interval-low-to-high = abaixo de { $limit }: { $share }, intervalo de 95 % de { $low } a { $high }
+mean = média
+n-2-5 = 2,5 %
+n-97-5 = 97,5 %

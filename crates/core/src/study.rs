@@ -1,6 +1,7 @@
 //! Questions about a whole range of inputs: studies of any size, by a [plan](StudyPlan); curves of their answers; where
 //! an answer takes a wanted value.
 
+mod bands;
 mod curves;
 mod design;
 mod evaluation;
@@ -11,6 +12,7 @@ mod target;
 mod words;
 
 pub use self::{
+    bands::Bands,
     curves::{Curves, MOST_CURVES},
     design::{Design, USUAL_SAMPLES},
     evaluation::{Evaluation, Row, Rows, Study, answer},

@@ -17,7 +17,7 @@ use crate::{StudyError, table};
 const AHEAD: usize = 2;
 /// Points of a part: as many as give every thread several, within these.
 const PARTS: u64 = 8;
-const POINTS: [u64; 2] = [16, 1024];
+const POINTS: [u64; 2] = [16, 256];
 
 /// Rows of a part, and their text.
 #[derive(Debug, Default)]

@@ -4,28 +4,29 @@ use super::{AnswerStatistics, PERCENTILES};
 use crate::{Answer, Plot, Text, intern::fixed};
 
 impl AnswerStatistics {
-    /// Moments and percentiles of an answer that scatters.
+    /// Mean, standard deviation and interval of an answer that scatters.
     pub fn words(&self, answer: &Answer) -> Vec<Text> {
         let unit = fixed(&answer.unit);
-        let shown = |text: Text, name: &'static str, value: f64| {
-            text.with_quantity(name, answer.unit.si(value), unit)
-        };
-        let [low, high] = self.interval();
-        let mean = shown(Text::new("mean {mean}, standard deviation {deviation}"), "mean", self.mean);
-        let ends = shown(Text::new("95 % interval: {low} to {high}"), "low", low);
-        let quartiles =
-            shown(Text::new("quartiles {first}, {median}, {third}"), "first", self.percentile(25.0));
-        let quartiles = shown(quartiles, "median", self.percentile(50.0));
+        let [low, high] = self.interval().map(|value| answer.unit.si(value));
+        let mean = Text::new("mean {mean}, standard deviation {deviation}")
+            .with_quantity("mean", answer.unit.si(self.mean), unit)
+            .with_quantity("deviation", answer.unit.si(self.deviation), unit);
+        let ends = Text::new("95 % interval: {low} to {high}");
+        vec![mean, ends.with_quantity("low", low, unit).with_quantity("high", high, unit)]
+    }
+
+    /// Quartiles, extent and shape of the distribution of an answer.
+    pub fn details(&self, answer: &Answer) -> Vec<Text> {
+        let quartiles = ["first", "median", "third"].into_iter().zip([25.0, 50.0, 75.0]).fold(
+            Text::new("quartiles {first}, {median}, {third}"),
+            |text, (name, percent)| {
+                text.with_quantity(name, answer.unit.si(self.percentile(percent)), fixed(&answer.unit))
+            },
+        );
         let shape = Text::new("skewness {skewness}, excess kurtosis {kurtosis}")
-            .with_quantity("skewness", self.skewness, "1")
-            .with_quantity("kurtosis", self.kurtosis, "1");
-        vec![
-            shown(mean, "deviation", self.deviation),
-            shown(ends, "high", high),
-            shown(quartiles, "third", self.percentile(75.0)),
-            self.extent(answer),
-            shape,
-        ]
+            .with_quantity("skewness", (1e3 * self.skewness).round() / 1e3, "1")
+            .with_quantity("kurtosis", (1e3 * self.kurtosis).round() / 1e3, "1");
+        vec![quartiles, self.extent(answer), shape]
     }
 
     /// Least and largest value of an answer.
@@ -44,7 +45,7 @@ impl AnswerStatistics {
             } else {
                 "below {limit}: {share}, 95 % interval {low} to {high}"
             };
-            let shares = [limit.probability, limit.interval[0], limit.interval[1]];
+            let shares = [limit.probability, limit.interval[0], limit.interval[1]].map(three_digits);
             ["share", "low", "high"].into_iter().zip(shares).fold(
                 Text::new(text).with_quantity("limit", answer.unit.si(limit.limit), fixed(&answer.unit)),
                 |text, (name, share)| text.with_quantity(name, share, "%"),
@@ -70,4 +71,10 @@ impl AnswerStatistics {
         let at = PERCENTILES.iter().position(|known| *known == percent);
         at.and_then(|at| self.percentiles.get(at)).copied().unwrap_or(self.mean)
     }
+}
+
+/// A share to three significant digits.
+fn three_digits(share: f64) -> f64 {
+    let unit = 10f64.powf(share.abs().log10().floor() - 2.0);
+    if share == 0.0 { 0.0 } else { (share / unit).round() * unit }
 }

@@ -8,7 +8,7 @@ use std::{
 
 use dalembert_core::{
     Answer, Entry, Plot, Record, Refusal, Solution, SolveError, Stop, Text,
-    study::{Accumulator, Curves, Design, Study, StudyPlan, Summary, find_target},
+    study::{Accumulator, Bands, Curves, Design, Study, StudyPlan, Summary, find_target},
 };
 use dalembert_study::{StudyError, data, workers};
 
@@ -23,6 +23,8 @@ pub struct StudyResult {
     pub progress: Option<StudyProgress>,
     /// Numbers found, in words.
     pub found: Vec<Text>,
+    /// More of them, where there is room.
+    pub details: Vec<Text>,
     /// Remarks on them.
     pub remarks: Vec<Text>,
     /// Curves or distributions, one for each answer.
@@ -70,7 +72,7 @@ pub(super) fn carry_out(
     let points = study.design.points();
     let threads = thread::available_parallelism().map_or(1, usize::from);
     let mut sums = Accumulator::new(study.design.inputs.len(), study.answers.len(), study.limits.clone());
-    let mut curves = Curves::of(&study);
+    let (mut curves, mut bands) = (Curves::of(&study), Bands::of(&study));
     let begun = Instant::now();
     let (mut reported, mut pause, mut done) = (begun, REPORT_EVERY, 0);
     let solved = workers::solve(&study, 0..points, threads, None, stop, &mut |block| {
@@ -79,6 +81,9 @@ pub(super) fn carry_out(
             if let Some(curves) = &mut curves {
                 curves.push(&row);
             }
+            if let Some(bands) = &mut bands {
+                bands.push(&row);
+            }
             done += 1;
         }
         if done < points && reported.elapsed() >= pause {
@@ -86,7 +91,7 @@ pub(super) fn carry_out(
             let progress = StudyProgress { done, points, elapsed: begun.elapsed() };
             report(StudyResult {
                 progress: Some(progress),
-                ..result(&study, &sums.clone().summary(), curves.as_ref())
+                ..result(&study, &sums.clone().summary(), (curves.as_ref(), bands.as_ref()))
             });
             reported = Instant::now();
             pause = REPORT_EVERY.max(REPORT_SHARE * from.elapsed());
@@ -94,7 +99,7 @@ pub(super) fn carry_out(
         Ok(())
     });
     match solved {
-        Ok(()) => Ok(result(&study, &sums.summary(), curves.as_ref())),
+        Ok(()) => Ok(result(&study, &sums.summary(), (curves.as_ref(), bands.as_ref()))),
         Err(StudyError::Solve(error)) => Err(error),
         Err(error) => Err(Refusal::NoAnswer(error.text()).into()),
     }
@@ -116,20 +121,26 @@ pub(super) fn find(
         found: target.remarks,
         remarks,
         plots: target.plot.into_iter().collect(),
-        progress: None,
+        ..StudyResult::default()
     })
 }
 
-fn result(study: &Study<'_>, summary: &Summary, curves: Option<&Curves<'_>>) -> StudyResult {
+fn result(
+    study: &Study<'_>,
+    summary: &Summary,
+    (curves, bands): (Option<&Curves<'_>>, Option<&Bands<'_>>),
+) -> StudyResult {
     let is_drawn = study.design.drawn().next().is_some();
     let all = || study.answers.iter().zip(&summary.answers).filter(|(_, of)| of.count > 0);
-    let mut found = Vec::new();
+    let (mut found, mut details) = (Vec::new(), Vec::new());
     for (answer, of) in all() {
         if study.answers.len() > 1 {
             found.push(answer.title());
+            details.extend(is_drawn.then(|| answer.title()));
         }
         found.extend(if is_drawn { of.words(answer) } else { vec![of.extent(answer)] });
         found.extend(of.words_of_limits(answer));
+        details.extend(is_drawn.then(|| of.details(answer)).into_iter().flatten());
     }
     let mut remarks = curves.map_or_else(Vec::new, Curves::remarks);
     if summary.refused > 0 {
@@ -140,9 +151,10 @@ fn result(study: &Study<'_>, summary: &Summary, curves: Option<&Curves<'_>>) -> 
     if let (Some((point, why)), None) = (&summary.first_refusal, curves) {
         remarks.push(Text::new("point {point}: {why}").with("point", point).with_text("why", why.clone()));
     }
-    let plots = match curves {
-        Some(curves) => curves.plots(),
-        None => all().filter_map(|(answer, of)| of.distribution(answer)).collect(),
+    let plots = match (curves, bands) {
+        (Some(curves), _) => curves.plots(),
+        (None, Some(bands)) => bands.plots(),
+        (None, None) => all().filter_map(|(answer, of)| of.distribution(answer)).collect(),
     };
-    StudyResult { progress: None, found, remarks, plots }
+    StudyResult { progress: None, found, details, remarks, plots }
 }

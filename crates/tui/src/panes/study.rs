@@ -104,6 +104,9 @@ impl Pane for Study {
             Some(Cell::Answer(_)) => {
                 Text::new("{keys} another answer, {add} one more").with("add", key(Action::AddRow))
             }
+            Some(Cell::Kind) => {
+                Text::new("{keys} another kind: {about}").with_text("about", self.plan.kind.about())
+            }
             _ => "curves are also shown in Plot, with cursor and zoom".into(),
         };
         vec![text.with("keys", keys)]

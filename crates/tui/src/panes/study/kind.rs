@@ -25,11 +25,22 @@ impl Kind {
     /// Name of the kind.
     pub(super) fn name(self) -> Text {
         match self {
-            Kind::Sweep => Text::new("sweep: answer as a function of an input"),
-            Kind::Find => Text::new("solve: input for a target value of the answer"),
+            Kind::Sweep => Text::new("sweep"),
+            Kind::Find => Text::new("target value"),
             Kind::File => Text::new("plan of a file"),
-            Kind::Normal => Text::new("Monte Carlo: inputs normal, tolerance = 3 standard deviations"),
-            Kind::Uniform => Text::new("Monte Carlo: inputs uniform within their tolerances"),
+            Kind::Normal => Text::new("Monte Carlo, normal"),
+            Kind::Uniform => Text::new("Monte Carlo, uniform"),
+        }
+    }
+
+    /// What the kind begins with.
+    pub(super) fn about(self) -> Text {
+        match self {
+            Kind::Sweep => Text::new("answer as a function of an input"),
+            Kind::Find => Text::new("input for a target value of the answer"),
+            Kind::File => Text::new("plan of a file"),
+            Kind::Normal => Text::new("inputs normal, tolerance = 3 standard deviations"),
+            Kind::Uniform => Text::new("inputs uniform within their tolerances"),
         }
     }
 }

@@ -9,7 +9,7 @@ use ratatui::{
 use unicode_width::UnicodeWidthStr;
 
 use super::{
-    Study,
+    LEAST_CURVES, Study,
     kind::Kind,
     plan::{Cell, Subject},
 };
@@ -24,6 +24,9 @@ use crate::{
     },
     problem::Problem,
 };
+
+/// Cells of a label beside a long text.
+const SHORTEST: usize = 8;
 
 impl Study {
     /// The cells and what was found; the page starts at each cell.
@@ -42,18 +45,23 @@ impl Study {
         for (cell, name) in all.iter().zip(&names) {
             page.starts.push(page.lines.len());
             let is_under = ui.focused && *cell == under_cursor;
+            let edit = ui.edit.filter(|_| is_under);
+            let shown = filter_untrusted(&self.plan.shown(*cell, of).render(locale)).into_owned();
+            // A label gives way to a long text, which stays under the others where it can.
+            let wanted = edit.map_or(shown.width(), |_| room + label);
+            let own = label.min((room + label).saturating_sub(wanted)).max(label.min(SHORTEST));
+            let room = room + label - own;
             let pointer = if is_under { look.glyph(Glyph::Pointer) } else { " " };
-            let name = look.shortened(&filter_untrusted(name), label);
+            let name = look.shortened(&filter_untrusted(name), own);
             let mut line = Line::from(vec![
                 Span::styled(format!("{pointer} "), look.border(is_under)),
-                Span::styled(padded(&name, label), if is_under { look.title() } else { Style::new() }),
+                Span::styled(padded(&name, own), if is_under { look.title() } else { Style::new() }),
                 Span::raw("  "),
             ]);
-            match ui.edit.filter(|_| is_under) {
+            match edit {
                 Some(input) => line.extend(typed_in(input, room)),
                 None => {
-                    let shown = self.plan.shown(*cell, of).render(locale);
-                    let shown = look.shortened(&filter_untrusted(&shown), room);
+                    let shown = look.shortened(&shown, room);
                     let style = match (is_under, self.plan.is_usual(*cell, of)) {
                         (true, _) => look.focus(),
                         (false, false) => Style::new(),
@@ -107,10 +115,13 @@ impl Study {
         lines: &mut Vec<Line<'static>>,
     ) {
         let look = ui.look;
-        let mut say = |text: &Text, style: Style| {
+        let words = |text: &Text, style: Style| {
             let words = filter_untrusted(&text.render(locale)).into_owned();
-            lines.extend(wrap::words(&words, width.into()).into_iter().map(|line| Line::styled(line, style)));
+            wrap::words(&words, width.into()).into_iter().map(move |line| Line::styled(line, style))
         };
+        let details = problem.found.studied.iter().flatten().flat_map(|found| &found.details);
+        let details: Vec<Line<'static>> = details.flat_map(|text| words(text, look.answer())).collect();
+        let mut say = |text: &Text, style: Style| lines.extend(words(text, style));
         match &problem.found.studied {
             None if ui.waits => say(&"solving".into(), look.dim()),
             None => say(&"cancelled".into(), look.dim()),
@@ -121,6 +132,12 @@ impl Study {
                 }
                 found.found.iter().for_each(|text| say(text, look.answer()));
                 found.remarks.iter().for_each(|text| say(text, look.dim()));
+                // A plot is seen first, where there is room for one.
+                let room = usize::from(ui.area.height).saturating_sub(lines.len());
+                let least = usize::from(LEAST_CURVES);
+                if room < least || room >= least + details.len() {
+                    lines.extend(details);
+                }
             }
         }
     }

@@ -215,7 +215,7 @@ impl Plan {
             Cell::Kind => Text::new("Study"),
             Cell::Answer(_) => Text::new("Answer"),
             Cell::Wanted => Text::new("Target value"),
-            Cell::Inputs => Text::new("Inputs that vary"),
+            Cell::Inputs => Text::new("Inputs"),
             Cell::Vary(at) => match of.draft.vary.get(at).map(|varied| varied.input.as_deref()) {
                 Some(Some(path)) => {
                     of.input(path).map_or_else(|| Text::verbatim(path), |input| input.label.clone())
@@ -283,7 +283,9 @@ impl Plan {
                 let text = if self.is_changed(of) { "plan {file} (changed)" } else { "plan {file}" };
                 Text::new(text).with("file", file.unwrap_or_default().to_string_lossy())
             }
-            Cell::Kind => self.kind.name(),
+            Cell::Kind if self.slot().draft.is_none() || self.kind == Kind::Find => self.kind.name(),
+            Cell::Kind if of.draft.is_drawn(&of.usual) => Text::new("Monte Carlo"),
+            Cell::Kind => Kind::Sweep.name(),
             Cell::Answer(at) => match of.names.get(at) {
                 None => Text::new("all answers"),
                 Some(name) => match of.answers.iter().find(|answer| answer.name.is(name)) {
