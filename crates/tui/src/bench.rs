@@ -127,11 +127,9 @@ impl Bench {
         self.panes[tab.0].cursor(&mut self.problem)
     }
 
-    /// A pane by its type, to be changed, and the problem.
-    pub fn find_mut<P: Pane>(&mut self) -> Option<(&mut P, &mut Problem)> {
-        let pane =
-            self.panes.iter_mut().find_map(|pane| (&mut **pane as &mut dyn Any).downcast_mut::<P>())?;
-        Some((pane, &mut self.problem))
+    /// The tab of the pane that edits a plan.
+    pub fn tab_of_plan(&self) -> Option<Tab> {
+        self.all_tabs().find(|tab| self.pane(*tab).place() == KeyContext::Plan)
     }
 
     /// The place of the picture that a pane shows, counted from 1, and their number; `None` of a single one.

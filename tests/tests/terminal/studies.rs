@@ -23,7 +23,6 @@ use dalembert_tui::{
     dialog::Dialog,
     keys::{KeyContext, notation::keys_of},
     layout::Focus,
-    panes::study::Study,
     update,
 };
 use insta::assert_snapshot;
@@ -436,12 +435,12 @@ fn every_question_ends_soon_after_it_is_stopped() {
 fn scatter(entry: &'static Entry, samples: u64) -> Question {
     let mut person = Person::at(120, 36).opens(entry.about.id);
     let bench = person.model.bench.as_mut().unwrap();
-    bench.tab = bench.tab_named("Study").unwrap();
+    bench.tab = bench.tab_of_plan().unwrap();
     bench.focus = Focus::Pane;
     presses(&mut person, "<left>");
     let bench = person.model.bench.as_ref().unwrap();
     let problem = &bench.problem;
-    let mut plan = bench.find::<Study>().unwrap().plan(problem).unwrap();
+    let mut plan = bench.shown().plan(problem).unwrap();
     assert!(!plan.vary.is_empty() && plan.samples == Some(2000), "{}: {plan:?}", entry.about.id);
     plan.samples = Some(samples);
     let answers = problem.found.solution.as_ref().unwrap().answers.clone();

@@ -1,5 +1,6 @@
 //! A study: its plan, which is edited line by line, and what it found.
 
+mod add;
 mod draft;
 mod kind;
 mod lines;
@@ -19,12 +20,11 @@ use super::{about_number, answers, begun, reasons};
 use crate::{
     ask::{Question, Reply},
     dialog::{Choice, Chosen, Dialog},
-    files::Fingerprint,
     intent::Intent,
     keys::{Action, KeyContext},
     pane::{Page, Pane, Ui, register_pane},
     plot,
-    problem::Problem,
+    problem::{OpenFile, Problem},
 };
 
 /// A plot in fewer rows than these tells nothing.
@@ -38,17 +38,6 @@ pub struct Study {
     /// The input that it begins with, by its path: that of the cursor of the form when the tab was turned to.
     begins: String,
     plan: Plan,
-}
-
-/// The file of a plan.
-#[derive(Clone, Debug)]
-pub struct PlanFile {
-    /// The path.
-    pub path: PathBuf,
-    /// The text in it: comments are kept from it.
-    pub text: String,
-    /// The mark of its content when it was read or written.
-    pub fingerprint: Fingerprint,
 }
 
 register_pane!(Study, 80);
@@ -193,9 +182,15 @@ impl Pane for Study {
         let cell = self.under_cursor(&of);
         let form = match cell {
             Cell::Wanted => of.answer().and_then(|answer| about_number(&answer.unit, ui)),
-            Cell::Vary(_) => Some(Text::new("600..1800 rpm:13, 40 kg; 45 kg or normal(2 %)")),
-            Cell::Limit(_) | Cell::Condition(_) => Some(Text::new("amplitude > 0.2 mm or amplitude < 3 mm")),
-            Cell::Correlation(_) => Some(Text::new("mass; speed: 0.5")),
+            Cell::Vary(at) => {
+                let path = of.draft.vary.get(at).and_then(|varied| varied.input.as_deref());
+                let unit =
+                    path.and_then(|path| of.input(path)).and_then(|input| about_number(&input.unit, ui));
+                let form = Text::new("as in 1..9:5, 1; 3 or normal(2 %)");
+                return unit.into_iter().chain([form, self.plan.label(cell, &of)]).collect();
+            }
+            Cell::Limit(_) | Cell::Condition(_) => Some(Text::new("as in amplitude > 0.2 mm")),
+            Cell::Correlation(_) => Some(Text::new("as in mass; speed: 0.5")),
             _ => Some(Text::new("a whole number")),
         };
         form.into_iter().chain([self.plan.label(cell, &of)]).collect()
@@ -217,6 +212,36 @@ impl Pane for Study {
         let plan = self.plan.read(&of).ok()?;
         let answers = problem.found.solution.as_ref()?.answers.clone();
         Some(Question::Study { entry, record, answers, plan: Box::new(plan), folder: self.folder(problem) })
+    }
+
+    fn plan_file(&self) -> Option<&OpenFile> {
+        self.plan.file.as_ref().filter(|_| self.plan.kind == Kind::File)
+    }
+
+    fn plan(&self, problem: &Problem) -> Result<StudyPlan, Vec<FieldError>> {
+        let Some(of) = self.subject(problem) else {
+            return Err(vec![FieldError::new("problem", "the problem has no solution to vary")]);
+        };
+        if self.plan.kind == Kind::Find {
+            let why = "a search for a target value has no plan; choose a sweep or Monte Carlo";
+            return Err(vec![FieldError::new("study", why)]);
+        }
+        self.plan.read(&of)
+    }
+
+    fn take_plan(&mut self, problem: &mut Problem, plan: &StudyPlan, file: OpenFile) {
+        let inputs = problem.record().map(|record| Problem::numbers(&record)).unwrap_or_default();
+        self.plan.slots[Kind::File as usize] = Slot {
+            answers: Some(plan.answers.clone()),
+            draft: Some(draft::Draft::of(plan, &inputs)),
+            wanted: String::new(),
+        };
+        if self.plan.kind != Kind::File {
+            // What became the plan of a file is there no more as it was.
+            self.cursor = 0;
+        }
+        (self.plan.kind, self.plan.file) = (Kind::File, Some(file));
+        problem.found.studied = None;
     }
 
     fn is_answered(&self, problem: &Problem) -> bool {
@@ -295,45 +320,9 @@ impl Study {
 
     /// The folder of the files that the plan names: its own, or that of the problem.
     fn folder(&self, problem: &Problem) -> PathBuf {
-        let own = self.file().map(|file| &file.path);
+        let own = self.plan_file().map(|file| &file.path);
         let path = own.or(problem.document.file.as_ref().map(|file| &file.path));
         path.and_then(|path| path.parent()).map_or_else(PathBuf::new, Into::into)
-    }
-
-    /// The file of the plan that is shown.
-    pub fn file(&self) -> Option<&PlanFile> {
-        self.plan.file.as_ref().filter(|_| self.plan.kind == Kind::File)
-    }
-
-    /// The plan that is shown, without the name of its problem.
-    ///
-    /// # Errors
-    /// Every text that cannot be read; that a search for a target value is no plan.
-    pub fn plan(&self, problem: &Problem) -> Result<StudyPlan, Vec<FieldError>> {
-        let Some(of) = self.subject(problem) else {
-            return Err(vec![FieldError::new("problem", "the problem has no solution to vary")]);
-        };
-        if self.plan.kind == Kind::Find {
-            let why = "a search for a target value has no plan; choose a sweep or Monte Carlo";
-            return Err(vec![FieldError::new("study", why)]);
-        }
-        self.plan.read(&of)
-    }
-
-    /// Takes the plan of a file, as it was read or written.
-    pub fn take(&mut self, problem: &mut Problem, plan: &StudyPlan, file: PlanFile) {
-        let inputs = problem.record().map(|record| Problem::numbers(&record)).unwrap_or_default();
-        self.plan.slots[Kind::File as usize] = Slot {
-            answers: Some(plan.answers.clone()),
-            draft: Some(draft::Draft::of(plan, &inputs)),
-            wanted: String::new(),
-        };
-        if self.plan.kind != Kind::File {
-            // What became the plan of a file is there no more as it was.
-            self.cursor = 0;
-        }
-        (self.plan.kind, self.plan.file) = (Kind::File, Some(file));
-        problem.found.studied = None;
     }
 }
 

@@ -12,15 +12,14 @@ use crate::{
     intent::Intent,
     keys::{Action, KeyContext},
     model::Model,
-    panes::study::{PlanFile, Study},
-    problem::Problem,
+    problem::{OpenFile, Problem},
 };
 
 /// Writes the plan to its file, or asks for one.
 pub(super) fn save(model: &Model) -> Vec<Intent> {
-    let file = model.bench.as_ref().and_then(|bench| bench.find::<Study>()?.file());
-    match file {
-        Some(file) => vec![Intent::WritePlan(file.path.clone(), Before::Was(file.fingerprint))],
+    let file = model.bench.as_ref().and_then(|bench| bench.pane(bench.tab_of_plan()?).plan_file());
+    match file.and_then(|file| Some((file.path.clone(), file.fingerprint?))) {
+        Some((path, fingerprint)) => vec![Intent::WritePlan(path, Before::Was(fingerprint))],
         None => vec![Intent::AskPath(Purpose::SavePlan)],
     }
 }
@@ -64,8 +63,8 @@ pub(super) fn write(model: &Model, path: PathBuf, before: Before) -> Vec<Intent>
 fn text(model: &Model, path: &Path) -> Result<String, Text> {
     let nothing = || Text::new("nothing to show here");
     let bench = model.bench.as_ref().ok_or_else(nothing)?;
-    let study = bench.find::<Study>().ok_or_else(nothing)?;
-    let mut plan = study.plan(&bench.problem).map_err(|errors| {
+    let pane = bench.pane(bench.tab_of_plan().ok_or_else(nothing)?);
+    let mut plan = pane.plan(&bench.problem).map_err(|errors| {
         let FieldError { path, why, .. } =
             errors.into_iter().next().unwrap_or_else(|| FieldError::new("", ""));
         Text::new("study plan not written: {path}: {why}").with("path", path).with_text("why", why)
@@ -75,7 +74,7 @@ fn text(model: &Model, path: &Path) -> Result<String, Text> {
         Text::new("save the problem first ({key}): a study plan names the file of its problem")
             .with("key", save)
     })?;
-    plans::write(&plan, study.file().map_or("", |file| &file.text))
+    plans::write(&plan, pane.plan_file().map_or("", |file| &file.text))
 }
 
 /// The problem as a plan at a path names it: its file from there, or the analysis of which it is the first case.
@@ -108,8 +107,9 @@ pub(super) fn saved(
             };
             let said = said.with("file", shown(&path));
             let Ok(plan) = plans::read(&text) else { return Intent::say(said) };
-            if let Some((study, problem)) = bench.find_mut::<Study>() {
-                study.take(problem, &plan, PlanFile { path, text, fingerprint });
+            if let Some(tab) = bench.tab_of_plan() {
+                let file = OpenFile { path, text, fingerprint: Some(fingerprint) };
+                bench.panes[tab.0].take_plan(&mut bench.problem, &plan, file);
             }
             vec![Intent::Ask, Intent::Say(said)]
         }
@@ -146,8 +146,8 @@ pub(super) fn read(model: &mut Model, path: PathBuf, result: Result<Opened, File
         Err(why) => return again(why),
     };
     let Some(bench) = &mut model.bench else { return Vec::new() };
-    let tab = bench.tab_named("Study");
-    let Some((study, problem)) = bench.find_mut::<Study>() else { return Vec::new() };
+    let Some(tab) = bench.tab_of_plan() else { return Vec::new() };
+    let problem = &mut bench.problem;
     let is_own = match &problem.document.file {
         Some(file) => is_same_file(&file.path, &path.with_file_name(&plan.problem)),
         None => find(&plan.problem).is_some_and(|entry| entry.about.id == problem.entry().about.id),
@@ -158,7 +158,8 @@ pub(super) fn read(model: &mut Model, path: PathBuf, result: Result<Opened, File
         Text::new("the plan is of {problem}; it is shown for the problem that is open")
             .with("problem", &plan.problem)
     };
-    study.take(problem, &plan, PlanFile { path, text: opened.text, fingerprint: opened.fingerprint });
+    let file = OpenFile { path, text: opened.text, fingerprint: Some(opened.fingerprint) };
+    bench.panes[tab.0].take_plan(problem, &plan, file);
     let said = if is_own { Intent::Say(said) } else { Intent::Complain(said) };
-    tab.map(Intent::Turn).into_iter().chain([Intent::Ask, said]).collect()
+    vec![Intent::Turn(tab), Intent::Ask, said]
 }

@@ -48,7 +48,7 @@ impl Study {
             let edit = ui.edit.filter(|_| is_under);
             let shown = filter_untrusted(&self.plan.shown(*cell, of).render(locale)).into_owned();
             // A label gives way to a long text, which stays under the others where it can.
-            let wanted = edit.map_or(shown.width(), |_| room + label);
+            let wanted = edit.map_or(shown.width(), |input| input.value().width() + 1);
             let own = label.min((room + label).saturating_sub(wanted)).max(label.min(SHORTEST));
             let room = room + label - own;
             let pointer = if is_under { look.glyph(Glyph::Pointer) } else { " " };
