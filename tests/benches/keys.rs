@@ -91,7 +91,7 @@ impl Workbench {
         let mut solved = false;
         for effect in effects {
             if let Effect::Solve(job) = effect {
-                let outcome = solver::solve(&job, &Stop::new()).expect("nobody stops it");
+                let outcome = solver::solve(&job, &Stop::new(), &|_| {}).expect("nobody stops it");
                 update(&mut self.model, Msg::Solved(outcome));
                 solved = true;
             }

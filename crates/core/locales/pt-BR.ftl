@@ -244,7 +244,6 @@ incorrect = incorreto
 
 # Sensibilidade e estudos
 a-tolerance-cannot-be-negative-it-applies-to-both-sides = uma tolerância não pode ser negativa; vale para os dois lados
-this-answer-is-not-a-scalar = esta resposta não é um escalar
 this-input-is-not-a-number-of-the-problem-with-its-present-options = este dado não é um número do problema com as opções atuais
 the-range-is-empty-enter-two-different-limits = a faixa é vazia: digite dois limites diferentes
 this-input-cannot-be-varied = esta entrada não pode ser variada
@@ -262,7 +261,6 @@ n-95-interval-low-to-high = intervalo de 95 %: { $low } a { $high }
 refused-of-all-have-no-answer = { $refused } de { $all } não têm resposta
 distribution-of-answer = Distribuição de { $answer }
 relative-frequency = frequência relativa
-the-study-failed-internal-error = o estudo falhou (erro interno do programa)
 the-published-value-cannot-be-compared-with-the-computed-one = o valor publicado não pode ser comparado com o calculado
 outdated-dispute-the-published-value-agrees = contestação desatualizada: o valor publicado concorda
 title-is-required = falta `title = "…"`
@@ -667,3 +665,15 @@ known-values-of-answers-or-requirements-from-which-inputs-written-as-are-found-n
 optimum = Ótimo
 the-inputs-with-which-an-answer-is-as-small-or-as-large-as-possible-under-limits-of-others = Os dados com os quais um resultado é o menor ou o maior possível, sob limites de outros.
 value-or-requirement = Valor ou requisito
+
+# Curvas e estatísticas de estudos
+the-first-drawn-of-all-curves-are-drawn = são desenhadas as { $drawn } primeiras de { $all } curvas
+one-other = { $one }, { $other }
+quartiles-first-median-third = quartis { $first }, { $median }, { $third }
+skewness-skewness-excess-kurtosis-kurtosis = assimetria { $skewness }, excesso de curtose { $kurtosis }
+minimum-least-maximum-largest = mínimo { $least }, máximo { $largest }
+above-limit-share-95-interval-low-to-high = acima de { $limit }: { $share }, intervalo de 95 % de { $low } a { $high }
+below-limit-share-95-interval-low-to-high = abaixo de { $limit }: { $share }, intervalo de 95 % de { $low } a { $high }
+mean = média
+n-2-5 = 2,5 %
+n-97-5 = 97,5 %

@@ -100,12 +100,11 @@ pub enum FieldLimit {
     Excluding(f64),
 }
 
-/// Limits of a value in the unit of its field.
+/// The least and the largest permitted value, in SI.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ValueLimits {
-    unit: &'static Unit,
-    min: FieldLimit,
-    max: FieldLimit,
+    least: f64,
+    largest: f64,
 }
 
 /// An alternative of a one-of.
@@ -164,19 +163,9 @@ impl ChildList {
 
 impl ValueLimits {
     /// Returns true if a value, in SI, is finite and within the limits.
+    #[inline]
     pub(crate) fn permit(&self, si: f64) -> bool {
-        let value = self.unit.value(si);
-        let above = match self.min {
-            FieldLimit::None => true,
-            FieldLimit::Including(min) => value >= min,
-            FieldLimit::Excluding(min) => value > min,
-        };
-        let below = match self.max {
-            FieldLimit::None => true,
-            FieldLimit::Including(max) => value <= max,
-            FieldLimit::Excluding(max) => value < max,
-        };
-        above && below && si.is_finite()
+        self.least <= si && si <= self.largest
     }
 }
 
@@ -193,32 +182,46 @@ impl Measure {
 
     /// Limits with their unit read once, for many values.
     pub(crate) fn limits(&self) -> ValueLimits {
-        ValueLimits { unit: intern::unit_of_field(self.unit), min: self.min, max: self.max }
+        let unit = intern::unit_of_field(self.unit);
+        let least = match self.min {
+            FieldLimit::None => f64::MIN,
+            FieldLimit::Including(min) => unit.si(min),
+            FieldLimit::Excluding(min) => unit.si(min).next_up(),
+        };
+        let largest = match self.max {
+            FieldLimit::None => f64::MAX,
+            FieldLimit::Including(max) => unit.si(max),
+            FieldLimit::Excluding(max) => unit.si(max).next_down(),
+        };
+        ValueLimits { least, largest }
     }
 
     /// Message for a value outside its limits, written as this text; `None` within them.
     pub(crate) fn outside(&self, si: f64, text: &str) -> Option<Text> {
+        if self.permits(si) {
+            return None;
+        }
         let own = self.own_unit();
-        let value = own.value(si);
         let limit =
             |why: &'static str, limit: f64| Text::new(why).with_quantity("limit", own.si(limit), self.unit);
+        let is_low = |min: f64| si <= own.si(min);
         let why = match (self.min, self.max) {
-            (FieldLimit::Excluding(0.0), _) if value <= 0.0 => {
+            (FieldLimit::Excluding(0.0), _) if is_low(0.0) => {
                 Text::new("must be above zero; you wrote {text}")
             }
-            (FieldLimit::Including(0.0), _) if value < 0.0 => {
+            (FieldLimit::Including(0.0), _) if is_low(0.0) => {
                 Text::new("must not be below zero; you wrote {text}")
             }
-            (FieldLimit::Excluding(min), _) if value <= min => {
+            (FieldLimit::Excluding(min), _) if is_low(min) => {
                 limit("must be above {limit}; you wrote {text}", min)
             }
-            (FieldLimit::Including(min), _) if value < min => {
+            (FieldLimit::Including(min), _) if is_low(min) => {
                 limit("must be {limit} or more; you wrote {text}", min)
             }
-            (_, FieldLimit::Excluding(max)) if value >= max => {
+            (_, FieldLimit::Excluding(max)) if si >= own.si(max) => {
                 limit("must be below {limit}; you wrote {text}", max)
             }
-            (_, FieldLimit::Including(max)) if value > max => {
+            (_, FieldLimit::Including(max)) if si >= own.si(max) => {
                 limit("must be {limit} or less; you wrote {text}", max)
             }
             _ => return None,

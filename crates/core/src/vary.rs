@@ -53,6 +53,15 @@ impl InputLimits {
         Self(measures.into_iter().map(Measure::limits).collect())
     }
 
+    /// Returns true if every value of points, in SI, a point a row, is within the limits of its input.
+    pub(crate) fn permit(&self, points: &[f64]) -> bool {
+        let width = self.0.len().max(1);
+        let of_input = |(at, limits): (usize, &ValueLimits)| {
+            points.iter().skip(at).step_by(width).fold(true, |all, si| all & limits.permit(*si))
+        };
+        self.0.iter().enumerate().all(of_input)
+    }
+
     /// Place of the first value of a point, in SI, that is outside the limits of its input.
     pub fn first_outside(&self, point: &[f64]) -> Option<usize> {
         self.0.iter().zip(point).position(|(limits, si)| !limits.permit(*si))

@@ -17,3 +17,7 @@ sbatch-refuses-the-job-why = sbatch recusa o job: { $why }
 
 ## Points of arrays
 input-value-why = { $input } = { $value }: { $why }
+
+## Planos em arquivos
+this-is-a-problem-file-not-a-study-plan-which-names-its-problem-problem-fan-toml = este é um arquivo de problema, não um plano de estudo, que nomeia o seu problema: problem = "fan.toml"
+line-line-why = linha { $line }: { $why }

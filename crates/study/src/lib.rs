@@ -10,6 +10,7 @@
 //! | [`points`] | solves points that are given as arrays |
 //! | [`data`] | reads files that a plan names |
 //! | [`parquet`] | reads and writes Parquet, where the program is built with it |
+//! | [`plans`] | reads and writes plans |
 //!
 //! A table is the same to the last byte on any number of threads, broken off and resumed or not, and merged from any
 //! number of shards: a row is a function of its number alone, and the statistics are taken from the rows in their order.
@@ -17,6 +18,7 @@
 pub mod data;
 pub mod output;
 pub mod parquet;
+pub mod plans;
 pub mod points;
 pub mod slurm;
 pub mod table;

@@ -8,15 +8,18 @@ use std::{
 
 use dalembert_core::{
     Locale, Refusal, SolveError, Stop,
-    study::{BLOCK, Evaluation, Rows, Study},
+    study::{Evaluation, Rows, Study},
 };
 
 use crate::{StudyError, table};
 
-/// Blocks that a thread may be ahead of the one that takes them.
+/// Parts that a thread may be ahead of the one that takes them.
 const AHEAD: usize = 2;
+/// Points of a part: as many as give every thread several, within these.
+const PARTS: u64 = 8;
+const POINTS: [u64; 2] = [16, 256];
 
-/// Rows of a block, and their text.
+/// Rows of a part, and their text.
 #[derive(Debug, Default)]
 pub struct SolvedBlock {
     /// The rows.
@@ -25,7 +28,7 @@ pub struct SolvedBlock {
     pub text: String,
 }
 
-/// Solves a range of points on so many threads; `take` receives the blocks in their order, as text too where `locale` is
+/// Solves a range of points on so many threads; `take` receives the parts in their order, as text too where `locale` is
 /// the language of their reasons.
 ///
 /// # Errors
@@ -41,8 +44,8 @@ pub fn solve(
     stop: &Stop,
     take: &mut dyn FnMut(&SolvedBlock) -> Result<(), StudyError>,
 ) -> Result<(), StudyError> {
-    let blocks = blocks(range);
-    let threads = threads.clamp(1, blocks.len().max(1));
+    let parts = Parts::of(range, threads);
+    let threads = (threads as u64).clamp(1, parts.count.max(1)) as usize;
     thread::scope(|scope| {
         let mut workers = Vec::new();
         let mut receivers: Vec<Receiver<SolvedBlock>> = Vec::new();
@@ -50,13 +53,13 @@ pub fn solve(
             let (sender, receiver) = sync_channel(AHEAD);
             receivers.push(receiver);
             let evaluation = study.evaluation()?;
-            let own: Vec<Range<u64>> = blocks.iter().skip(first).step_by(threads).cloned().collect();
+            let own = (first as u64..parts.count).step_by(threads).map(move |n| parts.nth(n));
             workers.push(scope.spawn(move || work(evaluation, own, locale, stop, &sender)));
         }
         let mut taken = Ok(());
-        for (n, _) in blocks.iter().enumerate() {
+        for n in 0..parts.count {
             // A thread that sends no more has been stopped or has panicked.
-            let Ok(block) = receivers[n % threads].recv() else { break };
+            let Ok(block) = receivers[n as usize % threads].recv() else { break };
             taken = take(&block);
             if taken.is_err() {
                 break;
@@ -74,15 +77,15 @@ pub fn solve(
     })
 }
 
-/// Solves the blocks of a thread until nobody takes them any more.
+/// Solves the parts of a thread until nobody takes them any more.
 fn work(
     mut evaluation: Evaluation<'_>,
-    blocks: Vec<Range<u64>>,
+    parts: impl Iterator<Item = Range<u64>>,
     locale: Option<&Locale>,
     stop: &Stop,
     sender: &SyncSender<SolvedBlock>,
 ) -> Result<(), Refusal> {
-    for range in blocks {
+    for range in parts {
         let mut block = SolvedBlock::default();
         evaluation.rows(range, &mut block.rows, stop)?;
         if let Some(locale) = locale {
@@ -95,16 +98,29 @@ fn work(
     Ok(())
 }
 
-/// The blocks of a range: their limits are the same in every range.
-fn blocks(range: Range<u64>) -> Vec<Range<u64>> {
-    let mut blocks = Vec::new();
-    let mut from = range.start;
-    while from < range.end {
-        let to = (from / BLOCK as u64 + 1) * BLOCK as u64;
-        blocks.push(from..to.min(range.end));
-        from = to;
+/// A range of points in parts, which end at multiples of a power of two.
+#[derive(Clone, Copy, Debug)]
+struct Parts {
+    from: u64,
+    to: u64,
+    size: u64,
+    count: u64,
+}
+
+impl Parts {
+    /// Parts for so many threads: few points of a slow analysis are solved by all of them, too.
+    fn of(range: Range<u64>, threads: usize) -> Self {
+        let Range { start: from, end: to } = range;
+        let even = to.saturating_sub(from) / (PARTS * threads.max(1) as u64);
+        let size = even.next_power_of_two().clamp(POINTS[0], POINTS[1]);
+        let count = if from < to { to.div_ceil(size) - from / size } else { 0 };
+        Self { from, to, size, count }
     }
-    blocks
+
+    fn nth(&self, n: u64) -> Range<u64> {
+        let begin = (self.from / self.size + n) * self.size;
+        begin.max(self.from)..(begin + self.size).min(self.to)
+    }
 }
 
 #[cfg(test)]
@@ -112,9 +128,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn blocks_end_at_the_same_points_in_every_range() {
-        assert_eq!(blocks(0..10_000), [0..4096, 4096..8192, 8192..10_000]);
-        assert_eq!(blocks(5_000..9_000), [5_000..8192, 8192..9_000]);
-        assert!(blocks(7..7).is_empty());
+    fn parts_cover_a_range_in_its_order() {
+        for (range, threads) in
+            [(0..10_000, 2), (5_000..9_001, 3), (0..201, 2), (7..8, 4), (0..3_000_000, 64)]
+        {
+            let parts = Parts::of(range.clone(), threads);
+            let all: Vec<Range<u64>> = (0..parts.count).map(|n| parts.nth(n)).collect();
+            assert_eq!((all[0].start, all[all.len() - 1].end), (range.start, range.end));
+            assert!(all.windows(2).all(|pair| pair[0].end == pair[1].start && pair[1].start < pair[1].end));
+            assert!(all.iter().all(|part| part.end - part.start <= POINTS[1]), "{all:?}");
+        }
+        assert!(Parts::of(0..201, 2).count >= 4, "a short sweep has work for both threads");
+        assert_eq!(Parts::of(7..7, 2).count, 0);
     }
 }

@@ -394,6 +394,16 @@ impl Runtime {
                     let (path, result) = files::save_all(&files, before);
                     Msg::Exported { path, result }
                 }
+                Effect::SavePlan { path, text, before } => {
+                    let path = at_home(path);
+                    let result = files::save(&path, &text, before);
+                    Msg::PlanSaved { path, text, result }
+                }
+                Effect::ReadPlan(path) => {
+                    let path = at_home(path);
+                    let result = files::read(&path);
+                    Msg::PlanRead { path, result }
+                }
                 Effect::Open(path) => {
                     let path = at_home(path);
                     let result = files::read(&path);

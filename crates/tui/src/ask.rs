@@ -1,12 +1,18 @@
 //! Questions that a pane asks of a problem beside its results, and that take time: a job of their own answers them,
 //! beside that which solves.
 
+mod study;
+
+use std::path::PathBuf;
+
 use dalembert_core::{
-    Entry, Record, Refusal, Solution, SolveError, Stop,
+    Answer, Entry, Record, Refusal, Solution, SolveError, Stop,
     check::{self, Mistake},
     sensitivity,
-    study::{Plan, StudyResult},
+    study::StudyPlan,
 };
+
+pub use study::{StudyProgress, StudyResult};
 
 /// Question whose reply takes time.
 #[derive(Clone, Debug)]
@@ -39,8 +45,23 @@ pub enum Question {
         entry: &'static Entry,
         /// Inputs.
         record: Record,
+        /// Their answers.
+        answers: Vec<Answer>,
         /// Plan of the study.
-        plan: Plan,
+        plan: Box<StudyPlan>,
+        /// The folder of the files that it names.
+        folder: PathBuf,
+    },
+    /// Search for the values of an input at which an answer is a wanted one.
+    Find {
+        /// The analysis.
+        entry: &'static Entry,
+        /// Inputs.
+        record: Record,
+        /// The path of the input, and its range in SI.
+        input: (String, [f64; 2]),
+        /// The answer, and its wanted value in SI.
+        answer: (Box<Answer>, f64),
     },
 }
 
@@ -51,7 +72,7 @@ pub enum Reply {
     Slips(Vec<(String, Vec<Mistake>)>),
     /// Influence of each input.
     Sensitivity(Result<sensitivity::Sensitivity, SolveError>),
-    /// Result of a study.
+    /// Result of a study, of all its points or of those that are solved so far; of a search.
     Study(Box<Result<StudyResult, SolveError>>),
 }
 
@@ -59,8 +80,8 @@ pub enum Reply {
 pub const USUAL: f64 = 1.0;
 
 impl Question {
-    /// The answer; `None` when it was stopped.
-    pub fn answer(&self, stop: &Stop) -> Option<Reply> {
+    /// The answer; `None` when it was stopped. What is found before the end is reported.
+    pub fn answer(&self, stop: &Stop, report: &dyn Fn(Reply)) -> Option<Reply> {
         match self {
             Question::Slips { entry, record, solution, typed } => {
                 match check::slips(entry, record, solution, typed, stop) {
@@ -74,11 +95,23 @@ impl Question {
                 unless_stopped(sensitivity::sensitivity(entry, record, answer, tolerances, stop))
                     .map(Reply::Sensitivity)
             }
-            Question::Study { entry, record, plan } => {
-                unless_stopped(dalembert_core::study::study(entry, record, plan, stop))
+            Question::Study { entry, record, answers, plan, folder } => {
+                let report = |so_far| report(Reply::Study(Box::new(Ok(so_far))));
+                unless_stopped(study::carry_out((entry, record), answers, (plan, folder), stop, &report))
+                    .map(|found| Reply::Study(Box::new(found)))
+            }
+            Question::Find { entry, record, input: (input, range), answer: (answer, wanted) } => {
+                unless_stopped(study::find((entry, record), (input, *range), (answer, *wanted), stop))
                     .map(|found| Reply::Study(Box::new(found)))
             }
         }
+    }
+}
+
+impl Reply {
+    /// Returns true if more is to come.
+    pub fn is_partial(&self) -> bool {
+        matches!(self, Reply::Study(found) if found.as_ref().as_ref().is_ok_and(|found| found.progress.is_some()))
     }
 }
 

@@ -127,6 +127,11 @@ impl Bench {
         self.panes[tab.0].cursor(&mut self.problem)
     }
 
+    /// The tab of the pane that edits a plan.
+    pub fn tab_of_plan(&self) -> Option<Tab> {
+        self.all_tabs().find(|tab| self.pane(*tab).place() == KeyContext::Plan)
+    }
+
     /// The place of the picture that a pane shows, counted from 1, and their number; `None` of a single one.
     pub fn place_of_shown(&self, tab: Tab) -> Option<(usize, usize)> {
         let pane = self.pane(tab);

@@ -92,6 +92,8 @@ pub enum Chosen {
     OwnQuestion,
     /// An analysis, for a linked problem of that name.
     Analysis(String, &'static Entry),
+    /// A word of the pane that showed the list.
+    OfPane(String),
 }
 
 /// Purpose of a text.
@@ -113,6 +115,10 @@ pub enum Purpose {
     ExportSeen,
     /// The path of the file that is read into the table under the cursor.
     Import,
+    /// The path of the study plan to write.
+    SavePlan,
+    /// The path of the study plan to read.
+    OpenPlan,
 }
 
 impl Purpose {

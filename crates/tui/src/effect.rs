@@ -50,6 +50,17 @@ pub enum Effect {
         /// The problem, as its file would say it.
         text: String,
     },
+    /// Write the plan of a study; [`Msg::PlanSaved`](crate::Msg).
+    SavePlan {
+        /// Path.
+        path: PathBuf,
+        /// Text to write.
+        text: String,
+        /// The condition: what must stand there now.
+        before: Before,
+    },
+    /// Read the plan of a study; [`Msg::PlanRead`](crate::Msg).
+    ReadPlan(PathBuf),
     /// Look into a folder; [`Msg::Listed`](crate::Msg).
     List(PathBuf),
     /// Read the file of a table; [`Msg::TableRead`](crate::Msg).

@@ -117,11 +117,11 @@ impl Harness {
     fn perform(&mut self, effects: Vec<Effect>) {
         for effect in effects {
             let msg = match effect {
-                Effect::Solve(job) => match solve(&job, &Stop::new()) {
+                Effect::Solve(job) => match solve(&job, &Stop::new(), &|_| {}) {
                     Some(outcome) => Msg::Solved(outcome),
                     None => continue,
                 },
-                Effect::Ask(job) => match solve(&job, &Stop::new()) {
+                Effect::Ask(job) => match solve(&job, &Stop::new(), &|_| {}) {
                     Some(outcome) => Msg::Asked(outcome),
                     None => continue,
                 },
@@ -141,6 +141,14 @@ impl Harness {
                 Effect::Export { files, before } => {
                     let (path, result) = files::save_all(&files, before);
                     Msg::Exported { path, result }
+                }
+                Effect::SavePlan { path, text, before } => {
+                    let result = files::save(&path, &text, before);
+                    Msg::PlanSaved { path, text, result }
+                }
+                Effect::ReadPlan(path) => {
+                    let result = files::read(&path);
+                    Msg::PlanRead { path, result }
                 }
                 Effect::Open(path) => {
                     let result = files::read(&path);

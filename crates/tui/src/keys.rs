@@ -12,7 +12,7 @@ use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 pub use map::{Bound, KeyChange, KeyMap};
 pub use tables::{ALWAYS, COMMON, PANES, PROBLEM};
-use tables::{CELL, CELLS, EDIT, FILTER, FORM, HELP, LIST, PICKER, PROMPT, RESULTS, SHEET};
+use tables::{CELL, CELLS, EDIT, FILTER, FORM, HELP, LIST, PICKER, PLAN, PROMPT, RESULTS, SHEET};
 
 /// Action of a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -155,6 +155,10 @@ pub enum Action {
     Open,
     /// Shows the next open problem.
     NextProblem,
+    /// Writes the plan of the study to a file.
+    SavePlan,
+    /// Reads the plan of a study from a file.
+    OpenPlan,
     /// Closes the problem.
     CloseProblem,
     /// Puts the analysis at the head of the list, or no more.
@@ -245,6 +249,8 @@ pub enum KeyContext {
     Help,
     /// The cells of a tab: answers to be checked.
     Cells,
+    /// The plan of a study: cells, of which there may be more or less.
+    Plan,
     /// A cell that is being typed in.
     Cell,
 }
@@ -264,6 +270,7 @@ impl KeyContext {
             KeyContext::Sheet => SHEET,
             KeyContext::Help => HELP,
             KeyContext::Cells => CELLS,
+            KeyContext::Plan => PLAN,
             KeyContext::Cell => CELL,
         }
     }
@@ -281,7 +288,8 @@ impl KeyContext {
             KeyContext::Prompt => "Text prompt",
             KeyContext::Sheet => "Multi-line text",
             KeyContext::Help => "In this list",
-            KeyContext::Cells => "Check, sensitivity, study",
+            KeyContext::Cells => "Check, sensitivity",
+            KeyContext::Plan => "Study",
             KeyContext::Cell => "While typing in a cell",
         }
     }
@@ -294,9 +302,14 @@ impl KeyContext {
         )
     }
 
+    /// Returns true where the keys act on cells.
+    pub fn has_cells(self) -> bool {
+        matches!(self, KeyContext::Cells | KeyContext::Plan)
+    }
+
     /// Returns true for one of the panes of the results.
     pub fn is_pane(self) -> bool {
-        matches!(self, KeyContext::Pane | KeyContext::Own(_) | KeyContext::Cells)
+        self.has_cells() || matches!(self, KeyContext::Pane | KeyContext::Own(_))
     }
 
     /// Every binding of the tables that holds here, the most useful first.

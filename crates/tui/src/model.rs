@@ -177,6 +177,22 @@ pub enum Msg {
         /// The text of the table.
         result: Result<String, FileError>,
     },
+    /// The plan of a study was written, or not.
+    PlanSaved {
+        /// Path.
+        path: PathBuf,
+        /// The text.
+        text: String,
+        /// The mark of the file as it is now, or the error.
+        result: Result<Fingerprint, FileError>,
+    },
+    /// The plan of a study was read, or not.
+    PlanRead {
+        /// Path.
+        path: PathBuf,
+        /// Content of the file, or the error.
+        result: Result<Opened, FileError>,
+    },
     /// Reply to a question beside the results.
     Asked(JobOutcome),
     /// The mouse did something.

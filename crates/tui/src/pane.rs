@@ -2,7 +2,7 @@
 
 use std::{any::Any, fmt::Debug};
 
-use dalembert_core::{Locale, Text};
+use dalembert_core::{FieldError, Locale, Text, study::StudyPlan};
 use ratatui::{
     buffer::Buffer,
     layout::{Position, Rect},
@@ -17,7 +17,7 @@ use crate::{
     keys::{Action, KeyContext, KeyMap},
     look::Appearance,
     plot::Marker,
-    problem::Problem,
+    problem::{OpenFile, Problem},
     text::draw_lines,
 };
 
@@ -139,6 +139,11 @@ pub trait Pane: Any + Debug {
         true
     }
 
+    /// Takes what was chosen in a list that it showed, by its word.
+    fn chosen(&mut self, _problem: &mut Problem, _what: &str) -> Vec<Intent> {
+        Vec::new()
+    }
+
     /// Does what a key means; `None` where it is none of its own.
     fn act(&mut self, _problem: &mut Problem, _ui: &Ui<'_>, _action: Action) -> Option<Vec<Intent>> {
         None
@@ -208,6 +213,22 @@ pub trait Pane: Any + Debug {
     fn kept(&mut self, _problem: &mut Problem) -> Vec<Intent> {
         Vec::new()
     }
+
+    /// The file of the plan that it edits.
+    fn plan_file(&self) -> Option<&OpenFile> {
+        None
+    }
+
+    /// The plan that it edits, without the name of its problem.
+    ///
+    /// # Errors
+    /// Every text that cannot be read, or that there is no plan.
+    fn plan(&self, _problem: &Problem) -> Result<StudyPlan, Vec<FieldError>> {
+        Err(Vec::new())
+    }
+
+    /// Takes the plan of a file, as it was read or written.
+    fn take_plan(&mut self, _problem: &mut Problem, _plan: &StudyPlan, _file: OpenFile) {}
 
     /// The question that it has and that takes time.
     fn question(&self, _problem: &Problem) -> Option<Question> {

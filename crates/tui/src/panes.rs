@@ -44,6 +44,7 @@ pub fn places() -> Vec<KeyContext> {
         KeyContext::Sheet,
         KeyContext::Help,
         KeyContext::Cells,
+        KeyContext::Plan,
         KeyContext::Cell,
     ]);
     places

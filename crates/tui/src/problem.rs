@@ -8,13 +8,13 @@ use dalembert_core::{
     cases::Case,
     file::{self, LinkedFile},
     linked,
-    study::StudyResult,
     vary::{self, VariedInput},
 };
 
 use dalembert_report::show_answers_in;
 
 use crate::{
+    ask::StudyResult,
     files::{Fingerprint, LinkedTexts},
     form::Form,
     solver::{CheckedCase, JobFailure},
@@ -111,7 +111,7 @@ pub struct ProblemResults {
     pub pinned: Option<Solution>,
     /// The number of steps that are revealed, with the answers they lead to; `None` where nothing is covered.
     pub revealed: Option<usize>,
-    /// The result of a study; `None` while it is sought.
+    /// The result of a study, or of its points that are solved; `None` while there is none.
     pub studied: Option<Result<StudyResult, SolveError>>,
 }
 
@@ -349,7 +349,7 @@ impl Problem {
         Some(solution.exhibits[..start].iter().filter(|exhibit| is_shown(exhibit)).count())
     }
 
-    /// The plots of the newest solution, and that of the study.
+    /// The plots of the newest solution, and those of the study.
     pub fn plots(&self) -> impl Iterator<Item = &Plot> {
         plots_of(self.found.solution.iter()).chain(self.studied())
     }
@@ -406,9 +406,10 @@ impl Problem {
         self.found.solution.iter().flat_map(|solution| &solution.exhibits)
     }
 
-    /// The plot of the study.
-    pub fn studied(&self) -> Option<&Plot> {
-        self.found.studied.as_ref()?.as_ref().ok()?.plot.as_ref()
+    /// The plots of the study, one for each answer.
+    pub fn studied(&self) -> impl Iterator<Item = &Plot> {
+        let found = self.found.studied.iter().filter_map(|found| found.as_ref().ok());
+        found.flat_map(|found| &found.plots)
     }
 }
 

@@ -48,7 +48,7 @@ pub struct JobOutcome {
     pub generation: u64,
     /// Solution; `None` for a job that computes none.
     pub result: Result<Option<Solution>, JobFailure>,
-    /// Reply to a question beside the results.
+    /// Reply to a question beside the results, which may be [partial](Reply::is_partial).
     pub reply: Option<Reply>,
 }
 
@@ -159,9 +159,11 @@ impl Queue {
     }
 }
 
-/// Does a job on this thread. `None` when it was stopped.
-pub fn solve(job: &Job, stop: &Stop) -> Option<JobOutcome> {
+/// Does a job on this thread. `None` when it was stopped. `report` receives what is found before the end.
+pub fn solve(job: &Job, stop: &Stop, report: &dyn Fn(JobOutcome)) -> Option<JobOutcome> {
     let mut reply = None;
+    let so_far =
+        |reply| report(JobOutcome { generation: job.generation, result: Ok(None), reply: Some(reply) });
     let result = match &job.work {
         Work::Solve(entry, record) => match catch_panic(|| entry.solve(record, stop)) {
             Ok(Ok(solution)) => Ok(Some(solution)),
@@ -172,7 +174,7 @@ pub fn solve(job: &Job, stop: &Stop) -> Option<JobOutcome> {
         Work::Fault(kind) => {
             catch_panic(|| fault(*kind, || stop.check().is_err())).map(|()| None).map_err(JobFailure::Fault)
         }
-        Work::Ask(question) => match catch_panic(|| question.answer(stop)) {
+        Work::Ask(question) => match catch_panic(|| question.answer(stop, &so_far)) {
             Ok(None) => return None,
             Ok(some) => {
                 reply = some;
@@ -227,7 +229,7 @@ fn work(desk: &Queue, report: &dyn Report) {
         };
         state.running.push(stop.clone());
         drop(state);
-        if let Some(outcome) = solve(&job, &stop) {
+        if let Some(outcome) = solve(&job, &stop, &|so_far| report(so_far)) {
             report(outcome);
         }
         state = desk.lock();

@@ -15,6 +15,7 @@ mod mouse;
 mod pane;
 mod parts;
 mod picker;
+mod plans;
 mod problems;
 mod settings;
 
@@ -129,6 +130,11 @@ fn carry_out(model: &mut Model, intents: Vec<Intent>) -> Vec<Effect> {
             Intent::SaveAs(path) => files::save_as(model, path),
             Intent::Overwrite(path) => files::overwrite(model, path),
             Intent::AskPath(Purpose::SaveAs) => files::ask_path(model),
+            Intent::AskPath(purpose @ (Purpose::SavePlan | Purpose::OpenPlan)) => {
+                plans::ask_path(model, purpose)
+            }
+            Intent::WritePlan(path, before) => plans::write(model, path, before),
+            Intent::Export(Purpose::SavePlan, path, before) => plans::write(model, path, before),
             Intent::AskPath(purpose) => export::ask_path(model, purpose),
             Intent::Export(purpose, path, before) => export::write(model, purpose, path, before),
             Intent::ReadLinked => files::read_linked(model),
@@ -167,6 +173,8 @@ fn take(model: &mut Model, msg: Msg) -> Vec<Intent> {
         Msg::Exported { path, result } => return export::written(&path, result),
         Msg::Opened { path, result } => return files::opened(model, path, result),
         Msg::LinkedRead(problem, links) => return files::linked_read(model, problem, links),
+        Msg::PlanSaved { path, text, result } => return plans::saved(model, path, text, result),
+        Msg::PlanRead { path, result } => return plans::read(model, path, result),
         Msg::TableRead { field, result } => return form::table_read(model, &field, result),
         Msg::Crashed(sessions) => return files::crashed(model, sessions),
         Msg::Faulty(files) => settings::faulty(model, &files),
@@ -212,7 +220,7 @@ fn press(model: &mut Model, key: KeyEvent) -> Vec<Intent> {
         Some(action @ Action::Nudge(_)) if place == KeyContext::Form => form::nudge(model, key, action),
         Some(action) => act(model, place, action),
         None => match (place, key.code) {
-            (KeyContext::Cells, KeyCode::Char(character)) => {
+            (place, KeyCode::Char(character)) if place.has_cells() => {
                 cells::begin_by_typing(model, character, request(key))
             }
             (KeyContext::Sheet, _) => {
@@ -257,7 +265,7 @@ fn act(model: &mut Model, place: KeyContext, action: Action) -> Vec<Intent> {
     match place {
         KeyContext::Form => form::act(model, action),
         KeyContext::Edit => form::act_in_field(model, action),
-        KeyContext::Cells => cells::act(model, action),
+        KeyContext::Cells | KeyContext::Plan => cells::act(model, action),
         KeyContext::Cell => cells::act_in_cell(model, action),
         _ => pane::act(model, action),
     }

@@ -6,6 +6,7 @@ use dalembert as _;
 use dalembert_core::{Shape, cases, exams::exams, own_fields, registry, suggestions};
 use dalembert_plugins as _;
 use dalembert_report as _;
+use dalembert_study as _;
 use dalembert_testkit::languages::{self, SourceFile};
 use dalembert_tui as _;
 
@@ -75,7 +76,7 @@ fn sources() -> Vec<SourceFile> {
 
 /// The crates whose sentences users read: derive and testkit speak to programmers alone.
 fn crates() -> Vec<PathBuf> {
-    ["core", "units", "report", "terminal", "plot", "tui", "dalembert"]
+    ["core", "units", "report", "study", "terminal", "plot", "tui", "dalembert"]
         .map(|name| root().join("crates").join(name))
         .to_vec()
 }

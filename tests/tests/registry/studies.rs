@@ -62,7 +62,7 @@ fn a_row_is_what_the_problem_answers_at_that_point() {
         let inputs = study.design.inputs.len();
         let (mut shown, mut si) = (vec![0.0; inputs], vec![0.0; inputs]);
         for (point, row) in zip_eq(0..points, rows.iter().collect::<Vec<_>>()) {
-            study.design.point(point, &mut shown, &mut si);
+            study.design.rows(point, &mut shown, &mut si);
             let mut changed = record.clone();
             for (input, si) in zip_eq(&study.design.inputs, &si) {
                 changed = vary::changed(&changed, &input.path, *si).expect("an input of the problem");

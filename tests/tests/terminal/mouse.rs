@@ -156,15 +156,15 @@ fn inputs_and_answers_of_the_sensitivity_are_clicked() {
 #[test]
 fn cells_of_a_study_are_clicked() {
     let mut person = fan(90, 30);
-    person.turns_to("Study").clicks("Range to");
-    assert!(person.sees().contains("▸ Range to"), "{}", person.sees());
-    person.clicks("Range to").types("<c-u>80 kg").clicks("Spacing");
-    assert!(person.sees().contains("▸ Spacing") && person.sees().contains("80 kg"), "{}", person.sees());
-    person.clicks("Spacing");
-    assert!(person.sees().contains("logarithmic"), "{}", person.sees());
+    person.turns_to("Study").clicks("20..60 kg");
+    assert!(person.sees().contains("▸ Mass of the machine"), "{}", person.sees());
+    person.clicks("20..60 kg").types("<c-u>30..80 kg").clicks("Answer");
+    assert!(person.sees().contains("▸ Answer") && person.sees().contains("30..80 kg"), "{}", person.sees());
+    person.clicks("Answer");
+    assert!(person.sees().contains("Frequency ratio ▾"), "{}", person.sees());
     // Its curve is no cell.
     person.clicks("current value");
-    assert!(person.sees().contains("▸ Spacing"), "{}", person.sees());
+    assert!(person.sees().contains("▸ Answer"), "{}", person.sees());
 }
 
 #[test]

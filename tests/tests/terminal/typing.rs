@@ -81,8 +81,11 @@ fn the_line_below_speaks_of_the_cell_that_is_typed_in() {
     person.types("]]]]<tab><home>");
     let screen = person.types("4").sees();
     assert!(screen.contains("default unit kN/m · Stiffness of the support"), "{screen}");
-    let screen = person.types("<esc>]]<home><down><down><down>5").sees();
-    assert!(screen.contains("default unit ") && screen.contains(" · Range from"), "{screen}");
+    let screen = person.types("<esc>]]<home><down><down>5").sees();
+    assert!(
+        screen.contains("default unit kg · as in 1..9:5") && screen.contains(" · Mass of the machine"),
+        "{screen}"
+    );
     assert!(!screen.contains("· Speed of the machine"), "{screen}");
     // A vector has a form.
     let mut seen = false;

@@ -13,7 +13,7 @@ const BELOW: [(&str, &[&str]); 15] = [
     ("crates/terminal", &[]),
     ("crates/study", &["core"]),
     ("crates/plot", &["core", "report", "terminal", "units"]),
-    ("crates/tui", &["core", "plot", "report", "terminal", "units"]),
+    ("crates/tui", &["core", "plot", "report", "study", "terminal", "units"]),
     ("crates/dalembert", &["core", "mechanics", "plugins", "report", "study", "tui", "units"]),
     ("plugins/*", &["core", "mechanics", "numerics", "units"]),
     ("crates/testkit", &["core", "mechanics", "numerics", "plot", "report", "terminal", "units"]),

@@ -189,10 +189,7 @@ impl Evaluation<'_> {
         rows.answers.resize(count * wanted, f64::NAN);
         rows.refused.clear();
         self.points.resize(count * inputs, 0.0);
-        let shown = rows.inputs.chunks_exact_mut(inputs);
-        for ((shown, si), point) in shown.zip(self.points.chunks_exact_mut(inputs)).zip(range) {
-            design.point(point, shown, si);
-        }
+        design.rows(range.start, &mut rows.inputs, &mut self.points);
         let refused = &mut rows.refused;
         self.evaluate.sweep_with_reasons(
             &self.points,
@@ -200,7 +197,8 @@ impl Evaluation<'_> {
             &mut |row, why| refused.push((row, why)),
             stop,
         )?;
-        for (row, point) in self.points.chunks_exact(inputs).enumerate() {
+        let permitted = self.limits.permit(&self.points);
+        for (row, point) in self.points.chunks_exact(inputs).enumerate().filter(|_| !permitted) {
             if let Some(at) = self.limits.first_outside(point) {
                 rows.answers[row * wanted..][..wanted].fill(f64::NAN);
                 let input = &design.inputs[at];

@@ -144,7 +144,10 @@ pub enum Amount {
 
 impl Amount {
     /// The value in SI; a number alone is in `unit`.
-    pub(super) fn si(&self, unit: &Unit, kind: Kind) -> Result<f64, Text> {
+    ///
+    /// # Errors
+    /// Why it cannot be read.
+    pub fn si(&self, unit: &Unit, kind: Kind) -> Result<f64, Text> {
         match self {
             Amount::Number(number) => Ok(unit.si(*number)),
             Amount::Text(text) => units::read_quantity(text, unit, kind)

@@ -4,6 +4,7 @@
 //! One-Pass Parallel Computation of Covariances and Arbitrary-Order Statistical Moments*, Sandia report SAND2008-6212):
 //! the statistics are the same to the last bit however many threads or machines computed the rows.
 
+use dalembert_numerics::simd;
 use serde::Serialize;
 
 use super::{
@@ -277,15 +278,28 @@ impl Accumulator {
         let rows = || self.at_levels.iter().map(|begin| &self.rows[*begin..begin + width]);
         let level = |(input, levels): (usize, &Levels)| rows().map(|row| levels.of(row[input])).collect();
         let levels: Vec<Vec<usize>> = self.levels.iter().enumerate().map(level).collect();
+        let column = |at: usize| self.rows.iter().skip(at).step_by(width).copied().collect::<Vec<f64>>();
+        let inputs: Vec<Vec<f64>> = (0..self.inputs).map(column).collect();
         for (at, sums) in self.answers.iter_mut().enumerate() {
-            let column = self.inputs + at;
-            let here = || self.rows.chunks_exact(width).filter(|row| row[column].is_finite());
+            let mut values = column(self.inputs + at);
+            let has_answer: Vec<bool> = values.iter().map(|value| value.is_finite()).collect();
+            let of_answer = |column: &[f64]| -> Vec<f64> {
+                let kept = column.iter().zip(&has_answer).filter(|(_, has_answer)| **has_answer);
+                kept.map(|(value, _)| *value).collect()
+            };
+            if has_answer.contains(&false) {
+                values = of_answer(&values);
+                let inputs: Vec<Vec<f64>> = inputs.iter().map(|input| of_answer(input)).collect();
+                sums.take(&inputs, &values);
+            } else {
+                sums.take(&inputs, &values);
+            }
             let limits = self.limits.iter().filter(|limit| limit.answer == at);
             for (limit, count) in limits.zip(&mut sums.exceeded) {
-                *count += here().filter(|row| limit.is_exceeded(row[column])).count() as u64;
+                *count += values.iter().filter(|value| limit.is_exceeded(**value)).count() as u64;
             }
-            sums.take(here, column);
-            let values = rows().map(|row| row[column]).enumerate().filter(|(_, value)| value.is_finite());
+            let at_levels = rows().map(|row| row[self.inputs + at]).enumerate();
+            let values = at_levels.filter(|(_, value)| value.is_finite());
             let Some(centre) = sums.centre.or_else(|| values.clone().next().map(|(_, value)| value)) else {
                 continue;
             };
@@ -329,34 +343,44 @@ impl AnswerLimit {
 }
 
 impl AnswerSums {
-    /// Takes the rows of a block that have the answer, in that column.
-    fn take<'r, I: Iterator<Item = &'r [f64]>>(&mut self, rows: impl Fn() -> I, column: usize) {
-        let count = rows().count() as f64;
-        if count == 0.0 {
+    /// Takes the values of a block, and the inputs of the same rows.
+    fn take(&mut self, inputs: &[Vec<f64>], values: &[f64]) {
+        if values.is_empty() {
             return;
         }
-        let mean_of = |column: usize| rows().map(|row| row[column]).sum::<f64>() / count;
-        let mean = mean_of(column);
-        let mut powers = [0.0; 3];
-        for row in rows() {
-            let off = row[column] - mean;
-            let square = off * off;
-            powers[0] += square;
-            powers[1] += square * off;
-            powers[2] += square * square;
-            self.values.take(row[column]);
-        }
+        let count = values.len() as f64;
+        let mean_of = |column: &[f64]| {
+            simd::sums(
+                [column],
+                #[inline(always)]
+                |[x]| [x],
+            )[0] / count
+        };
+        let mean = mean_of(values);
+        let powers = simd::sums(
+            [values],
+            #[inline(always)]
+            |[x]| {
+                let off = x - mean;
+                let square = off * off;
+                [square, square * off, square * square]
+            },
+        );
         let block = Moments { count, mean, powers };
-        for (input, sums) in self.inputs.iter_mut().enumerate() {
-            let mut of_block = Comoments { mean: mean_of(input), ..Comoments::default() };
-            for row in rows() {
-                let off = row[input] - of_block.mean;
-                of_block.square += off * off;
-                of_block.product += off * (row[column] - mean);
-            }
-            *sums = sums.and(&self.moments, &of_block, &block);
+        for (input, sums) in inputs.iter().zip(&mut self.inputs) {
+            let mean_input = mean_of(input);
+            let [square, product] = simd::sums(
+                [input, values],
+                #[inline(always)]
+                |[x, y]| {
+                    let off = x - mean_input;
+                    [off * off, off * (y - mean)]
+                },
+            );
+            *sums = sums.and(&self.moments, &Comoments { mean: mean_input, square, product }, &block);
         }
         self.moments = self.moments.and(&block);
+        self.values.take(values);
     }
 
     fn statistics<'l>(self, limits: impl Iterator<Item = &'l AnswerLimit>) -> AnswerStatistics {

@@ -64,27 +64,22 @@ impl Histogram {
 }
 
 impl Values {
-    pub(super) fn take(&mut self, value: f64) {
-        self.least = Some(self.least.map_or(value, |least| least.min(value)));
-        self.largest = Some(self.largest.map_or(value, |largest| largest.max(value)));
+    pub(super) fn take(&mut self, values: &[f64]) {
+        let least = values.iter().copied().chain(self.least).reduce(f64::min);
+        let largest = values.iter().copied().chain(self.largest).reduce(f64::max);
+        (self.least, self.largest) = (least, largest);
+        if self.bins.is_none() && self.exact.len() + values.len() > MOST_EXACT {
+            // The ends are those of the values so far, and a tenth of their range beyond.
+            let (least, largest) = (least.unwrap_or_default(), largest.unwrap_or_default());
+            let margin = (largest - least) / 10.0;
+            let (from, width) = (least - margin, (largest - least + 2.0 * margin) / BINS as f64);
+            let mut bins = Bins { from, width, counts: vec![0; BINS] };
+            std::mem::take(&mut self.exact).into_iter().for_each(|value| bins.count(value));
+            self.bins = Some(bins);
+        }
         match &mut self.bins {
-            Some(bins) => bins.count(value),
-            None if self.exact.len() < MOST_EXACT => self.exact.push(value),
-            None => {
-                // The ends are those of the values so far, and a tenth of their range beyond.
-                let (least, largest) = (self.least.unwrap_or(value), self.largest.unwrap_or(value));
-                let margin = (largest - least) / 10.0;
-                let mut bins = Bins {
-                    from: least - margin,
-                    width: (largest - least + 2.0 * margin) / BINS as f64,
-                    counts: vec![0; BINS],
-                };
-                for value in std::mem::take(&mut self.exact) {
-                    bins.count(value);
-                }
-                bins.count(value);
-                self.bins = Some(bins);
-            }
+            Some(bins) => values.iter().for_each(|value| bins.count(*value)),
+            None => self.exact.extend_from_slice(values),
         }
     }
 

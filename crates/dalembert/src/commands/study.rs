@@ -13,10 +13,7 @@ use std::{
 
 use dalembert_core::{
     FieldError, Locale, Refusal, SolveError, Stop, Text, find,
-    study::{
-        Amount, Design, DistributionKind, Limit, MappedInputs, Sampling, Spacing, Study, StudyPlan, Summary,
-        Variation,
-    },
+    study::{Design, Limit, MappedInputs, Sampling, Study, StudyPlan, Summary, Variation},
 };
 use dalembert_report::{DocumentFormat, json_text, study_document, study_json, text};
 use dalembert_study::{
@@ -190,7 +187,7 @@ fn plan(asked: &arguments::Study, console: &Console) -> Result<(StudyPlan, PathB
         }
     }
     for text in &asked.limit {
-        match limit(text) {
+        match Limit::read(text) {
             Some(limit) => plan.limit.push(limit),
             None => {
                 let why = Text::new(
@@ -257,78 +254,12 @@ fn title(problem: &LoadedProblem, locale: &Locale) -> String {
     if name.is_empty() { Text::from(problem.entry.about.title).render(locale) } else { name }
 }
 
-/// Reads `INPUT=VALUES`.
+/// Reads `INPUT=VALUES`, or `table(FILE)`.
 fn variation(text: &str) -> Option<Variation> {
-    let (input, values) = text.split_once('=')?;
-    let (input, values) = (input.trim().to_owned(), values.trim());
-    let variation = Variation { input: Some(input), ..Variation::default() };
-    let amount = |text: &str| Some(Amount::Text(text.trim().to_owned())).filter(|_| !text.trim().is_empty());
-    if let Some((name, parameters)) = values.strip_suffix(')').and_then(|values| values.split_once('(')) {
-        let parameters: Vec<&str> = parameters.split(';').map(str::trim).collect();
-        use DistributionKind::{Data, Lognormal, Normal, Triangular, Uniform};
-        let kind = match name.trim() {
-            "uniform" => Uniform,
-            "normal" => Normal,
-            "triangular" => Triangular,
-            "lognormal" => Lognormal,
-            "data" => Data,
-            _ => return None,
-        };
-        let drawn = Variation { distribution: Some(kind), ..variation };
-        return Some(match (kind, &parameters[..]) {
-            (Normal | Lognormal, [deviation]) => Variation { deviation: amount(deviation), ..drawn },
-            (Normal | Lognormal, [mean, deviation]) => {
-                Variation { mean: amount(mean), deviation: amount(deviation), ..drawn }
-            }
-            (Uniform, [tolerance]) => Variation { tolerance: amount(tolerance), ..drawn },
-            (Uniform | Triangular, [from, to]) => Variation { from: amount(from), to: amount(to), ..drawn },
-            (Triangular, [from, mode, to]) => {
-                Variation { from: amount(from), mode: amount(mode), to: amount(to), ..drawn }
-            }
-            (Data, [file]) => Variation { data: Some((*file).to_owned()), ..drawn },
-            (Data, [file, column]) => {
-                Variation { data: Some((*file).to_owned()), column: Some((*column).to_owned()), ..drawn }
-            }
-            _ => return None,
-        });
+    match text.split_once('=') {
+        Some((input, values)) => Variation::read(Some(input.trim()), values),
+        None => Variation::read(None, text),
     }
-    if let Some((from, rest)) = values.split_once("..") {
-        let mut parts = rest.split(':').map(str::trim);
-        let to = parts.next()?;
-        let points = parts.next()?.parse().ok()?;
-        let scale = match parts.next() {
-            None => None,
-            Some("log") => Some(Spacing::Log),
-            Some("linear") => Some(Spacing::Linear),
-            Some(_) => return None,
-        };
-        // `600..1800 rpm` has the unit of its end on both sides.
-        let unit = to.trim_start_matches(|c: char| c.is_ascii_digit() || "+-.,eE".contains(c));
-        let from = from.trim();
-        let from = if from.parse::<f64>().is_ok() { format!("{from}{unit}") } else { from.to_owned() };
-        return Some(Variation {
-            from: amount(&from),
-            to: amount(to),
-            points: Some(points),
-            scale,
-            ..variation
-        });
-    }
-    let list: Option<Vec<Amount>> = values.split(';').map(amount).collect();
-    Some(Variation { values: Some(list?), ..variation })
-}
-
-/// Reads `ANSWER > VALUE` or `ANSWER < VALUE`.
-fn limit(text: &str) -> Option<Limit> {
-    let at = text.find(['>', '<'])?;
-    let (answer, value) = (text[..at].trim().to_owned(), text[at + 1..].trim());
-    let value = (!value.is_empty() && !answer.is_empty()).then(|| Amount::Text(value.to_owned()))?;
-    let is_above = text[at..].starts_with('>');
-    Some(if is_above {
-        Limit { answer, above: Some(value), below: None }
-    } else {
-        Limit { answer, above: None, below: Some(value) }
-    })
 }
 
 /// A bar with rate and time left on the error stream, where that is a terminal.
@@ -373,42 +304,5 @@ fn failure(error: StudyError) -> Failure {
     match error {
         StudyError::Solve(SolveError::Refused(Refusal::NoAnswer(why))) => Failure::Refused(why),
         other => Failure::input(other.text()),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn amount(text: &str) -> Amount {
-        Amount::Text(text.to_owned())
-    }
-
-    #[test]
-    fn variations_are_read_from_a_line() {
-        let of = |text| variation(text).unwrap();
-        let range = of("speed=600..1800 rpm:13");
-        assert_eq!((range.from, range.to), (Some(amount("600 rpm")), Some(amount("1800 rpm"))));
-        assert_eq!((range.points, range.scale), (Some(13), None));
-        let range = of("support.stiffness = 1 kN/m..2 MN/m : 31 : log");
-        assert_eq!(range.input.as_deref(), Some("support.stiffness"));
-        assert_eq!((range.from, range.to), (Some(amount("1 kN/m")), Some(amount("2 MN/m"))));
-        assert_eq!(range.scale, Some(Spacing::Log));
-        assert_eq!(of("mass=40 kg; 45,5 kg").values.map(|values| values.len()), Some(2));
-        let normal = of("mass=normal(2 %)");
-        assert_eq!((normal.mean, normal.deviation), (None, Some(amount("2 %"))));
-        let triangular = of("mass=triangular(38 kg; 40 kg; 45 kg)");
-        assert_eq!((triangular.from, triangular.mode), (Some(amount("38 kg")), Some(amount("40 kg"))));
-        for wrong in ["mass", "mass=", "mass=40 kg;", "speed=1..2", "speed=1..2:few", "mass=gamma(1; 2)"] {
-            assert_eq!(variation(wrong), None, "{wrong}");
-        }
-    }
-
-    #[test]
-    fn limits_are_read_from_a_line() {
-        assert_eq!(limit("amplitude > 0.2 mm").unwrap().above, Some(amount("0.2 mm")));
-        assert_eq!(limit("margin<0").unwrap().below, Some(amount("0")));
-        assert_eq!(limit("amplitude"), None);
-        assert_eq!(limit("> 2"), None);
     }
 }

@@ -89,6 +89,8 @@ impl Action {
             Action::Quit => "quit",
             Action::NextProblem => "next-problem",
             Action::CloseProblem => "close-problem",
+            Action::SavePlan => "save-plan",
+            Action::OpenPlan => "open-plan",
             Action::Edit => "edit",
             Action::Theme => "theme",
             Action::Mouse => "mouse",
@@ -111,6 +113,7 @@ impl KeyContext {
             KeyContext::Sheet => "sheet",
             KeyContext::Help => "help-page",
             KeyContext::Cells => "cells",
+            KeyContext::Plan => "study",
             KeyContext::Cell => "cell",
         }
     }

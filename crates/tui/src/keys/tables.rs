@@ -153,6 +153,41 @@ pub(super) const CELLS: BindingTable = &[
     ENDS,
 ];
 
+/// Keys of the plan of a study.
+pub(super) const PLAN: BindingTable = &[
+    &[
+        bind(Action::Enter, ENTER, "edit the line, or choose", "edit"),
+        bind(
+            Action::Clear,
+            &[plain(KeyCode::Delete), plain(KeyCode::Backspace)],
+            "clear the line and edit",
+            "",
+        ),
+        bind(Action::Left, LEFT, "previous kind of study, answer, input", "choose"),
+        bind(Action::Right, RIGHT, "next kind of study, answer, input", ""),
+        bind(
+            Action::Toggle,
+            &[typed(' ')],
+            "how the input varies: range, list, distribution",
+            "how it varies",
+        ),
+        bind(Action::AddRow, &[typed('a')], "add an input, an answer, a limit, a condition", "add"),
+        bind(Action::DeleteRow, &[typed('x')], "remove the line; on the first, everything typed", ""),
+        bind(Action::MoveRowUp, &[typed('K')], "move the input up: the first of a grid varies slowest", ""),
+        bind(Action::MoveRowDown, &[typed('J')], "move the input down", ""),
+        bind(
+            Action::SavePlan,
+            &[typed('w')],
+            "write the study plan to a file, for `dalembert study`",
+            "write plan",
+        ),
+        bind(Action::OpenPlan, &[typed('r')], "read a study plan from a file", "read plan"),
+    ],
+    LINES,
+    PAGES,
+    ENDS,
+];
+
 /// Keys while a cell is typed in.
 pub(super) const CELL: BindingTable = &[&[
     bind(Action::Enter, ENTER, "accept", "accept"),

@@ -3,8 +3,11 @@
 use dalembert_units::{Decimal, with_point};
 use tui_input::{Input, InputRequest};
 
-use super::with_shown;
+use super::{plans, with_shown};
 use crate::{
+    ask::Reply,
+    bench::Bench,
+    dialog::Purpose,
     effect::Effect,
     form::LONGEST,
     intent::Intent,
@@ -26,14 +29,15 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
         Action::Enter if begin(model, None) => Vec::new(),
         Action::Enter => own(model, Action::Right),
         Action::Clear if begin(model, Some(String::new())) => typed(model),
-        Action::Toggle | Action::Left | Action::Right => own(model, action),
         Action::Back => {
             if let Some(bench) = &mut model.bench {
                 bench.focus = Focus::Form;
             }
             Vec::new()
         }
-        _ => Vec::new(),
+        Action::SavePlan => plans::save(model),
+        Action::OpenPlan => vec![Intent::AskPath(Purpose::OpenPlan)],
+        _ => own(model, action),
     }
 }
 
@@ -86,11 +90,19 @@ pub(super) fn typed(model: &mut Model) -> Vec<Intent> {
     vec![Intent::Ask]
 }
 
-/// Asks again what the shown pane is to say of the present inputs.
-pub(super) fn ask(model: &Model) -> Vec<Intent> {
-    let bench = model.shown_bench().filter(|bench| !bench.problem.is_stale());
-    let question = bench.and_then(|bench| bench.shown().question(&bench.problem));
-    question.map(|question| Intent::Await(Work::Ask(question))).into_iter().collect()
+/// Asks again what the shown pane is to say of the present inputs; what it asked before is not wanted any more.
+pub(super) fn ask(model: &mut Model) -> Vec<Intent> {
+    let Some(bench) = model.shown_bench().filter(|bench| !bench.problem.is_stale()) else {
+        return Vec::new();
+    };
+    match bench.shown().question(&bench.problem) {
+        Some(question) => vec![Intent::Await(Work::Ask(question))],
+        None if bench.waits(bench.tab) => {
+            let _ = model.bench.as_mut().and_then(Bench::stop);
+            vec![Intent::Do(Effect::Cancel)]
+        }
+        None => Vec::new(),
+    }
 }
 
 /// Has something done for the shown pane, beside the solver. Only the newest job is worked on: another pane that waits
@@ -108,9 +120,12 @@ pub(super) fn begin_job(model: &mut Model, work: Work) -> Vec<Intent> {
 /// Takes what was found.
 pub(super) fn answered(model: &mut Model, outcome: JobOutcome) -> Vec<Intent> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
-    let Some((_, tab)) = bench.pending.take_if(|(number, _)| *number == outcome.generation) else {
+    let Some((_, tab)) = bench.pending.filter(|(number, _)| *number == outcome.generation) else {
         return Vec::new();
     };
+    if !outcome.reply.as_ref().is_some_and(Reply::is_partial) {
+        bench.pending = None;
+    }
     let intents = bench.panes[tab.0].answered(&mut bench.problem, outcome.reply);
     if tab == bench.tab { intents } else { Vec::new() }
 }

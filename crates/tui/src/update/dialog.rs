@@ -6,6 +6,7 @@ use dalembert_core::Text;
 use dalembert_units::Decimal;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
+use super::with_shown;
 use crate::{
     dialog::{After, Answer, Chosen, Dialog, Purpose},
     effect::Effect,
@@ -155,6 +156,10 @@ fn enter(model: &mut Model) -> Vec<Intent> {
                     return vec![Intent::Press(KeyContext::Form, Action::Ask)];
                 }
                 Some(Chosen::Analysis(name, entry)) => return vec![Intent::LinkProblem(name, entry)],
+                Some(Chosen::OfPane(what)) => {
+                    return with_shown(model, |pane, problem, _| pane.chosen(problem, &what))
+                        .unwrap_or_default();
+                }
                 Some(Chosen::Alternative(at)) => bench.problem.inputs.form.choose(&path, at),
                 Some(Chosen::Text(text)) => bench.problem.inputs.form.set(&path, text, Decimal::Point),
                 None => false,
@@ -181,6 +186,8 @@ fn enter(model: &mut Model) -> Vec<Intent> {
                 }
                 Purpose::Open => vec![Intent::Do(Effect::Open(PathBuf::from(typed)))],
                 Purpose::Import => vec![Intent::Import(typed.to_owned())],
+                Purpose::SavePlan => vec![Intent::WritePlan(PathBuf::from(typed), Before::Absent)],
+                Purpose::OpenPlan => vec![Intent::Do(Effect::ReadPlan(PathBuf::from(typed)))],
             }
         }
         _ => Vec::new(),
@@ -193,9 +200,7 @@ fn command(model: &mut Model, typed: &str, chosen: usize) -> Vec<Intent> {
         return match kind.parse::<Fault>() {
             Ok(fault)
                 if fault.belongs_to_solver()
-                    && model
-                        .shown_bench()
-                        .is_some_and(|bench| bench.shown().place() == KeyContext::Cells) =>
+                    && model.shown_bench().is_some_and(|bench| bench.shown().place().has_cells()) =>
             {
                 vec![Intent::Await(Work::Fault(fault))]
             }

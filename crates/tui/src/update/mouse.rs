@@ -67,7 +67,8 @@ fn click(model: &mut Model, spot: HitTarget, at: Position) -> Vec<Intent> {
         HitTarget::Tab(tab) => look_at(model, tab),
         HitTarget::Arrow(tab, action) => {
             let mut intents = look_at(model, tab);
-            intents.push(Intent::Press(KeyContext::Cells, action));
+            let place = model.bench.as_ref().map_or(KeyContext::Cells, |bench| bench.pane(tab).place());
+            intents.push(Intent::Press(place, action));
             intents
         }
         HitTarget::Listing(line) => {

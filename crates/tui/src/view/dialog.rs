@@ -71,6 +71,8 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
                 Purpose::ExportSeen => "Plot or drawing (.svg; a plot also .csv)",
                 Purpose::Open => "File to open",
                 Purpose::Import => "File of the table (.csv, .txt, .uff, .unv)",
+                Purpose::SavePlan => "Study plan to write (.toml)",
+                Purpose::OpenPlan => "Study plan to read (.toml)",
                 Purpose::Title => "Title of the problem",
                 Purpose::LinkedProblem => "Linked problem: a name and an analysis",
                 Purpose::Configuration => "Name of the configuration",
@@ -86,7 +88,8 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
             if purpose.is_path() {
                 let room = usize::from(box_width(screen)).saturating_sub(4);
                 let found = found_names(model, names, input.value(), room);
-                if found.is_empty() && *purpose == Purpose::Open && error.is_none() {
+                if found.is_empty() && matches!(purpose, Purpose::Open | Purpose::OpenPlan) && error.is_none()
+                {
                     below.push(Line::styled(word("nothing found", model), model.look.dim()));
                 }
                 below.extend(found);
@@ -178,7 +181,10 @@ fn help_lines(model: &Model, room: usize) -> Vec<Line<'static>> {
         Screen::Bench => {
             let own = model.keys.places().filter(|place| matches!(place, KeyContext::Own(_)));
             let before = [KeyContext::Form, KeyContext::Edit, KeyContext::Pane].into_iter();
-            before.chain(own).chain([KeyContext::Cells, KeyContext::Cell, KeyContext::Sheet]).collect()
+            before
+                .chain(own)
+                .chain([KeyContext::Cells, KeyContext::Plan, KeyContext::Cell, KeyContext::Sheet])
+                .collect()
         }
     };
     let say = |text: &'static str| Text::from(text).render(locale);
