@@ -29,10 +29,10 @@ use insta::assert_snapshot;
 
 const FAN: &str = "vibration/rotating-unbalance";
 
-pub struct Problem {
-    pub entry: &'static Entry,
-    pub record: Record,
-    pub solution: Solution,
+pub(crate) struct Problem {
+    pub(crate) entry: &'static Entry,
+    pub(crate) record: Record,
+    pub(crate) solution: Solution,
 }
 
 /// The first case of an analysis, solved.
@@ -42,7 +42,7 @@ fn problem(entry: &'static Entry) -> Problem {
     Problem { entry, record, solution }
 }
 
-pub fn fan() -> Problem {
+pub(crate) fn fan() -> Problem {
     problem(find(FAN).unwrap())
 }
 
