@@ -15,7 +15,7 @@ use std::{
 use crossterm::{Command, clipboard::CopyToClipboard};
 use dalembert_core::{Entry, Language, Text, catalogue};
 
-use self::{watch::WatchedFile, wheel::without_haste};
+use self::{watch::WatchedFile, wheel::limit_wheel};
 use crate::{
     bench::Bench,
     dialog::{After, Editing},
@@ -294,7 +294,7 @@ impl Runtime {
                 }
             }
             let mut waiting: Vec<Effect> = Vec::new();
-            for input in without_haste(inputs) {
+            for input in limit_wheel(inputs) {
                 stale = true;
                 let msg = match input {
                     TerminalInput::Key(key) => Msg::Key(key),

@@ -6,7 +6,7 @@ use crate::terminal::TerminalInput;
 
 /// Of the equal turns of the wheel that waited together no more than move a screenful: nobody counts the others, and
 /// the next key does not wait for them.
-pub(super) fn without_haste(mut inputs: Vec<TerminalInput>) -> Vec<TerminalInput> {
+pub(super) fn limit_wheel(mut inputs: Vec<TerminalInput>) -> Vec<TerminalInput> {
     const TURNS: usize = 10;
     let mut turns = 0;
     let mut last = None;
