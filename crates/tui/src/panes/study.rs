@@ -141,7 +141,7 @@ impl Pane for Study {
         let (to, begins) = match what.split_once('=') {
             Some((HOW, line)) => {
                 let Cell::Vary(at) = self.under_cursor(&of) else { return Vec::new() };
-                self.plan.edit(&of).vary[at].text = line.to_owned();
+                line.clone_into(&mut self.plan.edit(&of).vary[at].text);
                 (Cell::Vary(at), names_a_file(line))
             }
             Some((ADD, what)) => self.plan.add(what, &of),
