@@ -677,3 +677,4 @@ below-limit-share-95-interval-low-to-high = abaixo de { $limit }: { $share }, in
 mean = média
 n-2-5 = 2,5 %
 n-97-5 = 97,5 %
+this-answer-is-not-a-scalar = esta resposta não é um escalar

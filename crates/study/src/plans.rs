@@ -6,7 +6,7 @@ use toml_edit::{DocumentMut, Item, Table};
 /// Reads a plan.
 ///
 /// # Errors
-/// What of the text is no plan, with its line.
+/// The part of the text that is no plan, with its line.
 pub fn read(text: &str) -> Result<StudyPlan, Text> {
     let is_problem = text.parse::<DocumentMut>().is_ok_and(|document| document.contains_key("analysis"));
     if is_problem {
@@ -18,7 +18,7 @@ pub fn read(text: &str) -> Result<StudyPlan, Text> {
     toml::from_str(text).map_err(|error| {
         let why = Text::verbatim(error.message());
         match error.span() {
-            Some(span) if !span.is_empty() => {
+            Some(span) if span.end > 0 => {
                 let line = text[..span.start.min(text.len())].matches('\n').count() + 1;
                 Text::new("line {line}: {why}").with("line", line).with_text("why", why)
             }

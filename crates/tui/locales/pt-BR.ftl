@@ -503,7 +503,7 @@ name-removed-key-takes-that-back = { $name } removido; { $key } desfaz
 
 # Planos de estudo
 point-point-why = ponto { $point }: { $why }
-range = faixa
+range-equal-steps = faixa, passos iguais
 range-equal-ratios = faixa, razões iguais
 list-of-values = lista de valores
 uniform-within-a-tolerance = uniforme dentro de uma tolerância
@@ -526,7 +526,7 @@ the-problem-has-no-solution-to-vary = o problema não tem solução a variar
 a-search-for-a-target-value-has-no-plan-choose-a-sweep-or-monte-carlo = a busca de um valor-alvo não tem plano; escolha uma varredura ou Monte Carlo
 correlation = Correlação
 limit = Limite
-condition = Condição
+condition-to-meet = Condição a cumprir
 sampling = Amostragem
 plan-file = plano { $file }
 plan-file-changed = plano { $file } (alterado)

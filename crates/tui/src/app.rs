@@ -2,6 +2,7 @@
 
 mod editor;
 mod watch;
+mod wheel;
 
 use std::{
     fs, io,
@@ -11,10 +12,10 @@ use std::{
     time::{Duration, Instant},
 };
 
-use crossterm::{Command, clipboard::CopyToClipboard, event::MouseEventKind};
+use crossterm::{Command, clipboard::CopyToClipboard};
 use dalembert_core::{Entry, Language, Text, catalogue};
 
-use self::watch::WatchedFile;
+use self::{watch::WatchedFile, wheel::limit_wheel};
 use crate::{
     bench::Bench,
     dialog::{After, Editing},
@@ -293,7 +294,7 @@ impl Runtime {
                 }
             }
             let mut waiting: Vec<Effect> = Vec::new();
-            for input in without_haste(inputs) {
+            for input in limit_wheel(inputs) {
                 stale = true;
                 let msg = match input {
                     TerminalInput::Key(key) => Msg::Key(key),
@@ -585,26 +586,4 @@ fn at_home(path: PathBuf) -> PathBuf {
         (Ok(rest), Some(home)) => Path::new(&home).join(rest),
         _ => path,
     }
-}
-
-/// Of the equal turns of the wheel that waited together no more than move a screenful: nobody counts the others, and
-/// the next key does not wait for them.
-fn without_haste(mut inputs: Vec<TerminalInput>) -> Vec<TerminalInput> {
-    const TURNS: usize = 10;
-    let mut turns = 0;
-    let mut last = None;
-    inputs.retain(|input| {
-        let turned = match input {
-            TerminalInput::Mouse(event)
-                if matches!(event.kind, MouseEventKind::ScrollUp | MouseEventKind::ScrollDown) =>
-            {
-                Some(*event)
-            }
-            _ => None,
-        };
-        turns = if turned.is_some() && turned == last { turns + 1 } else { 1 };
-        last = turned;
-        turns <= TURNS
-    });
-    inputs
 }

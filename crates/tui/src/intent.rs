@@ -111,8 +111,6 @@ pub enum Intent {
     AskPath(Purpose),
     /// An export is written.
     Export(Purpose, PathBuf, Before),
-    /// The plan of the study is written.
-    WritePlan(PathBuf, Before),
     /// Files that an input links to by now are read.
     FollowLinks,
     /// Linked files that are open, or were, are read as they are now.

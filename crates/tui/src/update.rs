@@ -133,7 +133,6 @@ fn carry_out(model: &mut Model, intents: Vec<Intent>) -> Vec<Effect> {
             Intent::AskPath(purpose @ (Purpose::SavePlan | Purpose::OpenPlan)) => {
                 plans::ask_path(model, purpose)
             }
-            Intent::WritePlan(path, before) => plans::write(model, path, before),
             Intent::Export(Purpose::SavePlan, path, before) => plans::write(model, path, before),
             Intent::AskPath(purpose) => export::ask_path(model, purpose),
             Intent::Export(purpose, path, before) => export::write(model, purpose, path, before),

@@ -565,7 +565,7 @@ fn figures_of_a_summary_are_drawn_in_letters() {
     assert!(printed.contains("linear over w\n"), "the scatter over the first input:\n{printed}");
 }
 
-/// What is tried in the workbench runs on the command line unchanged, and back.
+/// A plan that is tried in the workbench runs on the command line unchanged, and back.
 #[test]
 fn a_plan_of_the_workbench_runs_on_the_command_line() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -590,11 +590,11 @@ fn a_plan_of_the_workbench_runs_on_the_command_line() {
     let share = 100.0 * limit["probability"].as_f64().expect("a probability");
     assert!(share > 1.0 && share < 99.0, "{limit}");
     let screen = person.types("e").sees();
-    assert!(
-        screen.contains(&format!("above 20 mm: {share:.2}").trim_end_matches('0').to_owned()),
-        "{share}: {screen}"
-    );
-    // Back: a comment stays, a change of the file is shown, and what is changed on the screen is told.
+    // Shares are shown to three digits.
+    let said = screen.split("above 20 mm: ").nth(1).and_then(|rest| rest.split(' ').next());
+    let said: f64 = said.and_then(|said| said.parse().ok()).unwrap_or_else(|| panic!("{share}: {screen}"));
+    assert!((said - share).abs() <= 0.0501, "{said} {share}");
+    // Back: a comment stays, a change of the file is shown, and what is changed on the screen is reported.
     let commented = format!("# from the bench\n{}", written.replace("samples = 2000", "samples = 500 # few"));
     fs::write(folder.path().join("fan_study.toml"), &commented).expect("a plan");
     person.types("rfan_study.toml<enter>");
@@ -637,9 +637,9 @@ fn a_file_that_is_no_plan_changes_nothing() {
     let unfit = "problem = \"fan.toml\"\nanswers = [\"amplitud\"]\n[[vary]]\ninput = \"mas\"\nvalues = [1]\n[[vary]]\ninput = \"speed\"\nfrom = \"3 s\"\nto = \"900 rpm\"\npoints = 3\n";
     fs::write(folder.path().join("broken.toml"), unfit).expect("a file");
     let screen = person.types("rbroken.toml<enter>").sees();
-    assert!(screen.contains("did you mean `mass`?") && screen.contains("from: "), "{screen}");
+    assert!(screen.contains("`mass`?") && screen.contains("from: "), "{screen}");
     person.types("<home><down><down><right><down><del>600..900 rpm<enter>");
-    assert!(person.sees().contains("did you mean `amplitude`?"), "{}", person.sees());
+    assert!(person.sees().contains("`amplitude`?"), "{}", person.sees());
     person.types("<home><down><right>");
     let screen = person.sees();
     assert!(!screen.contains("did you mean") && screen.contains("minimum"), "{screen}");

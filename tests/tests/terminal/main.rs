@@ -10,6 +10,7 @@ mod picker;
 mod problem_files;
 mod screens;
 mod search;
+mod sensitivities;
 mod settings;
 mod studies;
 mod typing;

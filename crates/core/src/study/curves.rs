@@ -25,7 +25,7 @@ pub struct Curves<'s> {
     /// Points from one to the next of a curve.
     stride: u64,
     next: u64,
-    curves: Vec<Curve>,
+    drawn: Vec<Curve>,
 }
 
 #[derive(Clone, Debug)]
@@ -57,7 +57,7 @@ impl<'s> Curves<'s> {
             points: most,
             stride: axes[at + 1..].iter().map(|axis| axis.1).product(),
             next: 0,
-            curves: Vec::new(),
+            drawn: Vec::new(),
         })
     }
 
@@ -70,7 +70,7 @@ impl<'s> Curves<'s> {
             return;
         }
         let inputs = &self.study.design.inputs;
-        if curve == self.curves.len() {
+        if curve == self.drawn.len() {
             let label =
                 self.others.iter().map(|at| {
                     let unit = &inputs[*at].unit;
@@ -78,7 +78,7 @@ impl<'s> Curves<'s> {
                         .with_text("input", inputs[*at].label.clone())
                         .with_quantity("value", unit.si(row.inputs[*at]), fixed(unit))
                 });
-            self.curves.push(Curve {
+            self.drawn.push(Curve {
                 label: label.reduce(|one, other| {
                     Text::new("{one}, {other}").with_text("one", one).with_text("other", other)
                 }),
@@ -87,7 +87,7 @@ impl<'s> Curves<'s> {
                 refusals: Vec::new(),
             });
         }
-        let curve = &mut self.curves[curve];
+        let curve = &mut self.drawn[curve];
         curve.x.push(inputs[self.x].unit.si(row.inputs[self.x]));
         let answers = row.answers.iter().zip(&self.study.answers).zip(&mut curve.answers);
         for ((value, answer), values) in answers {
@@ -100,7 +100,7 @@ impl<'s> Curves<'s> {
     pub fn plots(&self) -> Vec<Plot> {
         let input = &self.study.design.inputs[self.x];
         let plot = |(at, answer): (usize, &crate::Answer)| {
-            let series = self.curves.iter().map(|curve| {
+            let series = self.drawn.iter().map(|curve| {
                 let label = curve.label.clone().unwrap_or_else(|| answer.title());
                 let mut points: Vec<(f64, f64)> =
                     curve.x.iter().copied().zip(curve.answers[at].iter().copied()).collect();
@@ -141,7 +141,7 @@ impl<'s> Curves<'s> {
             };
             gaps(&refused).into_iter().map(remark).collect()
         };
-        let mut remarks = self.curves.iter().map(of).find(|gaps| !gaps.is_empty()).unwrap_or_default();
+        let mut remarks = self.drawn.iter().map(of).find(|gaps| !gaps.is_empty()).unwrap_or_default();
         let all = self.study.design.points() / self.points;
         if all > MOST_CURVES as u64 {
             remarks.push(

@@ -201,7 +201,7 @@ fn ends(from: Option<&Amount>, to: Option<&Amount>, unit: &str) -> [String; 2] {
     }
 }
 
-/// What stands behind the number of a quantity, with the space before it.
+/// Unit behind the number of a quantity, with the space before it.
 fn unit_of(text: &str) -> &str {
     text.trim_start_matches(|c: char| c.is_ascii_digit() || "+-−.,eE".contains(c))
 }

@@ -12,7 +12,7 @@ use dalembert_core::{
 };
 use dalembert_study::{StudyError, data, workers};
 
-/// What is found so far is reported so often, and takes at most one part of so many of the time.
+/// Interval at which the points so far are reported, which takes at most one part of so many of the time.
 const REPORT_EVERY: Duration = Duration::from_millis(200);
 const REPORT_SHARE: u32 = 20;
 
@@ -147,7 +147,7 @@ fn result(
         let refused = Text::new("{refused} of {all} have no answer");
         remarks.push(refused.with("refused", summary.refused).with("all", summary.points));
     }
-    // The reasons of a curve are told with its ranges.
+    // The reasons of a curve are given with its ranges.
     if let (Some((point, why)), None) = (&summary.first_refusal, curves) {
         remarks.push(Text::new("point {point}: {why}").with("point", point).with_text("why", why.clone()));
     }

@@ -141,7 +141,7 @@ impl Pane for Study {
         let (to, begins) = match what.split_once('=') {
             Some((HOW, line)) => {
                 let Cell::Vary(at) = self.under_cursor(&of) else { return Vec::new() };
-                self.plan.edit(&of).vary[at].text = line.to_owned();
+                line.clone_into(&mut self.plan.edit(&of).vary[at].text);
                 (Cell::Vary(at), names_a_file(line))
             }
             Some((ADD, what)) => self.plan.add(what, &of),
@@ -256,13 +256,13 @@ impl Pane for Study {
         Vec::new()
     }
 
-    /// What was found of a study that is cancelled stays.
+    /// Keeps the results of a study that is cancelled.
     fn forget(&mut self, problem: &mut Problem, inputs: bool) {
         problem.found.studied.take_if(|found| inputs || !is_partial(found));
     }
 }
 
-/// What was chosen in a list: a line of the input under the cursor, or something to add.
+/// First word of a choice from a list: a line of the input under the cursor, or something to add.
 const HOW: &str = "how";
 const ADD: &str = "add";
 
@@ -308,7 +308,7 @@ impl Study {
         vec![Intent::Show(Dialog::Choice { path: String::new(), options, chosen })]
     }
 
-    /// What a plan may have more of, to choose from.
+    /// List of what a plan may have more of.
     fn offer(&self, of: &Subject<'_>, ui: &Ui<'_>) -> Intent {
         let options = self.plan.additions(of).into_iter().map(|(label, help, what)| Choice {
             label: label.render(ui.locale),

@@ -181,12 +181,11 @@ fn enter(model: &mut Model) -> Vec<Intent> {
                     vec![Intent::Show(Dialog::prompt_again(purpose, String::new(), error))]
                 }
                 Purpose::SaveAs => vec![Intent::SaveAs(PathBuf::from(typed))],
-                Purpose::Export | Purpose::ExportSeen => {
+                Purpose::Export | Purpose::ExportSeen | Purpose::SavePlan => {
                     vec![Intent::Export(purpose, PathBuf::from(typed), Before::Absent)]
                 }
                 Purpose::Open => vec![Intent::Do(Effect::Open(PathBuf::from(typed)))],
                 Purpose::Import => vec![Intent::Import(typed.to_owned())],
-                Purpose::SavePlan => vec![Intent::WritePlan(PathBuf::from(typed), Before::Absent)],
                 Purpose::OpenPlan => vec![Intent::Do(Effect::ReadPlan(PathBuf::from(typed)))],
             }
         }

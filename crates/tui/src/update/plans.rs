@@ -19,7 +19,7 @@ use crate::{
 pub(super) fn save(model: &Model) -> Vec<Intent> {
     let file = model.bench.as_ref().and_then(|bench| bench.pane(bench.tab_of_plan()?).plan_file());
     match file.and_then(|file| Some((file.path.clone(), file.fingerprint?))) {
-        Some((path, fingerprint)) => vec![Intent::WritePlan(path, Before::Was(fingerprint))],
+        Some((path, fingerprint)) => vec![Intent::Export(Purpose::SavePlan, path, Before::Was(fingerprint))],
         None => vec![Intent::AskPath(Purpose::SavePlan)],
     }
 }

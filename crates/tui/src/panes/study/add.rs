@@ -1,4 +1,4 @@
-//! What a plan may have more of.
+//! Additions to a plan.
 
 use dalembert_core::{Text, study::Correlation, vary::VariedInput};
 
@@ -9,7 +9,7 @@ use super::{
 };
 
 impl Plan {
-    /// What the plan may have more of: its name, what it is, and its word for [`add`](Self::add).
+    /// Possible additions: name, explanation, and the word for [`add`](Self::add).
     pub(super) fn additions(&self, of: &Subject<'_>) -> Vec<(Text, Text, String)> {
         let mut all = Vec::new();
         let is_free = |input: &&VariedInput| {
@@ -30,7 +30,7 @@ impl Plan {
             "limit".into(),
         ));
         all.push((
-            Text::new("Condition"),
+            Text::new("Condition to meet"),
             Text::new("points that do not meet it are refused"),
             "condition".into(),
         ));

@@ -52,7 +52,7 @@ pub(super) struct Draft {
 pub(super) struct Varied {
     /// The path of the input; `None` of a table.
     pub(super) input: Option<String>,
-    /// Its line.
+    /// The line.
     pub(super) text: String,
     /// The line and its variation as they came from a file.
     opened: Option<(String, Variation)>,
@@ -74,7 +74,7 @@ pub(super) enum Way {
 impl Way {
     /// Every way, with its name.
     pub(super) const ALL: [(Way, &str); 8] = [
-        (Way::Range, "range"),
+        (Way::Range, "range, equal steps"),
         (Way::LogRange, "range, equal ratios"),
         (Way::List, "list of values"),
         (Way::Uniform, "uniform within a tolerance"),
@@ -122,7 +122,7 @@ impl Varied {
         Self { input: None, text: text.to_owned(), opened: None }
     }
 
-    /// Its variation; `usual` is the line of an empty text.
+    /// The variation; `usual` is the line of an empty text.
     fn read(&self, usual: &str) -> Option<Variation> {
         if let Some((text, variation)) = &self.opened
             && *text == self.text

@@ -33,7 +33,7 @@ impl Kind {
         }
     }
 
-    /// What the kind begins with.
+    /// Plan that the kind begins with.
     pub(super) fn about(self) -> Text {
         match self {
             Kind::Sweep => Text::new("answer as a function of an input"),

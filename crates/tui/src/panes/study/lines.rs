@@ -41,7 +41,7 @@ impl Study {
         let label = names.iter().map(|name| name.width()).max().unwrap_or(0).min(cells * 2 / 5);
         let room = cells.saturating_sub(label + 6).max(1);
         let errors = self.errors(of, problem);
-        let mut told = vec![false; errors.len()];
+        let mut placed = vec![false; errors.len()];
         for (cell, name) in all.iter().zip(&names) {
             page.starts.push(page.lines.len());
             let is_under = ui.focused && *cell == under_cursor;
@@ -76,7 +76,7 @@ impl Study {
             page.lines.push(line);
             // A line that is hidden has its errors below that which hides it.
             let hides = *cell == Cell::Inputs && !self.plan.unfolded;
-            for (error, told) in errors.iter().zip(&mut told).filter(|(_, told)| !**told) {
+            for (error, placed) in errors.iter().zip(&mut placed).filter(|(_, placed)| !**placed) {
                 let path = cell.path();
                 let rest = match error.path.strip_prefix(&path) {
                     Some(rest) if rest.is_empty() || rest.starts_with(['.', '[']) => rest,
@@ -85,7 +85,7 @@ impl Study {
                 if *cell == Cell::Inputs && !rest.is_empty() && !hides {
                     continue;
                 }
-                *told = true;
+                *placed = true;
                 page.lines.extend(error_lines(
                     if hides { &error.path } else { rest },
                     error,
@@ -95,7 +95,7 @@ impl Study {
                 ));
             }
         }
-        for (error, _) in errors.iter().zip(told).filter(|(_, told)| !told) {
+        for (error, _) in errors.iter().zip(placed).filter(|(_, placed)| !placed) {
             page.lines.extend(error_lines(&error.path, error, ui, locale, cells));
         }
         page.lines.push(Line::default());
@@ -105,7 +105,7 @@ impl Study {
         page
     }
 
-    /// What was found, or that it is sought.
+    /// Results, or that they are sought.
     fn found(
         &self,
         problem: &Problem,
@@ -142,7 +142,7 @@ impl Study {
         }
     }
 
-    /// What is wrong with the plan: its texts, or what of them does not fit the problem.
+    /// Errors of the plan: of its texts, or what of them does not fit the problem.
     fn errors(&self, of: &Subject<'_>, problem: &Problem) -> Vec<FieldError> {
         let read = match self.plan.kind {
             Kind::Find => self.plan.target(of).map(drop),
@@ -171,7 +171,7 @@ fn error_lines(
     wrap::hanging(vec![Span::raw("    ")], &text, ui.look.error(), cells).collect::<Vec<_>>().into_iter()
 }
 
-/// How far a study is, how fast, and how long it will take.
+/// Progress of a study: share, rate and time left.
 fn progress_text(progress: &StudyProgress, is_running: bool, style: NumberStyle) -> Text {
     let number = |value: f64, digits| write_number(value, NumberStyle { digits, ..style });
     let share = (100.0 * progress.done as f64 / progress.points as f64).floor();

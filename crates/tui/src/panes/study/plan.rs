@@ -27,7 +27,7 @@ pub(super) struct Plan {
     pub(super) kind: Kind,
     /// The input that the user chose for a curve or a search, by its path.
     input: Option<String>,
-    /// What was chosen and typed, by kind.
+    /// Choices and texts, by kind.
     pub(super) slots: [Slot; Kind::ALL.len()],
     /// The file of the plan of that kind.
     pub(super) file: Option<OpenFile>,
@@ -35,7 +35,7 @@ pub(super) struct Plan {
     pub(super) unfolded: bool,
 }
 
-/// What was chosen and typed for a kind.
+/// Choices and texts of a kind.
 #[derive(Debug, Default)]
 pub(super) struct Slot {
     /// The answers by their names, none for all of them; `None` where nobody chose.
@@ -108,7 +108,7 @@ impl Cell {
         })
     }
 
-    /// Its place in a plan, as errors name it.
+    /// Place in a plan, as errors name it.
     pub(super) fn path(self) -> String {
         let (list, at) = match self {
             Cell::Answer(at) => ("answers", at),
@@ -181,7 +181,7 @@ impl Plan {
         let by_default = || answers.get(answer).map(|answer| answer.name.to_string()).into_iter().collect();
         let is_known = |name: &String| answers.iter().any(|answer| answer.name.is(name));
         let names = match &self.slot().answers {
-            // Chosen of other inputs, a name may be none any more; that of a file is told to be none.
+            // Chosen of other inputs, a name may be none any more; that of a file is reported to be none.
             Some(names) if self.kind == Kind::File || names.iter().all(is_known) => names.clone(),
             _ => by_default(),
         };
@@ -227,7 +227,7 @@ impl Plan {
             },
             Cell::Correlation(_) => Text::new("Correlation"),
             Cell::Limit(_) => Text::new("Limit"),
-            Cell::Condition(_) => Text::new("Condition"),
+            Cell::Condition(_) => Text::new("Condition to meet"),
             Cell::Sampling => Text::new("Sampling"),
             Cell::Samples => Text::new("Samples"),
             Cell::Seed => Text::new("Seed"),
@@ -336,7 +336,7 @@ impl Plan {
     /// The input and its range, the answer and its wanted value of a search.
     ///
     /// # Errors
-    /// What of them cannot be read, by the path of its cell.
+    /// Texts that cannot be read, by the paths of their cells.
     #[expect(clippy::type_complexity, reason = "the two parts of a question")]
     pub(super) fn target(
         &self,
@@ -438,8 +438,10 @@ impl Plan {
                 };
                 let free: Vec<&VariedInput> = of.inputs.iter().filter(|input| !used(&input.path)).collect();
                 let now = of.draft.vary.get(at).and_then(|varied| varied.input.as_deref());
-                let place = free.iter().position(|input| now == Some(&input.path)).unwrap_or(0);
-                let Some(to) = free.get(turned(place, by, free.len())) else { return };
+                // From what is no input, to the first one.
+                let place = free.iter().position(|input| now == Some(&input.path));
+                let to = place.map_or(0, |place| turned(place, by, free.len()));
+                let Some(to) = free.get(to) else { return };
                 if self.slot().draft.is_none() && matches!(self.kind, Kind::Sweep | Kind::Find) {
                     self.input = Some(to.path.clone());
                 } else if let Some(varied) = self.edit(of).vary.get_mut(at) {
