@@ -503,6 +503,28 @@ fn means_at_levels_and_maps_are_those_of_the_rows() {
 }
 
 #[test]
+fn neighbouring_values_of_a_long_range_are_one_level() {
+    let folder = example();
+    for range in ["600..1800 rpm:1000", "1800..600 rpm:1000"] {
+        let vary = format!("speed={range}");
+        let options = ["fan.toml", "--vary", &vary, "--answers", "amplitude", "--json"];
+        let json: Json = serde_json::from_str(&printed(folder.path(), &options)).expect("JSON");
+        let levels: Vec<f64> = serde_json::from_value(json["levels"][0].clone()).expect("numbers");
+        assert!(levels.is_sorted() && levels.len() == 24, "{levels:?}");
+        let means = json["answers"][0]["effects"][0].as_array().expect("means");
+        let counts: Vec<u64> = means.iter().map(|level| level["count"].as_u64().expect("a count")).collect();
+        assert_eq!(counts.iter().sum::<u64>(), 1000);
+        assert!(counts.iter().all(|count| [41, 42].contains(count)), "{counts:?}");
+        // The resonance is at 106.2 rad/s.
+        let largest = (0..24).max_by(|a, b| {
+            let mean = |at: &usize| means[*at]["mean"].as_f64().expect("a number");
+            mean(a).total_cmp(&mean(b))
+        });
+        assert!((levels[largest.expect("a level")] - 1014.3).abs() < 100.0, "{levels:?}");
+    }
+}
+
+#[test]
 fn the_summary_shows_tornado_scatter_and_map() {
     let folder = example();
     let printed =

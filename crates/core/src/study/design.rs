@@ -122,7 +122,9 @@ impl Design {
         for axis in &self.grid {
             match axis {
                 GridAxis::Range(range) => {
-                    levels[range.input] = Levels::of_values((0..range.points).map(|at| range.value(at)));
+                    let last = range.points - 1;
+                    let ascending = |at| range.value(if range.from <= range.to { at } else { last - at });
+                    levels[range.input] = Levels::of_ascending(range.points, ascending);
                 }
                 GridAxis::Rows { inputs, rows } => {
                     for (n, input) in inputs.iter().enumerate() {

@@ -6,7 +6,7 @@ use serde::Serialize;
 /// Intervals of equal probability of an input that is drawn.
 const INTERVALS: usize = 10;
 /// Values of a grid up to which each is a level of its own; more are taken together.
-const MOST_LEVELS: usize = 24;
+const MOST_LEVELS: u64 = 24;
 
 /// Levels of an input: the values of a grid, or intervals.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -35,17 +35,24 @@ pub(super) struct LevelSums {
 }
 
 impl Levels {
-    /// The levels of a grid: one for each of its values, or for as many neighbouring ones as make few of them.
+    /// The levels of values of a grid.
     pub(super) fn of_values(values: impl Iterator<Item = f64>) -> Self {
         let mut values: Vec<f64> = values.collect();
         values.sort_by(f64::total_cmp);
         values.dedup();
-        let size = values.len().div_ceil(MOST_LEVELS).max(1);
-        let groups: Vec<&[f64]> = values.chunks(size).collect();
-        let edge = |pair: &[&[f64]]| f64::midpoint(pair[0][pair[0].len() - 1], pair[1][0]);
+        Self::of_ascending(values.len() as u64, |at| values[at as usize])
+    }
+
+    /// The levels of so many ascending values: one for each, or for as many neighbouring ones as make few of them.
+    pub(super) fn of_ascending(count: u64, value: impl Fn(u64) -> f64) -> Self {
+        let levels = count.min(MOST_LEVELS);
+        let begin = |level: u64| (u128::from(level) * u128::from(count) / u128::from(levels)) as u64;
+        let middle = |level: u64| begin(level).midpoint(begin(level + 1) - 1);
         Self {
-            values: groups.iter().map(|group| group[group.len() / 2]).collect(),
-            edges: groups.windows(2).map(edge).collect(),
+            values: (0..levels).map(|level| value(middle(level))).collect(),
+            edges: (1..levels)
+                .map(|level| f64::midpoint(value(begin(level) - 1), value(begin(level))))
+                .collect(),
         }
     }
 

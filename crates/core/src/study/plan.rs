@@ -65,7 +65,6 @@ pub struct StudyPlan {
     pub map: Vec<MappedInputs>,
 }
 
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
 fn is_false(value: &bool) -> bool {
     !value
 }

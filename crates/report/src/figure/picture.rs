@@ -127,7 +127,8 @@ impl Tone {
             Tone::Good => Some(CURVES[2].to_owned()),
             Tone::Bad => Some(CURVES[3].to_owned()),
             Tone::Scale(place) => {
-                Some(of_scale(place).iter().map(|part| format!("{part:02X}")).collect::<String>())
+                let [red, green, blue] = of_scale(place);
+                Some(format!("{red:02X}{green:02X}{blue:02X}"))
             }
         }
     }
