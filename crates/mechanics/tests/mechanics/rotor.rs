@@ -353,8 +353,7 @@ fn no_two_modes_are_exchanged_over_speed() {
         let reference = campbell(&reduced, &fine).unwrap();
         for (first, last) in ends {
             let same = reference.branches.iter().any(|branch| {
-                let of =
-                    |mode: &Option<modes::WhirlMode>| mode.as_ref().map_or(0.0, modes::WhirlMode::frequency);
+                let of = |mode: &Option<WhirlMode>| mode.as_ref().map_or(0.0, WhirlMode::frequency);
                 (of(&branch[0]) - first).abs() < 1e-9 * first && (of(&branch[600]) - last).abs() < 1e-9 * last
             });
             assert!(same, "{first} at rest becomes {last} with {count} steps");
