@@ -235,12 +235,12 @@ pub fn instability(reduced: &ReducedRotor<'_>, campbell: &Campbell) -> Result<In
     // Where the last of the lowest modes is one of a pair, either may be the one that is examined, and what grows would
     // come and go: then more of them are.
     for more in 0..MOST_MORE {
-        let (found, settled) = bands(reduced, &campbell.speeds, reduced.count + more)?;
+        let (found, settled) = bands(reduced, campbell, reduced.count + more)?;
         if settled {
             return Ok(found);
         }
     }
-    Ok(bands(reduced, &campbell.speeds, reduced.count + MOST_MORE)?.0)
+    Ok(bands(reduced, campbell, reduced.count + MOST_MORE)?.0)
 }
 
 /// So many modes more are examined for stability at most.
@@ -249,13 +249,17 @@ const MOST_MORE: usize = 4;
 /// The bands of the lowest modes, and whether every change of sign was a zero.
 fn bands(
     reduced: &ReducedRotor<'_>,
-    speeds: &[f64],
+    campbell: &Campbell,
     count: usize,
 ) -> Result<(Instability, bool), RotorError> {
     let mut settled = true;
     let of = |spectrum: &Spectrum| (spectrum.speed, growth(most_unstable(spectrum)));
     let look = |speed: f64| Ok::<_, RotorError>(of(&reduced.lowest(speed, count)?));
-    let mut seen: Vec<(f64, f64)> = speeds.iter().map(|&speed| look(speed)).collect::<Result<_, _>>()?;
+    let mut seen: Vec<(f64, f64)> = if count == reduced.count {
+        campbell.spectra.iter().map(of).collect()
+    } else {
+        campbell.speeds.iter().map(|&speed| look(speed)).collect::<Result<_, _>>()?
+    };
     let mut steps: Vec<([(f64, f64); 2], u8)> =
         seen.windows(2).map(|pair| ([pair[0], pair[1]], BISECTIONS)).collect();
     while let Some(([left, right], depth)) = steps.pop() {

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::{
-    Assembled, BearingSupport, RotorError,
+    Assembled, BearingSupport, Coefficients, RotorError,
     basis::Basis,
     response::Orbit,
     stiffness::{Node, Powers, Stiffness},
@@ -180,6 +180,9 @@ impl<'a> ReducedRotor<'a> {
         if (self.cancelled)() {
             return Err(RotorError::Stopped);
         }
+        if let Some(modes) = self.undamped(speed, count)? {
+            return Ok(Spectrum { speed, modes, overdamped: Vec::new() });
+        }
         let (stiffness, damping) = self.matrices(speed);
         let frequencies = &self.basis.frequencies;
         let m = frequencies.len();
@@ -249,6 +252,84 @@ impl<'a> ReducedRotor<'a> {
         let mut overdamped: Vec<f64> = values.iter().filter(is_overdamped).map(|value| value.re).collect();
         overdamped.sort_by(f64::total_cmp);
         Ok(Spectrum { speed, modes, overdamped })
+    }
+
+    /// The lowest modes at a speed where nothing is damped and no bearing couples the planes; `None` elsewhere, and for a
+    /// rotor that is free or unstable at rest.
+    ///
+    /// With `y = −iη` free whirl `e^{iωt}` obeys `(ω² − ωΩG′ − K) q = 0` with real symmetric matrices, for `q = (x, η)` and
+    /// `G′ = [[0, G], [G, 0]]`; where the bearings are alike in all directions, for `q = x = ±η` and `G′ = ±G`, so that
+    /// negative ω whirl against the spin. With `v = ω q` it is `[[0, K], [K, ΩG′]] (q, v) = ω diag(K, 1) (q, v)`.
+    fn undamped(&self, speed: f64, count: usize) -> Result<Option<Vec<WhirlMode>>, RotorError> {
+        let mut bearings = self.rotor.bearings(speed);
+        let decoupled = |here: &Coefficients| {
+            here.damping == [[0.0; 2]; 2] && [here.stiffness[0][1], here.stiffness[1][0]] == [0.0; 2]
+        };
+        if self.basis.free || self.rotor.internal || !bearings.all(|(_, here)| decoupled(&here)) {
+            return Ok(None);
+        }
+        let alike = self.rotor.bearings(speed).all(|(_, here)| here.stiffness[0][0] == here.stiffness[1][1]);
+        let (stiffness, _) = self.matrices(speed);
+        let m = self.basis.frequencies.len();
+        let gyroscopic = |i: usize, j: usize| {
+            let of = &self.basis.gyroscopic;
+            0.5 * speed * (of[(i % m, j % m)] + of[(j % m, i % m)])
+        };
+        // First coordinate, and number of them, of each group that is coupled.
+        let circular = alike && speed != 0.0;
+        let groups: &[(usize, usize)] = if circular {
+            &[(0, m)]
+        } else if speed != 0.0 {
+            &[(0, 2 * m)]
+        } else {
+            &[(0, m), (m, m)]
+        };
+        let mut found: Vec<(f64, DVector<Complex<f64>>)> = Vec::new();
+        for &(first, size) in groups {
+            let coupled = |i: usize, j: usize| circular || (i < m) != (j < m);
+            let part = |i: usize, j: usize| stiffness[(first + i, first + j)];
+            let left = DMatrix::from_fn(2 * size, 2 * size, |i, j| match (i < size, j < size) {
+                (true, true) => 0.0,
+                (false, false) if size > m || circular => {
+                    if coupled(i - size, j - size) {
+                        gyroscopic(i - size, j - size)
+                    } else {
+                        0.0
+                    }
+                }
+                (false, false) => 0.0,
+                _ => part(i % size, j % size),
+            });
+            let right = DMatrix::from_fn(2 * size, 2 * size, |i, j| match (i < size, j < size) {
+                (true, true) => part(i, j),
+                (false, false) if i == j => 1.0,
+                _ => 0.0,
+            });
+            let eigen = match linalg::generalised_eigen(&left, &right) {
+                Err(linalg::LinalgError::NotPositiveDefinite { .. }) => return Ok(None),
+                eigen => eigen?,
+            };
+            for (&omega, vector) in eigen.values.iter().zip(eigen.vectors.column_iter()) {
+                // Where the planes are not one, each whirl is there twice, with ω and η of either sign.
+                if omega <= 0.0 && !circular {
+                    continue;
+                }
+                let turned = Complex::new(0.0, -omega.signum());
+                let coordinates = DVector::from_fn(2 * m, |i, _| match i.checked_sub(first) {
+                    Some(at) if circular => vector[at % m] * if at < m { Complex::ONE } else { turned },
+                    Some(at) if at < size => {
+                        vector[at] * if size > m && at >= m { turned } else { Complex::ONE }
+                    }
+                    _ => ZERO,
+                });
+                found.push((omega.abs(), coordinates));
+            }
+        }
+        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let lowest = found.iter().take(count);
+        Ok(Some(
+            lowest.map(|(omega, coordinates)| self.mode(Complex::new(0.0, *omega), coordinates)).collect(),
+        ))
     }
 
     /// Stiffness and damping in the coordinates of the shapes, both planes.

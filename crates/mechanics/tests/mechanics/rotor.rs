@@ -4,7 +4,7 @@ use dalembert_mechanics::rotor::{
     campbell::campbell,
     element::{BeamTheory, Material, ShaftElement},
     mesh::{Segment, mesh},
-    modes::{ReducedRotor, WhirlDirection},
+    modes::{ReducedRotor, WhirlDirection, WhirlMode},
     response::{Unbalance, unbalance_response},
     *,
 };
@@ -267,6 +267,40 @@ fn the_other_spin_turns_every_whirl_round() {
 
 /// On bearings alike in all directions both planes have the same frequencies at rest, and these do not depend on how
 /// the axes of unequal bearings are turned.
+/// An undamped rotor is solved as a symmetric problem, any other one as a general one.
+#[test]
+fn an_undamped_rotor_has_the_modes_of_one_that_is_hardly_damped() {
+    for stiffness in [[1e6, 1e6], [1e6, 0.8e6]] {
+        let [undamped, damped] = [0.0, 1e-6]
+            .map(|c| Assembled::new(&two_discs(6, Coefficients::orthotropic(stiffness, [c; 2]))).unwrap());
+        let speeds = [-700.0, 0.0, 30.0, 400.0];
+        let [undamped, damped] =
+            [&undamped, &damped].map(|rotor| ReducedRotor::new(rotor, 6, &speeds).unwrap());
+        for speed in speeds {
+            let [one, other] = [&undamped, &damped].map(|reduced| reduced.modes(speed).unwrap().modes);
+            assert_eq!(one.len(), 6);
+            for (one, other) in one.iter().zip_eq(&other) {
+                close(one.frequency(), other.frequency(), 1e-9, "frequency");
+                assert_eq!(one.lambda.re, 0.0);
+                if speed == 0.0 {
+                    continue;
+                }
+                assert_eq!(one.direction(), other.direction(), "at {speed} rad/s");
+                // Of one shape, up to a complex factor.
+                let product: Complex<f64> = one
+                    .shape
+                    .iter()
+                    .flatten()
+                    .zip_eq(other.shape.iter().flatten())
+                    .map(|(a, b)| a.conj() * b)
+                    .sum();
+                let size = |mode: &WhirlMode| mode.shape.iter().flatten().map(|x| x.norm_sqr()).sum::<f64>();
+                close(product.norm_sqr(), size(one) * size(other), 1e-7, "overlap of the shapes");
+            }
+        }
+    }
+}
+
 #[test]
 fn axes_do_not_matter() {
     let isotropic = Assembled::new(&two_discs(6, Coefficients::isotropic(1e6, 100.0))).unwrap();
@@ -319,8 +353,7 @@ fn no_two_modes_are_exchanged_over_speed() {
         let reference = campbell(&reduced, &fine).unwrap();
         for (first, last) in ends {
             let same = reference.branches.iter().any(|branch| {
-                let of =
-                    |mode: &Option<modes::WhirlMode>| mode.as_ref().map_or(0.0, modes::WhirlMode::frequency);
+                let of = |mode: &Option<WhirlMode>| mode.as_ref().map_or(0.0, WhirlMode::frequency);
                 (of(&branch[0]) - first).abs() < 1e-9 * first && (of(&branch[600]) - last).abs() < 1e-9 * last
             });
             assert!(same, "{first} at rest becomes {last} with {count} steps");

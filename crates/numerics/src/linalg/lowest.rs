@@ -171,7 +171,7 @@ impl<'a> Lanczos<'a> {
                 _ => high = middle,
             }
         }
-        // No nearer than what was told apart: the lowest value may lie just above `low`.
+        // No nearer than the bisection went: the lowest value may lie just above `low`.
         let nearer = low - 0.5 * (high - low);
         if nearer <= shift {
             return Ok(None);

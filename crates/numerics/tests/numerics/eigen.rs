@@ -148,7 +148,7 @@ fn rigid_and_repeated_modes_are_all_found() {
 }
 
 #[test]
-fn the_lowest_modes_are_told_apart_where_ground_springs_bring_them_together() {
+fn the_lowest_modes_are_resolved_where_ground_springs_bring_them_together() {
     // Masses in rows of `wide` on springs to their neighbours, the first row to the wall, all on ground springs; or as
     // many chains that are not joined across. λ = g + 4 sin²(θ/2) (+ 4 sin²(cπ/2w) across a joined row).
     for (rows, wide, ground, joined) in [
