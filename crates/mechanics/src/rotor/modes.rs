@@ -289,15 +289,8 @@ impl<'a> ReducedRotor<'a> {
             let coupled = |i: usize, j: usize| circular || (i < m) != (j < m);
             let part = |i: usize, j: usize| stiffness[(first + i, first + j)];
             let left = DMatrix::from_fn(2 * size, 2 * size, |i, j| match (i < size, j < size) {
-                (true, true) => 0.0,
-                (false, false) if size > m || circular => {
-                    if coupled(i - size, j - size) {
-                        gyroscopic(i - size, j - size)
-                    } else {
-                        0.0
-                    }
-                }
-                (false, false) => 0.0,
+                (false, false) if coupled(i - size, j - size) => gyroscopic(i - size, j - size),
+                (false, false) | (true, true) => 0.0,
                 _ => part(i % size, j % size),
             });
             let right = DMatrix::from_fn(2 * size, 2 * size, |i, j| match (i < size, j < size) {

@@ -294,7 +294,7 @@ fn an_undamped_rotor_has_the_modes_of_one_that_is_hardly_damped() {
                     .zip_eq(other.shape.iter().flatten())
                     .map(|(a, b)| a.conj() * b)
                     .sum();
-                let size = |mode: &WhirlMode| mode.shape.iter().flatten().map(|x| x.norm_sqr()).sum::<f64>();
+                let size = |mode: &WhirlMode| mode.shape.iter().flatten().map(Complex::norm_sqr).sum::<f64>();
                 close(product.norm_sqr(), size(one) * size(other), 1e-7, "overlap of the shapes");
             }
         }
