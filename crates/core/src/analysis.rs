@@ -569,14 +569,13 @@ impl Evaluate for Prepared {
         let plain = Plain::until(stop, &names);
         let blocks = points.chunks(columns * WIDTH).zip(answers.chunks_mut(wanted * WIDTH));
         for (n, (points, rows)) in blocks.enumerate() {
-            if n % 64 == 0 {
-                stop.check()?;
-            }
+            stop.check()?;
             let is_whole = points.len() == self.vary.len() * WIDTH && rows.len() == wanted * WIDTH;
             if self.blocks.balance >= 0 && is_whole && self.solve_block(points, rows, stop) {
                 continue;
             }
             for (lane, (point, row)) in points.chunks(columns).zip(rows.chunks_mut(wanted)).enumerate() {
+                stop.check()?;
                 match self.solve_point(point, row, &plain, stop) {
                     Ok(()) => {}
                     Err(Refusal::NoAnswer(why)) => refused(n * WIDTH + lane, why),

@@ -102,13 +102,21 @@ impl Distribution {
         match self {
             Self::Normal { mean, deviation } => {
                 normal_quantiles(shares);
-                shares.iter_mut().for_each(|score| *score = mean + deviation * *score);
+                for score in shares {
+                    *score = mean + deviation * *score;
+                }
             }
             Self::Lognormal { mean, deviation } => {
                 normal_quantiles(shares);
-                shares.iter_mut().for_each(|score| *score = (mean + deviation * *score).exp());
+                for score in shares {
+                    *score = (mean + deviation * *score).exp();
+                }
             }
-            _ => shares.iter_mut().for_each(|share| *share = self.quantile(*share)),
+            _ => {
+                for share in shares {
+                    *share = self.quantile(*share);
+                }
+            }
         }
     }
 }

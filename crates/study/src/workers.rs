@@ -4,6 +4,7 @@ use std::{
     ops::Range,
     sync::mpsc::{Receiver, SyncSender, sync_channel},
     thread,
+    time::{Duration, Instant},
 };
 
 use dalembert_core::{
@@ -15,9 +16,10 @@ use crate::{StudyError, table};
 
 /// Parts that a thread may be ahead of the one that takes them.
 const AHEAD: usize = 2;
-/// Points of a part: as many as give every thread several, within these.
+/// Points of a part: as many as give every thread several, and take about so long, within these.
 const PARTS: u64 = 8;
-const POINTS: [u64; 2] = [16, 256];
+const LONG: Duration = Duration::from_millis(20);
+const POINTS: [u64; 2] = [16, 4096];
 
 /// Rows of a part, and their text.
 #[derive(Debug, Default)]
@@ -44,8 +46,18 @@ pub fn solve(
     stop: &Stop,
     take: &mut dyn FnMut(&SolvedBlock) -> Result<(), StudyError>,
 ) -> Result<(), StudyError> {
-    let parts = Parts::of(range, threads);
+    let mut evaluation = study.evaluation()?;
+    let each = time_of_point(&mut evaluation, &range, stop).map_err(SolveError::Refused)?;
+    let parts = Parts::of(range, threads, each);
     let threads = (threads as u64).clamp(1, parts.count.max(1)) as usize;
+    if threads == 1 {
+        let mut block = SolvedBlock::default();
+        for range in (0..parts.count).map(|n| parts.nth(n)) {
+            block.solve(&mut evaluation, range, locale, stop).map_err(SolveError::Refused)?;
+            take(&block)?;
+        }
+        return Ok(());
+    }
     thread::scope(|scope| {
         let mut workers = Vec::new();
         let mut receivers: Vec<Receiver<SolvedBlock>> = Vec::new();
@@ -77,6 +89,37 @@ pub fn solve(
     })
 }
 
+impl SolvedBlock {
+    fn solve(
+        &mut self,
+        evaluation: &mut Evaluation<'_>,
+        points: Range<u64>,
+        locale: Option<&Locale>,
+        stop: &Stop,
+    ) -> Result<(), Refusal> {
+        evaluation.rows(points, &mut self.rows, stop)?;
+        self.text.clear();
+        if let Some(locale) = locale {
+            table::write_rows(&mut self.text, &self.rows, locale);
+        }
+        Ok(())
+    }
+}
+
+/// Time that the first point of a range takes, the second time.
+fn time_of_point(
+    evaluation: &mut Evaluation<'_>,
+    range: &Range<u64>,
+    stop: &Stop,
+) -> Result<Duration, Refusal> {
+    let first = range.start..(range.start + 1).min(range.end);
+    let mut rows = Rows::default();
+    evaluation.rows(first.clone(), &mut rows, stop)?;
+    let begun = Instant::now();
+    evaluation.rows(first, &mut rows, stop)?;
+    Ok(begun.elapsed())
+}
+
 /// Solves the parts of a thread until nobody takes them any more.
 fn work(
     mut evaluation: Evaluation<'_>,
@@ -87,10 +130,7 @@ fn work(
 ) -> Result<(), Refusal> {
     for range in parts {
         let mut block = SolvedBlock::default();
-        evaluation.rows(range, &mut block.rows, stop)?;
-        if let Some(locale) = locale {
-            table::write_rows(&mut block.text, &block.rows, locale);
-        }
+        block.solve(&mut evaluation, range, locale, stop)?;
         if sender.send(block).is_err() {
             break;
         }
@@ -108,11 +148,13 @@ struct Parts {
 }
 
 impl Parts {
-    /// Parts for so many threads: few points of a slow analysis are solved by all of them, too.
-    fn of(range: Range<u64>, threads: usize) -> Self {
+    /// Parts for so many threads of points that take so long each: few points of a slow analysis are solved by all of
+    /// them, too.
+    fn of(range: Range<u64>, threads: usize, each: Duration) -> Self {
         let Range { start: from, end: to } = range;
         let even = to.saturating_sub(from) / (PARTS * threads.max(1) as u64);
-        let size = even.next_power_of_two().clamp(POINTS[0], POINTS[1]);
+        let timely = (LONG.as_nanos() / each.as_nanos().max(1)).min(POINTS[1].into()) as u64;
+        let size = even.min(timely).next_power_of_two().clamp(POINTS[0], POINTS[1]);
         let count = if from < to { to.div_ceil(size) - from / size } else { 0 };
         Self { from, to, size, count }
     }
@@ -129,16 +171,23 @@ mod tests {
 
     #[test]
     fn parts_cover_a_range_in_its_order() {
+        let [quick, slow] = [Duration::from_nanos(60), Duration::from_millis(50)];
         for (range, threads) in
             [(0..10_000, 2), (5_000..9_001, 3), (0..201, 2), (7..8, 4), (0..3_000_000, 64)]
         {
-            let parts = Parts::of(range.clone(), threads);
-            let all: Vec<Range<u64>> = (0..parts.count).map(|n| parts.nth(n)).collect();
-            assert_eq!((all[0].start, all[all.len() - 1].end), (range.start, range.end));
-            assert!(all.windows(2).all(|pair| pair[0].end == pair[1].start && pair[1].start < pair[1].end));
-            assert!(all.iter().all(|part| part.end - part.start <= POINTS[1]), "{all:?}");
+            for each in [Duration::ZERO, quick, Duration::from_micros(100), slow] {
+                let parts = Parts::of(range.clone(), threads, each);
+                let all: Vec<Range<u64>> = (0..parts.count).map(|n| parts.nth(n)).collect();
+                assert_eq!((all[0].start, all[all.len() - 1].end), (range.start, range.end));
+                let follows =
+                    |pair: &[Range<u64>]| pair[0].end == pair[1].start && pair[1].start < pair[1].end;
+                assert!(all.windows(2).all(follows));
+                let most = if each == slow { POINTS[0] } else { POINTS[1] };
+                assert!(all.iter().all(|part| part.end - part.start <= most), "{all:?}");
+            }
         }
-        assert!(Parts::of(0..201, 2).count >= 4, "a short sweep has work for both threads");
-        assert_eq!(Parts::of(7..7, 2).count, 0);
+        assert!(Parts::of(0..201, 2, quick).count >= 4, "a short sweep has work for both threads");
+        assert!(Parts::of(0..1_000_000, 2, quick).count < 300, "a quick study has few parts");
+        assert_eq!(Parts::of(7..7, 2, quick).count, 0);
     }
 }

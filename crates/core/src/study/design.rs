@@ -164,7 +164,9 @@ impl Design {
             (0..self.drawn.len()).map(|at| self.shares(first..first + points, at)).collect();
         if let Some(root) = &self.correlation {
             // Correlation is that of the normal scores.
-            shares.iter_mut().for_each(|scores| normal_quantiles(scores));
+            for scores in &mut shares {
+                normal_quantiles(scores);
+            }
             for row in 0..points as usize {
                 let independent = shares.iter().map(|scores| scores[row]);
                 let scores = root * DVector::from_iterator(self.drawn.len(), independent);

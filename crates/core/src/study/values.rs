@@ -74,7 +74,9 @@ impl Values {
             let margin = (largest - least) / 10.0;
             let (from, width) = (least - margin, (largest - least + 2.0 * margin) / BINS as f64);
             let mut bins = Bins { from, width, counts: vec![0; BINS] };
-            std::mem::take(&mut self.exact).into_iter().for_each(|value| bins.count(value));
+            for value in std::mem::take(&mut self.exact) {
+                bins.count(value);
+            }
             self.bins = Some(bins);
         }
         match &mut self.bins {
