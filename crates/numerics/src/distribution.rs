@@ -203,7 +203,7 @@ fn tail_root<S: Real>(share: S) -> S {
     (-share.min(S::from(1.0) - share).ln()).sqrt()
 }
 
-/// Where the far tail begins, as `√(−ln p)`.
+/// Beginning of the far tail, as `√(−ln p)`.
 const FAR: f64 = 5.0;
 
 #[inline(always)]

@@ -86,7 +86,7 @@ pub(crate) fn cos_polynomial(x: f64) -> f64 {
 pub(crate) fn atan2_polynomial(y: f64, x: f64) -> f64 {
     /// `tan π/8`
     const TAN: f64 = 0.414_213_562_373_095_03;
-    /// What π/4 is larger than the `f64` next to it.
+    /// Difference of π/4 from the `f64` next to it.
     const TAIL: f64 = 3.061_616_997_868_383e-17;
     let (rise, run) = (y.abs(), x.abs());
     let (is_steep, is_backwards) = (rise > run, x < 0.0);

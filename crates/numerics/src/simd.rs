@@ -33,7 +33,7 @@ pub const WIDTH: usize = 16;
 pub struct SimdVector(pub [f64; WIDTH]);
 
 thread_local! {
-    /// Whether lanes have diverged since [`converged`] began.
+    /// True if lanes have diverged since [`converged`] began.
     static DIVERGED: Cell<bool> = const { Cell::new(false) };
 }
 

@@ -62,12 +62,9 @@ fn merge(old: &mut Table, new: &Table) {
                 }
             }
             (Some(Item::Value(old)), Item::Value(new)) => {
-                let plain = |value: &toml_edit::Value| {
-                    let mut value = value.clone();
-                    value.decor_mut().clear();
-                    value.to_string()
-                };
-                if plain(old) != plain(new) {
+                let parsed =
+                    |value: &toml_edit::Value| toml::from_str::<toml::Table>(&format!("value = {value}"));
+                if parsed(old) != parsed(new) {
                     let mut new = new.clone();
                     *new.decor_mut() = old.decor().clone();
                     *old = new;

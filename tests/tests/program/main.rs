@@ -8,6 +8,7 @@ mod optimise;
 mod parquet;
 mod replay;
 mod study;
+mod study_plans;
 mod workbench;
 mod workflows;
 

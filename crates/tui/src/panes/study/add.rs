@@ -36,7 +36,7 @@ impl Plan {
         ));
         if self.drawn(of).len() > 1 {
             all.push((
-                Text::new("Correlation"),
+                Text::new("Correlation of inputs"),
                 Text::new("of two inputs that have a distribution"),
                 "correlation".into(),
             ));

@@ -225,7 +225,7 @@ impl Plan {
                 }
                 _ => Text::new("Table"),
             },
-            Cell::Correlation(_) => Text::new("Correlation"),
+            Cell::Correlation(_) => Text::new("Correlation of inputs"),
             Cell::Limit(_) => Text::new("Limit"),
             Cell::Condition(_) => Text::new("Condition to meet"),
             Cell::Sampling => Text::new("Sampling"),
