@@ -264,13 +264,13 @@ mod tests {
     #[test]
     fn a_key_of_two_meanings_is_refused_by_name_and_the_rest_holds() {
         let changes =
-            [change(None, "undo", &["w"]), change(None, "save", &["w"]), change(None, "redo", &["y"])];
+            [change(None, "undo", &["W"]), change(None, "save", &["W"]), change(None, "redo", &["y"])];
         assert_eq!(
             refusals(&changes),
             [
                 (
                     1,
-                    "`w` already means `undo` in [keys.inputs]: choose another key, or write `undo = []` there"
+                    "`W` already means `undo` in [keys.inputs]: choose another key, or write `undo = []` there"
                         .into()
                 ),
                 (
@@ -283,7 +283,7 @@ mod tests {
         let (map, _) = changed(&changes);
         assert_eq!(
             (map.key(KeyContext::Form, Action::Undo), map.key(KeyContext::Form, Action::Save)),
-            (Key::parse("w").ok(), Key::parse("s").ok())
+            (Key::parse("W").ok(), Key::parse("s").ok())
         );
     }
 
