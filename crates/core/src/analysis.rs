@@ -400,10 +400,13 @@ impl<A: Analysis> Problem for A {
         if A::SIMD {
             let lift = Lift { sheet: plain, value: None, field_path: &FieldPath::TOP };
             simd::converged(|| {
-                simd::widest(|| {
-                    let given = self.given(lift);
-                    self.solve(&given, plain)
-                })
+                simd::widest(
+                    #[inline(always)]
+                    || {
+                        let given = self.given(lift);
+                        self.solve(&given, plain)
+                    },
+                )
             })
         } else {
             None

@@ -142,24 +142,29 @@ pub fn sums<const N: usize, const K: usize>(
 ) -> [f64; K] {
     let rows = columns.first().map_or(0, |column| column.len());
     assert!(columns.iter().all(|column| column.len() == rows), "columns of one length");
+    let (blocks, rest) = (rows / WIDTH, rows % WIDTH);
     let mut sums = [SimdVector::from(0.0); K];
     widest(
         #[inline(always)]
         || {
-            for first in (0..rows).step_by(WIDTH) {
-                let mut block = [SimdVector::from(0.0); N];
-                for (vector, column) in block.iter_mut().zip(&columns) {
-                    for (lane, number) in vector.0.iter_mut().zip(&column[first..]) {
-                        *lane = *number;
-                    }
+            // Loops over numbers: the functions of iterators are not always inlined.
+            let mut block = [SimdVector::from(0.0); N];
+            for n in 0..blocks {
+                for k in 0..N {
+                    block[k] = SimdVector(columns[k].as_chunks().0[n]);
                 }
-                let here = rows - first;
-                for (sum, term) in sums.iter_mut().zip(terms(block)) {
-                    *sum = if here >= WIDTH {
-                        *sum + term
-                    } else {
-                        SimdVector::of(|lane| sum.0[lane] + if lane < here { term.0[lane] } else { 0.0 })
-                    };
+                let terms = terms(block);
+                for k in 0..K {
+                    sums[k] = sums[k] + terms[k];
+                }
+            }
+            for k in 0..N {
+                block[k].0[..rest].copy_from_slice(columns[k].as_chunks::<WIDTH>().1);
+            }
+            let terms = terms(block);
+            for k in 0..K {
+                for lane in 0..rest {
+                    sums[k].0[lane] += terms[k].0[lane];
                 }
             }
         },
