@@ -8,7 +8,7 @@ use std::{panic, path::Path, sync::mpsc, thread, time::Duration};
 use dalembert::request::{self, RequestFailure, RequestedProblem};
 use dalembert_core::{
     Answer, Language, Locale, Solution, Stop, Text, nearest,
-    study::{self, Design, Study, StudyPlan},
+    study::{Design, Study, StudyPlan, answer},
     vary,
 };
 use dalembert_report::study_json;
@@ -134,9 +134,8 @@ fn wanted(
 ) -> Result<Vec<Answer>, RequestFailure> {
     let numbers = || solution.answers.iter().filter(|answer| answer.si().is_some());
     let Some(names) = names else { return Ok(numbers().cloned().collect()) };
-    let find = |name: &String| {
-        study::answer(solution, "answers", name).map_err(|error| of_fields(vec![error], locale))
-    };
+    let find =
+        |name: &String| answer(solution, "answers", name).map_err(|error| of_fields(vec![error], locale));
     names.iter().map(find).collect()
 }
 
