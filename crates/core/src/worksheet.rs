@@ -176,7 +176,7 @@ pub struct Plain<'a, N = f64> {
     answers: RefCell<Vec<(Name, N)>>,
     /// The answers that are wanted, each with its expected place; none where all are.
     wanted: &'a [(usize, Name)],
-    /// The inputs that differ from sample to sample, by the places of their [marks](PlainNumber::mark).
+    /// The inputs that differ from sample to sample, by the places of their [marks](mark).
     varied: &'a [N],
     stop: &'a Stop,
 }
