@@ -53,18 +53,19 @@ impl InputLimits {
         Self(measures.into_iter().map(Measure::limits).collect())
     }
 
-    /// Returns true if every value of points, in SI, a point a row, is within the limits of its input.
-    pub(crate) fn permit(&self, points: &[f64]) -> bool {
+    /// The points, in SI, a point a row, with a value outside the limits of its input: row, and the place of the first such
+    /// value.
+    pub fn outside<'p>(&'p self, points: &'p [f64]) -> impl Iterator<Item = (usize, usize)> + 'p {
         let width = self.0.len().max(1);
+        // Hardly ever is there one: a look at each column finds that sooner than one at each row.
         let of_input = |(at, limits): (usize, &ValueLimits)| {
             points.iter().skip(at).step_by(width).fold(true, |all, si| all & limits.permit(*si))
         };
-        self.0.iter().enumerate().all(of_input)
-    }
-
-    /// Place of the first value of a point, in SI, that is outside the limits of its input.
-    pub fn first_outside(&self, point: &[f64]) -> Option<usize> {
-        self.0.iter().zip(point).position(|(limits, si)| !limits.permit(*si))
+        let rows = if self.0.iter().enumerate().all(of_input) { &[] } else { points };
+        rows.chunks_exact(width).enumerate().filter_map(|(row, point)| {
+            let at = self.0.iter().zip(point).position(|(limits, si)| !limits.permit(*si))?;
+            Some((row, at))
+        })
     }
 }
 

@@ -66,9 +66,8 @@ pub fn solve(
             let first = refused.len();
             let mut refuse = |row: usize, why| refused.push((n * BLOCK + row, why));
             evaluate.sweep_with_reasons(points, answers, &mut refuse, stop)?;
-            for (row, point) in points.chunks_exact(width).enumerate() {
-                let Some(at) = limits.first_outside(point) else { continue };
-                let why = outside(&inputs[at], point[at]);
+            for (row, at) in limits.outside(points) {
+                let why = outside(&inputs[at], points[row * width + at]);
                 answers[row * wanted.len()..][..wanted.len()].fill(f64::NAN);
                 let row = n * BLOCK + row;
                 match refused[first..].iter_mut().find(|(known, _)| *known == row) {

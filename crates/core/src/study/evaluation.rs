@@ -197,18 +197,15 @@ impl Evaluation<'_> {
             &mut |row, why| refused.push((row, why)),
             stop,
         )?;
-        let permitted = self.limits.permit(&self.points);
-        for (row, point) in self.points.chunks_exact(inputs).enumerate().filter(|_| !permitted) {
-            if let Some(at) = self.limits.first_outside(point) {
-                rows.answers[row * wanted..][..wanted].fill(f64::NAN);
-                let input = &design.inputs[at];
-                let text = format!("{} {}", rows.inputs[row * inputs + at], input.unit.ascii());
-                let why = input.measure.outside(point[at], text.trim_end());
-                let why = Text::new("{input}: {why}")
-                    .with("input", &input.path)
-                    .with_text("why", why.unwrap_or_else(|| "is not a finite number".into()));
-                rows.refuse(row, why);
-            }
+        for (row, at) in self.limits.outside(&self.points) {
+            rows.answers[row * wanted..][..wanted].fill(f64::NAN);
+            let (input, place) = (&design.inputs[at], row * inputs + at);
+            let text = format!("{} {}", rows.inputs[place], input.unit.ascii());
+            let why = input.measure.outside(self.points[place], text.trim_end());
+            let why = Text::new("{input}: {why}")
+                .with("input", &input.path)
+                .with_text("why", why.unwrap_or_else(|| "is not a finite number".into()));
+            rows.refuse(row, why);
         }
         for (row, values) in rows.answers.chunks_exact_mut(wanted).enumerate() {
             for (value, answer) in values.iter_mut().zip(answers) {

@@ -16,9 +16,11 @@ impl Design {
     /// Writes the inputs of successive points, the first of them counted from 0, in their units and in SI: a point a row.
     pub fn rows(&self, first: u64, shown: &mut [f64], si: &mut [f64]) {
         let width = self.inputs.len().max(1);
-        for ((shown, si), point) in shown.chunks_exact_mut(width).zip(si.chunks_exact_mut(width)).zip(first..)
-        {
-            self.write_grid(point / self.points_of_sample / self.samples, shown, si);
+        if !self.grid.is_empty() {
+            let rows = shown.chunks_exact_mut(width).zip(si.chunks_exact_mut(width));
+            for ((shown, si), point) in rows.zip(first..) {
+                self.write_grid(point / self.points_of_sample / self.samples, shown, si);
+            }
         }
         let points = (shown.len() / width) as u64;
         let mut shares: Vec<Vec<f64>> =
