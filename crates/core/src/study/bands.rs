@@ -2,8 +2,8 @@
 
 use dalembert_numerics::distribution::quantile_of_sorted;
 
-use super::{Row, Spacing, Study};
-use crate::{Answer, Axis, Plot, Scale, Series, Text, intern::fixed};
+use super::{Row, Spacing, Study, curves::along};
+use crate::{Answer, Plot, Scale, Series};
 
 /// The most samples at a point of the grid, and the most points.
 const MOST_SAMPLES: u64 = 1_000_000;
@@ -83,12 +83,7 @@ impl<'s> Bands<'s> {
                 .into_iter()
                 .enumerate()
                 .map(|(n, label)| Series::line(label, found.iter().map(|(x, of)| (*x, of[n])).collect()));
-            let title = Text::new("{answer} against {input}")
-                .with_text("answer", answer.title())
-                .with_text("input", input.label.clone());
-            let mut x = Axis::linear(input.label.clone(), fixed(&input.unit));
-            x.scale = self.scale;
-            Plot::new(title, x, Axis::linear(answer.title(), fixed(&answer.unit)), series.collect())
+            along(input, self.scale, answer, series.collect())
         };
         self.study.answers.iter().zip(&self.found).map(plot).collect()
     }

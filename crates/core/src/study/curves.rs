@@ -1,7 +1,7 @@
 //! Curves of answers over an input of a grid, from rows in their order.
 
 use super::{Row, Spacing, Study};
-use crate::{Axis, Plot, Scale, Series, Text, intern::fixed};
+use crate::{Answer, Axis, Plot, Scale, Series, Text, intern::fixed, vary::VariedInput};
 
 /// The most curves of an answer.
 pub const MOST_CURVES: usize = 6;
@@ -99,7 +99,7 @@ impl<'s> Curves<'s> {
     /// A plot for each answer, with the points that were taken.
     pub fn plots(&self) -> Vec<Plot> {
         let input = &self.study.design.inputs[self.x];
-        let plot = |(at, answer): (usize, &crate::Answer)| {
+        let plot = |(at, answer): (usize, &Answer)| {
             let series = self.drawn.iter().map(|curve| {
                 let label = curve.label.clone().unwrap_or_else(|| answer.title());
                 let mut points: Vec<(f64, f64)> =
@@ -107,13 +107,7 @@ impl<'s> Curves<'s> {
                 points.sort_by(|(one, _), (other, _)| one.total_cmp(other));
                 Series::line(label, points)
             });
-            let title = Text::new("{answer} against {input}")
-                .with_text("answer", answer.title())
-                .with_text("input", input.label.clone());
-            let mut x = Axis::linear(input.label.clone(), fixed(&input.unit));
-            x.scale = self.scale;
-            let y = Axis::linear(answer.title(), fixed(&answer.unit));
-            let plot = Plot::new(title, x, y, series.collect());
+            let plot = along(input, self.scale, answer, series.collect());
             match answer.si() {
                 Some(si) if self.others.is_empty() => plot.mark("current value", (input.si, si)),
                 _ => plot,
@@ -152,6 +146,15 @@ impl<'s> Curves<'s> {
         }
         remarks
     }
+}
+
+/// Plot of an answer over an input.
+pub(super) fn along(input: &VariedInput, scale: Scale, answer: &Answer, series: Vec<Series>) -> Plot {
+    let title = Text::new("{answer} against {input}")
+        .with_text("answer", answer.title())
+        .with_text("input", input.label.clone());
+    let x = Axis { label: input.label.clone(), unit: fixed(&input.unit), scale };
+    Plot::new(title, x, Axis::linear(answer.title(), fixed(&answer.unit)), series)
 }
 
 /// The first and the last place of each of the first runs of values that are none.

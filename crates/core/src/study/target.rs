@@ -1,9 +1,9 @@
 //! The values of an input at which an answer is a wanted one.
 
 use crate::{
-    Answer, Axis, Entry, Plot, Record, Refusal, Scale, Series, SolveError, Stop, Text,
+    Answer, Entry, Plot, Record, Refusal, Scale, Series, SolveError, Stop, Text,
     intern::fixed,
-    study::curves::{gaps, no_answer},
+    study::curves::{along, gaps, no_answer},
     unknowns::search::{Target, Variable, search},
     vary::{self, Perturbed},
 };
@@ -80,13 +80,8 @@ pub fn find_target(
         let why = vary::why_not(entry, record, &input, middle, stop);
         no_answer([places[first], places[last]], x_unit, why)
     }));
-    let title = Text::new("{answer} against {input}")
-        .with_text("answer", answer.title())
-        .with_text("input", input.label.clone());
-    let mut x = Axis::linear(input.label, x_unit);
-    x.scale = scale;
     let curve = vec![Series::line(answer.title(), searched.scan)];
-    let mut plot = Plot::new(title, x, Axis::linear(answer.title(), y_unit), curve).level("target", wanted);
+    let mut plot = along(&input, scale, answer, curve).level("target", wanted);
     for x in &values {
         plot = plot.mark("", (*x, wanted));
     }
