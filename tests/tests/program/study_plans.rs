@@ -86,3 +86,21 @@ fn a_file_that_is_no_plan_changes_nothing() {
     let screen = person.sees();
     assert!(!screen.contains("did you mean") && screen.contains("minimum"), "{screen}");
 }
+
+/// Parts of a plan that the workbench does not show are written as they were read.
+#[test]
+fn maps_and_indices_outlive_the_workbench() {
+    let folder = example();
+    let path = folder.path().join("fan_study.toml");
+    let plan = "problem = \"fan.toml\"\nanswers = [\"amplitude\"]\nsamples = 64\nsampling = \"sobol\"\nseed = 1\nsobol_indices = true\n\n[[vary]]\ninput = \"mass\"\ndistribution = \"normal\"\ndeviation = \"2 %\"\n\n[[vary]]\ninput = \"speed\"\ndistribution = \"uniform\"\ntolerance = \"5 %\"\n\n[[map]]\ninputs = [\"speed\", \"mass\"]\n";
+    fs::write(&path, plan).expect("a plan");
+    let mut person = Person::at(120, 36).opens_file(folder.path().join("fan.toml"));
+    person.types("<tab>").turns_to("Study");
+    person.types("rfan_study.toml<enter>");
+    assert!(person.sees().contains("plan fan_study.toml"), "{}", person.sees());
+    person.types("<end><enter><c-u>7<enter>w");
+    assert_eq!(fs::read_to_string(&path).expect("a plan"), plan.replace("seed = 1", "seed = 7"));
+    let json: Json =
+        serde_json::from_str(&printed(folder.path(), &["fan_study.toml", "--json"])).expect("JSON");
+    assert_eq!(json["answers"][0]["sobol_indices"]["samples"], 64);
+}

@@ -8,7 +8,7 @@ use std::{
 
 use dalembert_core::{
     Answer, Entry, Plot, Record, Refusal, Solution, SolveError, Stop, Text,
-    study::{Accumulator, Bands, Curves, Design, Study, StudyPlan, Summary, find_target},
+    study::{Bands, Curves, Design, Study, StudyPlan, Summary, find_target},
 };
 use dalembert_study::{StudyError, data, workers};
 
@@ -71,7 +71,7 @@ pub(super) fn carry_out(
     let study = Study::new(entry, record, plan, design, &solution)?;
     let points = study.design.points();
     let threads = thread::available_parallelism().map_or(1, usize::from);
-    let mut sums = Accumulator::new(study.design.inputs.len(), study.answers.len(), study.limits.clone());
+    let mut sums = study.accumulator(0);
     let (mut curves, mut bands) = (Curves::of(&study), Bands::of(&study));
     let begun = Instant::now();
     let (mut reported, mut pause, mut done) = (begun, REPORT_EVERY, 0);

@@ -183,9 +183,7 @@ impl Pane for Study {
         let form = match cell {
             Cell::Wanted => of.answer().and_then(|answer| about_number(&answer.unit, ui)),
             Cell::Vary(at) => {
-                let path = of.draft.vary.get(at).and_then(|varied| varied.input.as_deref());
-                let unit =
-                    path.and_then(|path| of.input(path)).and_then(|input| about_number(&input.unit, ui));
+                let unit = of.varied(at).and_then(|input| about_number(&input.unit, ui));
                 let form = Text::new("as in 1..9:5, 1; 3 or normal(2 %)");
                 return unit.into_iter().chain([form, self.plan.label(cell, &of)]).collect();
             }
@@ -288,10 +286,7 @@ impl Study {
 
     /// The ways in which an input may vary, to choose from.
     fn offer_ways(&self, of: &Subject<'_>, at: usize, ui: &Ui<'_>) -> Vec<Intent> {
-        let varied = of.draft.vary.get(at).and_then(|varied| varied.input.as_deref());
-        let Some(input) = of.inputs.iter().find(|input| varied == Some(&input.path)) else {
-            return Vec::new();
-        };
+        let Some(input) = of.varied(at) else { return Vec::new() };
         let tolerance = of.tolerance(&input.path);
         let tolerance = if tolerance.is_empty() { input.step_text() } else { tolerance };
         let option = |(way, name): (Way, &'static str)| {

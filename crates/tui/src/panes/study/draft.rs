@@ -3,7 +3,8 @@
 use dalembert_core::{
     FieldError, Text,
     study::{
-        Amount, Correlation, DistributionKind, Limit, Sampling, Spacing, StudyPlan, USUAL_SAMPLES, Variation,
+        Amount, Correlation, DistributionKind, Limit, MappedInputs, Sampling, Spacing, StudyPlan,
+        USUAL_SAMPLES, Variation,
     },
     vary::VariedInput,
 };
@@ -45,6 +46,10 @@ pub(super) struct Draft {
     pub(super) samples: String,
     /// Seed of the samples.
     pub(super) seed: String,
+    /// The maps of the plan, which the pane does not show.
+    pub(super) maps: Vec<MappedInputs>,
+    /// True if the plan asks for Sobol' indices, which the pane does not show.
+    pub(super) sobol_indices: bool,
 }
 
 /// An input that varies, or the inputs of a table.
@@ -160,6 +165,8 @@ impl Draft {
             sampling: plan.sampling,
             samples: plan.samples.unwrap_or(USUAL_SAMPLES).to_string(),
             seed: plan.seed.to_string(),
+            maps: plan.map.clone(),
+            sobol_indices: plan.sobol_indices,
         }
     }
 
@@ -169,8 +176,13 @@ impl Draft {
     /// Every text that cannot be read, by its place in a plan.
     pub(super) fn read(&self, answers: &[String], usual: &[String]) -> Result<StudyPlan, Vec<FieldError>> {
         let mut errors = Vec::new();
-        let mut plan =
-            StudyPlan { answers: answers.to_vec(), sampling: self.sampling, ..StudyPlan::default() };
+        let mut plan = StudyPlan {
+            answers: answers.to_vec(),
+            sampling: self.sampling,
+            map: self.maps.clone(),
+            sobol_indices: self.sobol_indices,
+            ..StudyPlan::default()
+        };
         if self.vary.is_empty() {
             errors.push(FieldError::new("vary", "no input varies; add one"));
         }

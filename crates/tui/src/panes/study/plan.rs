@@ -515,6 +515,11 @@ impl Subject<'_> {
         self.inputs.iter().find(|input| input.path == path)
     }
 
+    /// The input of a line, by the place of the line; `None` of a table.
+    pub(super) fn varied(&self, at: usize) -> Option<&VariedInput> {
+        self.input(self.draft.vary.get(at)?.input.as_deref()?)
+    }
+
     /// The first answer that is studied.
     pub(super) fn answer(&self) -> Option<&Answer> {
         let named = |name: &String| self.answers.iter().find(|answer| answer.name.is(name));
