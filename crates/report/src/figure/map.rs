@@ -82,7 +82,7 @@ pub fn map(
     }
     let span = ruler.span;
     for (share, value) in [(0.0, span.from), (0.5, span.value(0.5)), (1.0, span.to)] {
-        let y = bottom - share * INSIDE + (0.7 * share + 0.0) * WORDS;
+        let y = bottom - share * INSIDE + 0.7 * share * WORDS;
         let text = ruler.write(ruler.si(value), locale.style);
         parts.push(words((scale + SCALE + 5.0, y), Anchor::Start, &text));
     }
