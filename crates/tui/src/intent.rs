@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use dalembert_core::{Entry, Text, suggestions::Suggestion};
+use ratatui::crossterm::event::KeyEvent;
 
 use crate::{
     dialog::{After, Dialog, Purpose},
@@ -32,6 +33,8 @@ pub enum Intent {
     Show(Dialog),
     /// Something outside of the model.
     Do(Effect),
+    /// A key is pressed.
+    Key(KeyEvent),
     /// A key of a place has its meaning.
     Press(KeyContext, Action),
 

@@ -95,6 +95,7 @@ fn carry_out(model: &mut Model, intents: Vec<Intent>) -> Vec<Effect> {
                 continue;
             }
             Intent::Press(place, action) => act(model, place, action),
+            Intent::Key(key) => press(model, key),
             Intent::Changed => changed(model),
             Intent::Keep => keep(model),
             Intent::GoToInput(path) => form::go_to(model, &path),
@@ -218,6 +219,12 @@ fn press(model: &mut Model, key: KeyEvent) -> Vec<Intent> {
     match model.keys.action(place, key) {
         Some(action @ Action::Nudge(_)) if place == KeyContext::Form => form::nudge(model, key, action),
         Some(action) => act(model, place, action),
+        // A terminal writes Alt as an escape before the key. Where Alt with a key means nothing, these were two keys
+        // that arrived together, as Esc and `:` do over a slow line.
+        None if key.modifiers.contains(KeyModifiers::ALT) && !place.is_text() => {
+            let second = KeyEvent { modifiers: key.modifiers.difference(KeyModifiers::ALT), ..key };
+            vec![Intent::Key(KeyCode::Esc.into()), Intent::Key(second)]
+        }
         None => match (place, key.code) {
             (place, KeyCode::Char(character)) if place.has_cells() => {
                 cells::begin_by_typing(model, character, request(key))

@@ -32,6 +32,20 @@ fn a_user_changes_the_speed_of_the_fan_and_sees_everything_follow() {
     assert_eq!((pty.exit_code(), pty.leftovers()), (Some(0), vec![]));
 }
 
+/// A terminal writes Alt as an escape before the key, so that over a slow line Esc and `:` arrive as Alt with `:`.
+#[test]
+fn escape_and_a_key_that_arrive_together_are_two_keys() {
+    let mut pty = started(Launch::new(pty::program()));
+    pty.expect("19.456 mm");
+    pty.types("<end>");
+    pty.idle(Duration::from_millis(150));
+    pty.send(b"\x1b:quit");
+    pty.expect(":quit");
+    pty.send(b"\x1b\x1b");
+    pty.idle(Duration::from_millis(150));
+    assert!(!pty.screen().contains(":quit"), "{}", pty.screen());
+}
+
 /// The old amplitude is never on the screen beside the new speed: a key and what it leads to are one frame.
 #[test]
 fn a_key_and_its_results_are_one_frame() {
