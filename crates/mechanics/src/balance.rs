@@ -29,32 +29,32 @@ pub use two_plane::{BalanceError, PlaneUnbalance, TwoPlaneBalance, balance_two_p
 pub use unknowns::{PartlyKnown, RotorMass, UnknownsError, Vanishing, balance_unknowns};
 
 /// Component of an unbalance along x, `m r cos θ`, kg·m.
-#[inline]
+#[inline(always)]
 pub fn component_x<S: Real>(mass: S, radius: S, angle: S) -> S {
     mass * radius * angle.cos()
 }
 
 /// Component of an unbalance along y, `m r sin θ`, kg·m.
-#[inline]
+#[inline(always)]
 pub fn component_y<S: Real>(mass: S, radius: S, angle: S) -> S {
     mass * radius * angle.sin()
 }
 
 /// Magnitude from components, `U = √(U_x² + U_y²)`. Eqs. 11, 16.
-#[inline]
+#[inline(always)]
 pub fn magnitude<S: Real>(x: S, y: S) -> S {
     (x.powi(2) + y.powi(2)).sqrt()
 }
 
 /// Direction from components, `θ = atan2(U_y, U_x)`, rad in `(−π, π]`. Eqs. 11, 19.
-#[inline]
+#[inline(always)]
 pub fn direction<S: Real>(x: S, y: S) -> S {
     y.atan2(x)
 }
 
 /// Direction from components as it is marked on a rotor, rad in `[0, 2π)`. A component that is rounding beside the
 /// other counts as none: what lies on the axis neither jumps by a turn nor to just below one.
-#[inline]
+#[inline(always)]
 pub fn marked_direction<S: Real>(x: S, y: S) -> S {
     if y.holds_with(x, |y, x| y.abs() <= 1e-14 * x.abs()) {
         y.abs().atan2(x)
@@ -66,7 +66,7 @@ pub fn marked_direction<S: Real>(x: S, y: S) -> S {
 }
 
 /// An angle as it is marked on a rotor: whole turns taken away, rad in `[0, 2π)`.
-#[inline]
+#[inline(always)]
 pub fn marked_angle<S: Real>(angle: S) -> S {
     let turns = (angle.value() / TAU).floor();
     if turns == 0.0 { angle } else { angle - TAU * turns }
@@ -80,13 +80,13 @@ pub fn marked_angle_found(angle: f64) -> f64 {
 
 /// Mass of a correction from its components and the radius where it is put, `m = √(U_x² + U_y²)/r`, kg.
 /// Eqs. 11, 17, 21.
-#[inline]
+#[inline(always)]
 pub fn correction_mass<S: Real>(x: S, y: S, radius: S) -> S {
     magnitude(x, y) / radius
 }
 
 /// Static balancing in one plane, one component: `U_e = −Σ Uᵢ`. Eqs. 9–11.
-#[inline]
+#[inline(always)]
 pub fn single_plane_correction<S: Real>(components: impl IntoIterator<Item = S>) -> S {
     -S::sum(components)
 }
@@ -95,7 +95,7 @@ pub fn single_plane_correction<S: Real>(components: impl IntoIterator<Item = S>)
 /// `U_B = −Σ Uᵢ(zᵢ − z_A)/(z_B − z_A)`. Eqs. 13–15.
 ///
 /// Takes pairs of component and position. The planes must differ.
-#[inline]
+#[inline(always)]
 pub fn correction_in_b<S: Real>(
     components_at: impl IntoIterator<Item = (S, S)>,
     plane_a: S,
@@ -105,13 +105,13 @@ pub fn correction_in_b<S: Real>(
 }
 
 /// Two planes, sum of forces, one component of the correction in plane A: `U_A = −(U_B + Σ Uᵢ)`. Eq. 20.
-#[inline]
+#[inline(always)]
 pub fn correction_in_a<S: Real>(components: impl IntoIterator<Item = S>, correction_in_b: S) -> S {
     -(correction_in_b + S::sum(components))
 }
 
 /// The same component in plane A by moments about plane B, a second method: `U_A = −Σ Uᵢ(z_B − zᵢ)/(z_B − z_A)`.
-#[inline]
+#[inline(always)]
 pub fn correction_in_a_by_moments<S: Real>(
     components_at: impl IntoIterator<Item = (S, S)>,
     plane_a: S,
@@ -121,46 +121,46 @@ pub fn correction_in_a_by_moments<S: Real>(
 }
 
 /// One component of the resultant of unbalances, `Σ Uᵢ`, kg·m; times `ω²` it is a force in N. Eq. 12.
-#[inline]
+#[inline(always)]
 pub fn resultant<S: Real>(components: impl IntoIterator<Item = S>) -> S {
     S::sum(components)
 }
 
 /// One component of the moment of unbalances about the position `z₀`, `Σ Uᵢ(zᵢ − z₀)`, kg·m²; times `ω²` it is a
 /// couple in N·m. Eq. 13.
-#[inline]
+#[inline(always)]
 pub fn moment<S: Real>(components_at: impl IntoIterator<Item = (S, S)>, about: S) -> S {
     S::sum(components_at.into_iter().map(|(u, z)| u * (z - about)))
 }
 
 /// Static part of the unbalances of two planes, equal in both: `(U_A + U_B)/2`, one component.
-#[inline]
+#[inline(always)]
 pub fn static_part<S: Real>(in_a: S, in_b: S) -> S {
     (in_a + in_b) / 2.0
 }
 
 /// Couple part of the unbalances of two planes: `(U_A − U_B)/2` in plane A and its opposite in plane B, one
 /// component.
-#[inline]
+#[inline(always)]
 pub fn couple_part<S: Real>(in_a: S, in_b: S) -> S {
     (in_a - in_b) / 2.0
 }
 
 /// Rotating force of an unbalance, `F = U ω²`, N. Eq. 7.
-#[inline]
+#[inline(always)]
 pub fn centrifugal_force<S: Real>(unbalance: S, speed: S) -> S {
     unbalance * speed.powi(2)
 }
 
 /// The part at the first of two places of a weight that is split between them,
 /// `m₁ = m sin(θ₂ − θ)/sin(θ₂ − θ₁)`: the law of sines in the parallelogram.
-#[inline]
+#[inline(always)]
 pub fn split_first<S: Real>(mass: S, angle: S, first: S, second: S) -> S {
     mass * (second - angle).sin() / (second - first).sin()
 }
 
 /// The part at the second place, `m₂ = m sin(θ − θ₁)/sin(θ₂ − θ₁)`.
-#[inline]
+#[inline(always)]
 pub fn split_second<S: Real>(mass: S, angle: S, first: S, second: S) -> S {
     mass * (angle - first).sin() / (second - first).sin()
 }

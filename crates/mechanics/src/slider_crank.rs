@@ -21,19 +21,19 @@ pub use motion::{Branch, CrankMotion, SliderCrank, SliderCrankError, SliderCrank
 
 /// Angle of the rod, `θ₃ = arcsin((e − r sin θ₂)/l)`, on the branch with the slider ahead of the crank pin. On the
 /// other branch it is `π − θ₃`.
-#[inline]
+#[inline(always)]
 pub fn rod_angle<S: Real>(crank: S, rod: S, offset: S, crank_angle: S) -> S {
     ((offset - crank * crank_angle.sin()) / rod).asin()
 }
 
 /// Position of the slider, `x = r cos θ₂ + l cos θ₃`, m.
-#[inline]
+#[inline(always)]
 pub fn slider_position<S: Real>(crank: S, rod: S, crank_angle: S, rod_angle: S) -> S {
     crank * crank_angle.cos() + rod * rod_angle.cos()
 }
 
 /// Angular velocity of the rod, `ω₃ = −r ω₂ cos θ₂/(l cos θ₃)`, rad/s.
-#[inline]
+#[inline(always)]
 pub fn rod_speed<S: Real>(crank: S, rod: S, crank_angle: S, rod_angle: S, crank_speed: S) -> S {
     -(crank * crank_speed * crank_angle.cos()) / (rod * rod_angle.cos())
 }
@@ -41,14 +41,14 @@ pub fn rod_speed<S: Real>(crank: S, rod: S, crank_angle: S, rod_angle: S, crank_
 /// Angular velocity of the rod of an in-line slider-crank from its angles alone, `ω₃ = ω₂ tan θ₃/tan θ₂`, rad/s.
 ///
 /// In line, `r sin θ₂ = −l sin θ₃` fixes the ratio of the lengths. There is no answer at `θ₂ = 0` or `π`.
-#[inline]
+#[inline(always)]
 pub fn rod_speed_in_line<S: Real>(crank_angle: S, rod_angle: S, crank_speed: S) -> S {
     crank_speed * rod_angle.tan() / crank_angle.tan()
 }
 
 /// Length of the crank of a slider-crank that gives its slider a velocity `v`:
 /// `r = −v cos θ₃/(ω₂ sin(θ₂ − θ₃))`, m.
-#[inline]
+#[inline(always)]
 pub fn crank_from_slider_velocity<S: Real>(
     slider_velocity: S,
     crank_angle: S,
@@ -59,7 +59,7 @@ pub fn crank_from_slider_velocity<S: Real>(
 }
 
 /// Velocity of the slider, `v = −r ω₂ sin θ₂ − l ω₃ sin θ₃`, m/s.
-#[inline]
+#[inline(always)]
 pub fn slider_velocity<S: Real>(
     crank: S,
     rod: S,
@@ -73,7 +73,7 @@ pub fn slider_velocity<S: Real>(
 
 /// Angular acceleration of the rod,
 /// `α₃ = (r ω₂² sin θ₂ + l ω₃² sin θ₃ − r α₂ cos θ₂)/(l cos θ₃)`, rad/s².
-#[inline]
+#[inline(always)]
 pub fn rod_acceleration<S: Real>(
     crank: S,
     rod: S,
@@ -90,7 +90,7 @@ pub fn rod_acceleration<S: Real>(
 
 /// Acceleration of the slider,
 /// `a = −r ω₂² cos θ₂ − r α₂ sin θ₂ − l ω₃² cos θ₃ − l α₃ sin θ₃`, m/s².
-#[inline]
+#[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "the formula has eight quantities")]
 pub fn slider_acceleration<S: Real>(
     crank: S,

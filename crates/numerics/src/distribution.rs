@@ -121,16 +121,24 @@ impl Distribution {
     }
 }
 
-/// The value below which a share of ascending values lies, with straight lines between them: definition 7 of R. J.
-/// Hyndman and Y. Fan, *Am. Stat.* 50 (1996). Of no values 0.
+/// The value below which a share of ascending values lies, as [`quantile_of_ranks`] has it. Of no values 0.
 pub fn quantile_of_sorted(values: &[f64], share: f64) -> f64 {
-    let place = share * values.len().saturating_sub(1) as f64;
-    let below = (place.floor() as usize).min(values.len().saturating_sub(1));
-    let Some(low) = values.get(below) else { return 0.0 };
-    match values.get(below + 1) {
-        Some(high) => low + (high - low) * (place - below as f64),
-        None => *low,
-    }
+    if values.is_empty() { 0.0 } else { quantile_of_ranks(values.len(), share, |rank| values[rank]) }
+}
+
+/// The value below which a share of so many values lies, from the values of the two [ranks](ranks_about) about it, with a
+/// straight line between them: definition 7 of R. J. Hyndman and Y. Fan, *Am. Stat.* 50 (1996).
+pub fn quantile_of_ranks(count: usize, share: f64, value: impl Fn(usize) -> f64) -> f64 {
+    let [below, above] = ranks_about(count, share);
+    let (low, high) = (value(below), value(above));
+    low + (high - low) * (share * count.saturating_sub(1) as f64 - below as f64)
+}
+
+/// The ranks in ascending order, counted from 0, of the two values that a quantile of so many values lies between.
+pub fn ranks_about(count: usize, share: f64) -> [usize; 2] {
+    let last = count.saturating_sub(1);
+    let below = ((share * last as f64) as usize).min(last);
+    [below, (below + 1).min(last)]
 }
 
 /// The standard normal number below which a share lies, for shares strictly between 0 and 1, to within 2·10⁻¹⁵.

@@ -32,6 +32,14 @@ pub const WIDTH: usize = 16;
 #[repr(align(64))]
 pub struct SimdVector(pub [f64; WIDTH]);
 
+/// A closure that is inlined wherever it is called, as SIMD needs it; a path to a function in its place would not be.
+macro_rules! inlined {
+    ($closure:expr) => {
+        #[inline(always)]
+        $closure
+    };
+}
+
 thread_local! {
     /// True if lanes have diverged since [`converged`] began.
     static DIVERGED: Cell<bool> = const { Cell::new(false) };
@@ -172,6 +180,27 @@ pub fn sums<const N: usize, const K: usize>(
     sums.map(|sum| sum.0.into_iter().sum())
 }
 
+/// The least and the largest of finite values; `[∞, −∞]` of none.
+pub fn range(values: &[f64]) -> [f64; 2] {
+    let (blocks, rest) = values.as_chunks::<WIDTH>();
+    let mut least = [f64::INFINITY; WIDTH];
+    let mut largest = [f64::NEG_INFINITY; WIDTH];
+    widest(
+        #[inline(always)]
+        || {
+            for block in blocks {
+                for lane in 0..WIDTH {
+                    // One instruction each, unlike `f64::min`, which takes care of NaN.
+                    least[lane] = if block[lane] < least[lane] { block[lane] } else { least[lane] };
+                    largest[lane] = if block[lane] > largest[lane] { block[lane] } else { largest[lane] };
+                }
+            }
+        },
+    );
+    let all = |lanes: [f64; WIDTH]| rest.iter().copied().chain(lanes);
+    [all(least).fold(f64::INFINITY, f64::min), all(largest).fold(f64::NEG_INFINITY, f64::max)]
+}
+
 /// Does the work of a closure with the widest registers of the machine, as far as it is inlined: mark the closure and
 /// what it calls `#[inline(always)]`.
 #[inline(always)]
@@ -210,10 +239,7 @@ impl SimdVector {
 
     #[inline(always)]
     fn map(self, f: impl Fn(f64) -> f64) -> Self {
-        Self::of(
-            #[inline(always)]
-            |lane| f(self.0[lane]),
-        )
+        Self::of(inlined!(|lane| f(self.0[lane])))
     }
 }
 
@@ -243,14 +269,19 @@ macro_rules! lane_by_lane {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                self.with(other, |a, b| a $op b)
+                self.with(
+                    other,
+                    inlined!(|a, b| a $op b),
+                )
             }
         }
         impl $trait<f64> for SimdVector {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: f64) -> Self {
-                self.map(|a| a $op other)
+                self.map(
+                    inlined!(|a| a $op other),
+                )
             }
         }
     )*};
@@ -262,7 +293,7 @@ impl Neg for SimdVector {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        self.map(|x| -x)
+        self.map(inlined!(|x| -x))
     }
 }
 
@@ -298,28 +329,28 @@ impl Real for SimdVector {
     #[inline(always)]
     fn root(self, n: u8) -> Self {
         match n {
-            2 => self.map(f64::sqrt),
+            2 => self.map(inlined!(|x| x.sqrt())),
             _ => self.map(|x| Real::root(x, n)),
         }
     }
     #[inline(always)]
     fn abs(self) -> Self {
-        self.map(f64::abs)
+        self.map(inlined!(|x| x.abs()))
     }
     #[inline(always)]
     fn sin(self) -> Self {
-        if self.all(elementary::is_angle) {
-            self.map(elementary::sin_polynomial)
+        if self.all(inlined!(|x| elementary::is_angle(x))) {
+            self.map(inlined!(|x| elementary::sin_polynomial(x)))
         } else {
-            self.map(elementary::sin)
+            self.map(inlined!(|x| elementary::sin(x)))
         }
     }
     #[inline(always)]
     fn cos(self) -> Self {
-        if self.all(elementary::is_angle) {
-            self.map(elementary::cos_polynomial)
+        if self.all(inlined!(|x| elementary::is_angle(x))) {
+            self.map(inlined!(|x| elementary::cos_polynomial(x)))
         } else {
-            self.map(elementary::cos)
+            self.map(inlined!(|x| elementary::cos(x)))
         }
     }
     fn tan(self) -> Self {
@@ -327,18 +358,21 @@ impl Real for SimdVector {
     }
     #[inline(always)]
     fn asin(self) -> Self {
-        self.map(elementary::asin)
+        self.map(inlined!(|x| elementary::asin(x)))
     }
     #[inline(always)]
     fn acos(self) -> Self {
-        self.map(elementary::acos)
+        self.map(inlined!(|x| elementary::acos(x)))
     }
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {
-        if self.with(x, |y, x| y.abs().max(x.abs())).all(elementary::is_length) {
-            self.with(x, elementary::atan2_polynomial)
+        if self
+            .with(x, inlined!(|y, x| y.abs().max(x.abs())))
+            .all(inlined!(|size| elementary::is_length(size)))
+        {
+            self.with(x, inlined!(|y, x| elementary::atan2_polynomial(y, x)))
         } else {
-            self.with(x, elementary::atan2)
+            self.with(x, inlined!(|y, x| elementary::atan2(y, x)))
         }
     }
     fn exp(self) -> Self {
@@ -346,10 +380,10 @@ impl Real for SimdVector {
     }
     #[inline(always)]
     fn ln(self) -> Self {
-        if self.all(elementary::is_normal) {
-            self.map(elementary::ln_polynomial)
+        if self.all(inlined!(|x| elementary::is_normal(x))) {
+            self.map(inlined!(|x| elementary::ln_polynomial(x)))
         } else {
-            self.map(elementary::ln)
+            self.map(inlined!(|x| elementary::ln(x)))
         }
     }
     fn log10(self) -> Self {
@@ -369,11 +403,11 @@ impl Real for SimdVector {
     }
     #[inline(always)]
     fn min(self, other: Self) -> Self {
-        self.with(other, f64::min)
+        self.with(other, inlined!(|a, b| a.min(b)))
     }
     #[inline(always)]
     fn max(self, other: Self) -> Self {
-        self.with(other, f64::max)
+        self.with(other, inlined!(|a, b| a.max(b)))
     }
     #[inline(always)]
     fn sum(terms: impl IntoIterator<Item = Self>) -> Self {
@@ -479,6 +513,19 @@ mod tests {
             over(&values, &DoubleAndRoot, [&mut double, &mut root]);
             assert!(values.iter().zip_eq(&double).all(|(x, found)| *found == 2.0 * x), "{count}: {double:?}");
             assert!(values.iter().zip_eq(&root).all(|(x, found)| *found == x.sqrt()), "{count}: {root:?}");
+        }
+    }
+
+    #[test]
+    fn the_range_is_that_of_all_values() {
+        assert_eq!(range(&[]), [f64::INFINITY, f64::NEG_INFINITY]);
+        for count in [1, WIDTH - 1, WIDTH, 3 * WIDTH + 5] {
+            for place in 0..count {
+                let mut values = vec![0.5; count];
+                (values[place], values[count - 1 - place]) = (-3.0, 4.0);
+                let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+                assert_eq!(range(&values), [least, 4.0], "{count} {place}");
+            }
         }
     }
 

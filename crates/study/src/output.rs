@@ -197,10 +197,8 @@ impl Run<'_> {
         let locale = part.is_some().then_some(self.locale);
         (self.progress)(done);
         workers::solve(self.study, range, self.threads, locale, self.stop, &mut |block| {
-            for row in block.rows.iter() {
-                sums.push(row.inputs, row.answers, row.refusal);
-                done += 1;
-            }
+            sums.take(&block.rows);
+            done += block.rows.len() as u64;
             if let Some(part) = &mut part {
                 part.write(&block.text)?;
             }

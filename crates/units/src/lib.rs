@@ -95,6 +95,7 @@ impl Unit {
     };
 
     /// The SI value of `value` of this unit.
+    #[inline]
     pub fn si(&self, value: f64) -> f64 {
         match self.sense {
             UnitMeaning::Level => 10f64.powf(value / 20.0),
@@ -103,6 +104,7 @@ impl Unit {
     }
 
     /// Converts an SI value to this unit.
+    #[inline]
     pub fn value(&self, si: f64) -> f64 {
         match self.sense {
             UnitMeaning::Level => 20.0 * si.log10(),

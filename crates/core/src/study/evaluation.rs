@@ -15,6 +15,9 @@ use crate::{
     nearest, vary::InputLimits,
 };
 
+/// Points that are drawn and solved together: few enough that their numbers stay in the cache of a core.
+const IN_CACHE: usize = 2048;
+
 /// A study that is ready to run: its points, and the answers that are wanted at each.
 #[derive(Debug)]
 pub struct Study<'a> {
@@ -179,7 +182,7 @@ impl Evaluation<'_> {
     /// # Errors
     /// [`Refusal::Stopped`] alone.
     pub fn rows(&mut self, range: Range<u64>, rows: &mut Rows, stop: &Stop) -> Result<(), Refusal> {
-        let Study { design, answers, conditions, .. } = self.study;
+        let Study { design, answers, .. } = self.study;
         let (inputs, wanted) = (design.inputs.len(), answers.len());
         let count = (range.end - range.start) as usize;
         rows.widths = [inputs, wanted];
@@ -188,26 +191,52 @@ impl Evaluation<'_> {
         rows.answers.clear();
         rows.answers.resize(count * wanted, f64::NAN);
         rows.refused.clear();
-        self.points.resize(count * inputs, 0.0);
-        design.rows(range.start, &mut rows.inputs, &mut self.points);
+        for begin in (0..count).step_by(IN_CACHE) {
+            self.block(range.start, begin..count.min(begin + IN_CACHE), rows, stop)?;
+        }
+        rows.refused.sort_by_key(|(row, _)| *row);
+        Ok(())
+    }
+
+    /// Solves a block of the rows, which begin at the point `first`.
+    fn block(
+        &mut self,
+        first: u64,
+        block: Range<usize>,
+        rows: &mut Rows,
+        stop: &Stop,
+    ) -> Result<(), Refusal> {
+        let Study { design, answers, conditions, .. } = self.study;
+        let (inputs, wanted) = (design.inputs.len(), answers.len());
+        self.points.resize(block.len() * inputs, 0.0);
+        let shown = &mut rows.inputs[block.start * inputs..block.end * inputs];
+        design.rows(first + block.start as u64, shown, &mut self.points);
+        let values = &mut rows.answers[block.start * wanted..block.end * wanted];
         let refused = &mut rows.refused;
         self.evaluate.sweep_with_reasons(
             &self.points,
-            &mut rows.answers,
-            &mut |row, why| refused.push((row, why)),
+            values,
+            &mut |row, why| refused.push((block.start + row, why)),
             stop,
         )?;
-        for (row, at) in self.limits.outside(&self.points) {
+        // That an input is outside of its limits goes before any other reason.
+        let mut outside = Vec::new();
+        for (n, at) in self.limits.outside(&self.points) {
+            let row = block.start + n;
             rows.answers[row * wanted..][..wanted].fill(f64::NAN);
-            let (input, place) = (&design.inputs[at], row * inputs + at);
-            let text = format!("{} {}", rows.inputs[place], input.unit.ascii());
-            let why = input.measure.outside(self.points[place], text.trim_end());
+            let input = &design.inputs[at];
+            let text = format!("{} {}", rows.inputs[row * inputs + at], input.unit.ascii());
+            let why = input.measure.outside(self.points[n * inputs + at], text.trim_end());
             let why = Text::new("{input}: {why}")
                 .with("input", &input.path)
                 .with_text("why", why.unwrap_or_else(|| "is not a finite number".into()));
-            rows.refuse(row, why);
+            outside.push((row, why));
         }
-        for (row, values) in rows.answers.chunks_exact_mut(wanted).enumerate() {
+        let is_inside = |row: &usize| outside.binary_search_by_key(row, |(row, _)| *row).is_err();
+        rows.refused.retain(|(row, _)| is_inside(row));
+        rows.refused.append(&mut outside);
+        let values = &mut rows.answers[block.start * wanted..block.end * wanted];
+        for (row, values) in block.zip(values.chunks_exact_mut(wanted)) {
             for (value, answer) in values.iter_mut().zip(answers) {
                 *value = answer.unit.value(*value);
             }
@@ -219,12 +248,21 @@ impl Evaluation<'_> {
                 rows.refused.push((row, unmet.reason(&answers[unmet.answer])));
             }
         }
-        rows.refused.sort_by_key(|(row, _)| *row);
         Ok(())
     }
 }
 
 impl Rows {
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.answers.len() / self.widths[1].max(1)
+    }
+
+    /// Returns true if there are none.
+    pub fn is_empty(&self) -> bool {
+        self.answers.is_empty()
+    }
+
     /// The rows in their order.
     pub fn iter(&self) -> impl Iterator<Item = Row<'_>> {
         let [inputs, answers] = self.widths.map(|width| width.max(1));
@@ -236,10 +274,14 @@ impl Rows {
         })
     }
 
-    /// Refuses a row for a reason that goes before any other.
-    fn refuse(&mut self, row: usize, why: Text) {
-        self.refused.retain(|(refused, _)| *refused != row);
-        self.refused.push((row, why));
+    /// The inputs and the answers, a row after the other.
+    pub(super) fn numbers(&self) -> [&[f64]; 2] {
+        [&self.inputs, &self.answers]
+    }
+
+    /// Returns true if some point has no answer for a reason.
+    pub(super) fn is_refused_somewhere(&self) -> bool {
+        !self.refused.is_empty()
     }
 }
 

@@ -10,6 +10,7 @@ const KEPT: usize = 400;
 const SEED: u64 = 0x5ca7_7e12;
 
 /// Random number of a point, by which it belongs to a sample or not.
+#[inline(always)]
 pub(super) fn hash(point: u64) -> u64 {
     uniform_bits(SEED, point, 0)
 }
@@ -28,15 +29,20 @@ pub(super) struct RowSample {
 }
 
 impl RowSample {
-    /// Takes the row of a point with that hash, or not.
-    pub(super) fn take(&mut self, hash: u64, row: &[f64]) {
+    /// The largest hash of a row that is kept; only rows of smaller ones are taken.
+    pub(super) fn largest_hash(&self) -> u64 {
+        if self.kept.len() < KEPT { u64::MAX } else { self.kept.peek().map_or(u64::MAX, |(hash, _)| *hash) }
+    }
+
+    /// Takes the row of a point with a hash that is less than the largest one.
+    pub(super) fn take(&mut self, hash: u64, row: impl Iterator<Item = f64>) {
         if self.kept.len() < KEPT {
             self.kept.push((hash, self.rows.len()));
-            self.rows.push(row.to_vec());
-        } else if let Some(mut largest) = self.kept.peek_mut()
-            && hash < largest.0
-        {
-            self.rows[largest.1].copy_from_slice(row);
+            self.rows.push(row.collect());
+        } else if let Some(mut largest) = self.kept.peek_mut() {
+            let place = &mut self.rows[largest.1];
+            place.clear();
+            place.extend(row);
             largest.0 = hash;
         }
     }

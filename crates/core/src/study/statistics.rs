@@ -4,10 +4,13 @@
 //! One-Pass Parallel Computation of Covariances and Arbitrary-Order Statistical Moments*, Sandia report SAND2008-6212):
 //! the statistics are the same to the last bit however many threads or machines computed the rows.
 
+use std::borrow::Cow;
+
 use dalembert_numerics::simd;
 use serde::Serialize;
 
 use super::{
+    evaluation::Rows,
     indices::{INDEPENDENT, IndexSums, SobolIndices, TWO_SIDED_95},
     levels::{LevelMean, LevelSums, Levels, share_between},
     sample::{self, RowSample},
@@ -112,9 +115,9 @@ pub struct Accumulator {
     limits: Vec<AnswerLimit>,
     levels: Vec<Levels>,
     maps: Vec<[usize; 2]>,
-    /// The rows of the present block.
-    rows: Vec<f64>,
-    /// Those of them, by their places, that the means at levels are of.
+    /// The columns of the present block: inputs, then answers.
+    columns: Vec<Vec<f64>>,
+    /// Its rows that the means at levels are of.
     at_levels: Vec<usize>,
     /// The largest hash of a point that they are of.
     largest_hash: u64,
@@ -180,7 +183,7 @@ impl Accumulator {
             limits,
             levels: Vec::new(),
             maps: Vec::new(),
-            rows: Vec::with_capacity(BLOCK * (inputs + answers)),
+            columns: vec![Vec::with_capacity(BLOCK); inputs + answers],
             at_levels: Vec::new(),
             largest_hash: 0,
             first: 0,
@@ -235,17 +238,60 @@ impl Accumulator {
         {
             return;
         }
-        let begin = self.rows.len();
-        self.rows.extend_from_slice(inputs);
-        self.rows.extend_from_slice(answers);
-        if refusal.is_none() && !self.levels.is_empty() {
-            let hash = sample::hash(point);
-            self.sample.take(hash, &self.rows[begin..]);
-            if hash <= self.largest_hash {
-                self.at_levels.push(begin);
+        self.append(point, refusal.is_some(), (inputs, answers));
+    }
+
+    /// Takes the next rows.
+    pub fn take(&mut self, rows: &Rows) {
+        if rows.is_refused_somewhere() || self.base_sample.is_some() {
+            rows.iter().for_each(|row| self.push(row.inputs, row.answers, row.refusal));
+            return;
+        }
+        let [inputs, answers] = rows.numbers();
+        let mut from = 0;
+        while from < rows.len() {
+            let to = rows.len().min(from + BLOCK - self.columns[self.inputs].len());
+            let [of_inputs, of_answers] = self.widths().map(|width| from * width..to * width);
+            let point = self.first + self.points;
+            self.points += (to - from) as u64;
+            self.append(point, false, (&inputs[of_inputs], &answers[of_answers]));
+            from = to;
+        }
+    }
+
+    /// Numbers of inputs and answers.
+    fn widths(&self) -> [usize; 2] {
+        [self.inputs, self.columns.len() - self.inputs]
+    }
+
+    /// Appends rows, the first of them of that point, to the present block, which has room for them.
+    fn append(&mut self, first: u64, are_refused: bool, (inputs, answers): (&[f64], &[f64])) {
+        let [inputs_of_row, answers_of_row] = self.widths();
+        let begin = self.columns[self.inputs].len();
+        let (of_inputs, of_answers) = self.columns.split_at_mut(inputs_of_row);
+        for (columns, numbers) in [(of_inputs, inputs), (of_answers, answers)] {
+            let width = columns.len();
+            for (at, column) in columns.iter_mut().enumerate() {
+                column.extend(numbers.iter().skip(at).step_by(width));
             }
         }
-        if self.rows.len() == BLOCK * (self.inputs + self.answers.len()) {
+        let end = self.columns[self.inputs].len();
+        if !are_refused && !self.levels.is_empty() {
+            let mut largest_kept = self.sample.largest_hash();
+            for (n, row) in (begin..end).enumerate() {
+                let hash = sample::hash(first + n as u64);
+                if hash < largest_kept {
+                    let inputs = &inputs[n * inputs_of_row..][..inputs_of_row];
+                    let answers = &answers[n * answers_of_row..][..answers_of_row];
+                    self.sample.take(hash, inputs.iter().chain(answers).copied());
+                    largest_kept = self.sample.largest_hash();
+                }
+                if hash <= self.largest_hash {
+                    self.at_levels.push(row);
+                }
+            }
+        }
+        if end == BLOCK {
             self.take_block();
         }
     }
@@ -274,31 +320,29 @@ impl Accumulator {
     }
 
     fn take_block(&mut self) {
-        let width = self.inputs + self.answers.len();
-        let rows = || self.at_levels.iter().map(|begin| &self.rows[*begin..begin + width]);
-        let level = |(input, levels): (usize, &Levels)| rows().map(|row| levels.of(row[input])).collect();
-        let levels: Vec<Vec<usize>> = self.levels.iter().enumerate().map(level).collect();
-        let column = |at: usize| self.rows.iter().skip(at).step_by(width).copied().collect::<Vec<f64>>();
-        let inputs: Vec<Vec<f64>> = (0..self.inputs).map(column).collect();
-        for (at, sums) in self.answers.iter_mut().enumerate() {
-            let mut values = column(self.inputs + at);
-            let has_answer: Vec<bool> = values.iter().map(|value| value.is_finite()).collect();
-            let of_answer = |column: &[f64]| -> Vec<f64> {
-                let kept = column.iter().zip(&has_answer).filter(|(_, has_answer)| **has_answer);
+        let (inputs, answers) = self.columns.split_at(self.inputs);
+        let rows = || self.at_levels.iter();
+        let level =
+            |(input, levels): (&Vec<f64>, &Levels)| rows().map(|row| levels.of(input[*row])).collect();
+        let levels: Vec<Vec<usize>> = inputs.iter().zip(&self.levels).map(level).collect();
+        for (at, (answer, sums)) in answers.iter().zip(&mut self.answers).enumerate() {
+            let of_answer = |column: &Vec<f64>| -> Vec<f64> {
+                let kept = column.iter().zip(answer).filter(|(_, answer)| answer.is_finite());
                 kept.map(|(value, _)| *value).collect()
             };
-            if has_answer.contains(&false) {
-                values = of_answer(&values);
-                let inputs: Vec<Vec<f64>> = inputs.iter().map(|input| of_answer(input)).collect();
-                sums.take(&inputs, &values);
+            let values = if answer.iter().all(|value| value.is_finite()) {
+                sums.take(inputs, answer);
+                Cow::Borrowed(answer)
             } else {
-                sums.take(&inputs, &values);
-            }
+                let values = of_answer(answer);
+                sums.take(&inputs.iter().map(of_answer).collect::<Vec<_>>(), &values);
+                Cow::Owned(values)
+            };
             let limits = self.limits.iter().filter(|limit| limit.answer == at);
             for (limit, count) in limits.zip(&mut sums.exceeded) {
                 *count += values.iter().filter(|value| limit.is_exceeded(**value)).count() as u64;
             }
-            let at_levels = rows().map(|row| row[self.inputs + at]).enumerate();
+            let at_levels = rows().map(|row| answer[*row]).enumerate();
             let values = at_levels.filter(|(_, value)| value.is_finite());
             let Some(centre) = sums.centre.or_else(|| values.clone().next().map(|(_, value)| value)) else {
                 continue;
@@ -314,7 +358,7 @@ impl Accumulator {
             }
         }
         self.at_levels.clear();
-        self.rows.clear();
+        self.columns.iter_mut().for_each(Vec::clear);
     }
 }
 
@@ -402,7 +446,7 @@ impl AnswerSums {
         let (effects, maps) = (means(&self.effects), means(&self.maps));
         let variance = square / (count - 1.0);
         let shares = effects.iter().map(|levels| share_between(levels, variance)).collect();
-        let (least, largest) = (self.values.least.unwrap_or(0.0), self.values.largest.unwrap_or(0.0));
+        let [least, largest] = self.values.range();
         let (percentiles, bin_width, histogram) = self.values.distribution();
         AnswerStatistics {
             count: count as u64,

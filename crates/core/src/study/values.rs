@@ -1,6 +1,11 @@
 //! Distribution of the values of an answer: percentiles and frequencies, from values in their order.
 
-use dalembert_numerics::distribution::quantile_of_sorted;
+use std::collections::BTreeMap;
+
+use dalembert_numerics::{
+    distribution::{quantile_of_ranks, ranks_about},
+    simd,
+};
 use serde::Serialize;
 
 use crate::{Answer, Axis, Plot, Series, Text, intern::fixed};
@@ -13,6 +18,8 @@ pub(super) const MOST_EXACT: usize = 10_000_000;
 const BINS: usize = 100_000;
 /// Bars of a histogram.
 const BARS: usize = 24;
+/// Parts of a bar, which are counted to find the values of a rank.
+const PARTS: usize = 64;
 
 /// Numbers of values in intervals of equal width.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -28,10 +35,8 @@ pub struct Histogram {
 /// All values up to [`MOST_EXACT`], then their counts in bins.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Values {
-    /// The least one.
-    pub(super) least: Option<f64>,
-    /// The largest one.
-    pub(super) largest: Option<f64>,
+    /// The least and the largest one.
+    range: Option<[f64; 2]>,
     exact: Vec<f64>,
     bins: Option<Bins>,
 }
@@ -42,6 +47,12 @@ struct Bins {
     from: f64,
     width: f64,
     counts: Vec<u64>,
+}
+
+/// Bars of equal width from the least to the largest value, each in [`PARTS`] parts.
+struct Bars {
+    least: f64,
+    parts_per_unit: f64,
 }
 
 impl Histogram {
@@ -65,12 +76,16 @@ impl Histogram {
 
 impl Values {
     pub(super) fn take(&mut self, values: &[f64]) {
-        let least = values.iter().copied().chain(self.least).reduce(f64::min);
-        let largest = values.iter().copied().chain(self.largest).reduce(f64::max);
-        (self.least, self.largest) = (least, largest);
+        if values.is_empty() {
+            return;
+        }
+        let [mut least, mut largest] = simd::range(values);
+        if let Some(before) = self.range {
+            [least, largest] = [least.min(before[0]), largest.max(before[1])];
+        }
+        self.range = Some([least, largest]);
         if self.bins.is_none() && self.exact.len() + values.len() > MOST_EXACT {
             // The ends are those of the values so far, and a tenth of their range beyond.
-            let (least, largest) = (least.unwrap_or_default(), largest.unwrap_or_default());
             let margin = (largest - least) / 10.0;
             let (from, width) = (least - margin, (largest - least + 2.0 * margin) / BINS as f64);
             let mut bins = Bins { from, width, counts: vec![0; BINS] };
@@ -85,38 +100,56 @@ impl Values {
         }
     }
 
+    /// The least and the largest value; zeros where there is none.
+    pub(super) fn range(&self) -> [f64; 2] {
+        self.range.unwrap_or_default()
+    }
+
     /// Percentiles, the width of the bins that they were counted in, and the histogram.
-    pub(super) fn distribution(mut self) -> (Vec<f64>, f64, Histogram) {
-        let (least, largest) = (self.least.unwrap_or(0.0), self.largest.unwrap_or(0.0));
+    pub(super) fn distribution(self) -> (Vec<f64>, f64, Histogram) {
+        let [least, largest] = self.range();
+        let bars = Bars::new(least, largest);
+        let mut counts = vec![0; BARS * PARTS];
         let shares = PERCENTILES.iter().map(|percent| percent / 100.0);
-        let width = (largest - least) / BARS as f64;
-        let mut histogram = Histogram { from: least, width, counts: Vec::new() };
-        if width > 0.0 {
-            histogram.counts = vec![0; BARS];
-        }
-        let mut count = |value: f64, times: u64| {
-            if let Some(last) = histogram.counts.len().checked_sub(1) {
-                histogram.counts[(((value - least) / width) as usize).min(last)] += times;
-            }
-        };
-        match &self.bins {
+        let (percentiles, bin_width) = match &self.bins {
             None => {
-                self.exact.iter().for_each(|value| count(*value, 1));
-                let mut ranks: Vec<usize> =
-                    shares.clone().flat_map(|share| ranks_about(&self.exact, share)).collect();
-                ranks.sort_unstable();
-                ranks.dedup();
-                put_in_order(&mut self.exact, &ranks);
-                (shares.map(|share| quantile_of_sorted(&self.exact, share)).collect(), 0.0, histogram)
+                for value in &self.exact {
+                    counts[bars.part(*value)] += 1;
+                }
+                let ranks = shares.clone().flat_map(|share| ranks_about(self.exact.len(), share));
+                let ranked = values_of_ranks(&self.exact, ranks.collect(), &bars, &counts);
+                let quantile = |share| {
+                    quantile_of_ranks(self.exact.len(), share, |rank| ranked.get(&rank).map_or(0.0, |at| *at))
+                };
+                (shares.map(quantile).collect(), 0.0)
             }
             Some(bins) => {
                 for (at, times) in bins.counts.iter().enumerate() {
-                    count((bins.from + (at as f64 + 0.5) * bins.width).clamp(least, largest), *times);
+                    let middle = (bins.from + (at as f64 + 0.5) * bins.width).clamp(least, largest);
+                    counts[bars.part(middle)] += times;
                 }
                 let percentile = |share| bins.quantile(share).clamp(least, largest);
-                (shares.map(percentile).collect(), bins.width, histogram)
+                (shares.map(percentile).collect(), bins.width)
             }
+        };
+        let width = (largest - least) / BARS as f64;
+        let mut histogram = Histogram { from: least, width, counts: Vec::new() };
+        if width > 0.0 {
+            histogram.counts = counts.chunks(PARTS).map(|parts| parts.iter().sum()).collect();
         }
+        (percentiles, bin_width, histogram)
+    }
+}
+
+impl Bars {
+    fn new(least: f64, largest: f64) -> Self {
+        Self { least, parts_per_unit: (BARS * PARTS) as f64 / (largest - least) }
+    }
+
+    /// The part that a value lies in; of larger values no smaller one.
+    #[inline(always)]
+    fn part(&self, value: f64) -> usize {
+        (((value - self.least) * self.parts_per_unit) as usize).min(BARS * PARTS - 1)
     }
 }
 
@@ -140,11 +173,39 @@ impl Bins {
     }
 }
 
-/// The places of the two values that a quantile lies between.
-fn ranks_about(values: &[f64], share: f64) -> [usize; 2] {
-    let last = values.len().saturating_sub(1);
-    let below = (share * last as f64).floor() as usize;
-    [below.min(last), (below + 1).min(last)]
+/// The values of these ranks in ascending order, counted from 0. Only the values in the parts that hold such a rank, of
+/// which the counts are known, are put in order.
+fn values_of_ranks(
+    values: &[f64],
+    mut ranks: Vec<usize>,
+    bars: &Bars,
+    counts: &[u64],
+) -> BTreeMap<usize, f64> {
+    ranks.retain(|rank| *rank < values.len());
+    ranks.sort_unstable();
+    ranks.dedup();
+    let mut left = &ranks[..];
+    let mut begin = 0;
+    // Of each part that holds ranks: the ranks, counted from its beginning, and its values.
+    let mut parts: Vec<Option<(usize, Vec<usize>, Vec<f64>)>> = Vec::with_capacity(counts.len());
+    for count in counts {
+        let end = begin + *count as usize;
+        let (inside, beyond) = left.split_at(left.partition_point(|rank| *rank < end));
+        let inside: Vec<usize> = inside.iter().map(|rank| rank - begin).collect();
+        parts.push((!inside.is_empty()).then(|| (begin, inside, Vec::with_capacity(*count as usize))));
+        (left, begin) = (beyond, end);
+    }
+    for value in values {
+        if let Some((_, _, inside)) = &mut parts[bars.part(*value)] {
+            inside.push(*value);
+        }
+    }
+    let mut ranked = BTreeMap::new();
+    for (begin, ranks, mut inside) in parts.into_iter().flatten() {
+        put_in_order(&mut inside, &ranks);
+        ranked.extend(ranks.iter().map(|rank| (begin + rank, inside[*rank])));
+    }
+    ranked
 }
 
 /// Puts the values of these ascending ranks where they stand in ascending order: all that quantiles need, in less time

@@ -13,7 +13,7 @@ use dalembert_numerics::linalg::{self, LinalgError};
 ///
 /// The equations `Σ U_k = −F`, `Σ U_k (z_k − z̄) = −M` have orthogonal rows, so each is met by its own least
 /// vector. For two planes this is the only solution.
-#[inline]
+#[inline(always)]
 pub fn least_correction<S: Real>(force: S, moment: S, planes: f64, arm: S, spread: S) -> S {
     -force / planes - arm * moment / spread
 }
@@ -59,7 +59,7 @@ pub fn balance_planes(unbalances: &[PlaneUnbalance], planes: &[f64]) -> Result<V
 
 /// Equivalent unbalance of a rotor in the first of two planes, one component: `U_I = Σ Uᵢ (z_II − zᵢ)/(z_II − z_I)`.
 /// ISO 21940-2: dynamic unbalance reported in two arbitrary planes.
-#[inline]
+#[inline(always)]
 pub fn equivalent_in_first<S: Real>(
     components_at: impl IntoIterator<Item = (S, S)>,
     first: S,
@@ -69,7 +69,7 @@ pub fn equivalent_in_first<S: Real>(
 }
 
 /// Equivalent unbalance in the second of two planes, one component: `U_II = Σ Uᵢ (zᵢ − z_I)/(z_II − z_I)`.
-#[inline]
+#[inline(always)]
 pub fn equivalent_in_second<S: Real>(
     components_at: impl IntoIterator<Item = (S, S)>,
     first: S,

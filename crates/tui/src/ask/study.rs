@@ -76,15 +76,13 @@ pub(super) fn carry_out(
     let begun = Instant::now();
     let (mut reported, mut pause, mut done) = (begun, REPORT_EVERY, 0);
     let solved = workers::solve(&study, 0..points, threads, None, stop, &mut |block| {
-        for row in block.rows.iter() {
-            sums.push(row.inputs, row.answers, row.refusal);
-            if let Some(curves) = &mut curves {
-                curves.push(&row);
-            }
-            if let Some(bands) = &mut bands {
-                bands.push(&row);
-            }
-            done += 1;
+        sums.take(&block.rows);
+        done += block.rows.len() as u64;
+        if let Some(curves) = &mut curves {
+            block.rows.iter().for_each(|row| curves.push(&row));
+        }
+        if let Some(bands) = &mut bands {
+            block.rows.iter().for_each(|row| bands.push(&row));
         }
         if done < points && reported.elapsed() >= pause {
             let from = Instant::now();

@@ -102,20 +102,8 @@ impl Analysis for TwoPlane {
         if given.plane_a.holds_with(given.plane_b, |a, b| a == b) {
             return Err(Refusal::because(COINCIDENT));
         }
-        let x = Along::new(
-            sheet,
-            given,
-            balance::component_x,
-            ["U_x", "U_Bx", "U_Ax"],
-            "Unbalance of each mass along x",
-        );
-        let y = Along::new(
-            sheet,
-            given,
-            balance::component_y,
-            ["U_y", "U_By", "U_Ay"],
-            "Unbalance of each mass along y",
-        );
+        let x = Along::new(sheet, given, TransverseAxis::X);
+        let y = Along::new(sheet, given, TransverseAxis::Y);
         let mut checked = Ok(());
         sheet.verify(|| checked = self.check_balance(sheet, given, [&x, &y]));
         checked?;
@@ -167,19 +155,29 @@ struct Along<N> {
     in_b: N,
 }
 
+/// An axis across that of the rotor.
+#[derive(Clone, Copy)]
+enum TransverseAxis {
+    X,
+    Y,
+}
+
 impl<N: Real> Along<N> {
     #[inline(always)]
-    fn new<W: Worksheet<Num = N>>(
-        sheet: W,
-        given: &TwoPlaneGiven<W>,
-        component: fn(N, N, N) -> N,
-        [mass, in_b, in_a]: [&'static str; 3],
-        why: &'static str,
-    ) -> Self {
-        let of = |(n, m): (usize, &EccentricMassGiven<W>)| {
-            (sheet.step((mass, n), "kg*mm", component(m.mass, m.radius, m.angle), why), m.position)
+    fn new<W: Worksheet<Num = N>>(sheet: W, given: &TwoPlaneGiven<W>, axis: TransverseAxis) -> Self {
+        let ([mass, in_b, in_a], why) = match axis {
+            TransverseAxis::X => (["U_x", "U_Bx", "U_Ax"], "Unbalance of each mass along x"),
+            TransverseAxis::Y => (["U_y", "U_By", "U_Ay"], "Unbalance of each mass along y"),
         };
-        let masses: Vec<(N, N)> = (1..).zip(&given.masses).map(of).collect();
+        let mut masses = Vec::with_capacity(given.masses.len());
+        // A loop: what an iterator calls is not always inlined, as SIMD needs it.
+        for (n, m) in (1..).zip(&given.masses) {
+            let unbalance = match axis {
+                TransverseAxis::X => balance::component_x(m.mass, m.radius, m.angle),
+                TransverseAxis::Y => balance::component_y(m.mass, m.radius, m.angle),
+            };
+            masses.push((sheet.step((mass, n), "kg*mm", unbalance, why), m.position));
+        }
         let formula = balance::correction_in_b(masses.iter().copied(), given.plane_a, given.plane_b);
         let in_b =
             sheet.step(in_b, "kg*mm", formula, ("Moments about plane A vanish", RIUL.at("eqs. 13–15")));

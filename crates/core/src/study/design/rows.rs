@@ -41,9 +41,9 @@ impl Design {
         for (drawn, mut values) in self.drawn.iter().zip(shares) {
             drawn.distribution.quantiles(&mut values);
             let unit = &self.inputs[drawn.input].unit;
-            let places = (drawn.input..).step_by(width);
-            for (place, value) in places.zip(values) {
-                (shown[place], si[place]) = (value, unit.si(value));
+            let rows = shown.chunks_exact_mut(width).zip(si.chunks_exact_mut(width));
+            for ((shown, si), value) in rows.zip(values) {
+                (shown[drawn.input], si[drawn.input]) = (value, unit.si(value));
             }
         }
     }
