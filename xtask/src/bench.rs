@@ -9,34 +9,66 @@ use anyhow::{Result, bail, ensure};
 
 use crate::cargo::{cargo, output, run as run_command, target};
 
-/// A part that can be measured alone: its name, and the package and target that measure it.
-const PARTS: [(&str, &str, &str); 13] = [
-    ("plain", "dalembert-tests", "plain"),
-    ("units", "dalembert-units", "read"),
-    ("solve", "dalembert-tests", "solve"),
-    ("keys", "dalembert-tests", "keys"),
-    ("study", "dalembert-tests", "study"),
-    ("large", "dalembert-tests", "large"),
-    ("tui", "dalembert-tests", "tui"),
-    ("balance", "dalembert-mechanics", "balance"),
-    ("linkages", "dalembert-mechanics", "linkages"),
-    ("modal", "dalembert-mechanics", "modal"),
-    ("rigid", "dalembert-mechanics", "rigid"),
-    ("rotor", "dalembert-mechanics", "rotor"),
-    ("mechanism", "dalembert-mechanics", "mechanism"),
+/// A part that can be measured alone.
+struct Part {
+    name: &'static str,
+    package: &'static str,
+    /// The target that measures it.
+    bench: &'static str,
+    /// The commands of the program that reach what is measured.
+    reached_by: &'static str,
+}
+
+const PARTS: [Part; 13] = [
+    part("plain", "dalembert-tests", "plain", "dalembert study; Python: dalembert.sweep"),
+    part("units", "dalembert-units", "read", "dalembert solve, and every key in the workbench"),
+    part("solve", "dalembert-tests", "solve", "dalembert solve ANALYSIS"),
+    part("keys", "dalembert-tests", "keys", "dalembert, a key in a field of any analysis"),
+    part("study", "dalembert-tests", "study", "dalembert study PLAN"),
+    part(
+        "large",
+        "dalembert-tests",
+        "large",
+        "dalembert solve, dalembert optimise; a table is read by @FILE",
+    ),
+    part("tui", "dalembert-tests", "tui", "dalembert"),
+    part("balance", "dalembert-mechanics", "balance", "dalembert study over balancing/two-plane"),
+    part(
+        "linkages",
+        "dalembert-mechanics",
+        "linkages",
+        "dalembert solve virtual-work/slider-crank, four-bar, six-bar (plots over a revolution)",
+    ),
+    part(
+        "modal",
+        "dalembert-mechanics",
+        "modal",
+        "dalembert solve vibration/modal-analysis, frequency-response-matrix, rayleigh-damping",
+    ),
+    part("rigid", "dalembert-mechanics", "rigid", "dalembert solve rigid-body/motion"),
+    part("rotor", "dalembert-mechanics", "rotor", "dalembert solve vibration/rotor-dynamics"),
+    part("mechanism", "dalembert-mechanics", "mechanism", "dalembert solve virtual-work/mechanism"),
 ];
 
-/// Measures the named parts, or all of them, and prints one table.
+const fn part(
+    name: &'static str,
+    package: &'static str,
+    bench: &'static str,
+    reached_by: &'static str,
+) -> Part {
+    Part { name, package, bench, reached_by }
+}
+
+/// Measures the named parts, or all of them, and prints a table of each with the commands that reach it.
 pub fn run(root: &Path, parts: &[&str]) -> Result<()> {
     for part in parts {
-        if !PARTS.iter().any(|(name, ..)| name == part) {
-            let known: Vec<&str> = PARTS.iter().map(|(name, ..)| *name).collect();
+        if !PARTS.iter().any(|known| known.name == *part) {
+            let known: Vec<&str> = PARTS.iter().map(|known| known.name).collect();
             bail!("`{part}` cannot be measured; write one of {}", known.join(", "));
         }
     }
-    let chosen = PARTS.iter().filter(|(name, ..)| parts.is_empty() || parts.contains(name));
-    let mut rows = Vec::new();
-    for (name, package, bench) in chosen {
+    let chosen = PARTS.iter().filter(|part| parts.is_empty() || parts.contains(&part.name));
+    for Part { name, package, bench, reached_by } in chosen {
         let mut command = cargo(root);
         command.args(["bench", "--package", package, "--bench", bench]);
         if *name == "tui" {
@@ -46,9 +78,8 @@ pub fn run(root: &Path, parts: &[&str]) -> Result<()> {
         let printed = output(&mut command)?;
         let found: Vec<Row> = printed.lines().filter_map(Row::read).collect();
         ensure!(!found.is_empty(), "the bench {bench} of {package} printed no figures");
-        rows.extend(found);
+        print!("{name}: {reached_by}\n\n{}\n", table(&found));
     }
-    print!("{}", table(&rows));
     Ok(())
 }
 
