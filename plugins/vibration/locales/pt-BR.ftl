@@ -5809,3 +5809,35 @@ the-dampers-couple-the-modes-their-complex-modes-are-found-of-at-most-most-degre
 chain-of-2000-equal-masses = Cadeia de 2000 massas iguais
 j-2-k-m-sin-j-2-n-1-2-for-dampers-in-proportion-to-the-springs = ω_j = 2√(k/m) sen(jπ/(2(n + 1))), ζ = βω/2 para amortecedores proporcionais às molas
 the-lowest-modes-are-found-from-the-bands-of-the-matrices = Os modos mais baixos são obtidos das bandas das matrizes.
+a-long-ton-is-2240-lb-the-weight-is-given-and-g-32-2-ft-s = Uma tonelada longa tem 2240 lb; dá-se o peso, e g = 32,2 ft/s².
+a-ring-on-a-torsional-spring-with-damping-on-a-shaft-that-oscillates-15-times-a-minute-the-ring-moves = Um anel sobre uma mola de torção com amortecimento, em um eixo que oscila 15 vezes por minuto; o anel se move 2° em relação ao eixo, cuja aceleração se pergunta.
+acceleration-of-the-shaft = aceleração do eixo
+at-900-rpm-the-amplitude-is-21-6-mm-and-the-unbalance-of-the-two-wheels-is-at-the-top-when-the = A 900 rpm a amplitude é 21,6 mm, e o desbalanceamento das duas rodas está no alto quando a estrutura passa pela posição de repouso: 90°. Rigidez e amortecimento são incógnitas; a resposta a 1200 rpm é uma configuração.
+cantilever-shaft-with-100-kg-and-50-kg = Eixo em balanço com 100 kg e 50 kg
+diesel-engine-at-6000-rpm-absorber-within-2-mm = Motor Diesel a 6000 rpm, absorvedor dentro de 2 mm
+first-frequency-without-damping = primeira frequência sem amortecimento
+first-frequency-without-damping-at-rest = primeira frequência sem amortecimento, em repouso
+flywheel-of-three-tenths-of-a-ton-at-the-end-of-a-shaft = Volante de três décimos de tonelada na ponta de um eixo
+fossee-python-companion-to-t-bevan-the-theory-of-machines-ch-15-ex-1 = Complemento FOSSEE em Python a T. Bevan, The Theory of Machines, cap. 15, ex. 1
+fossee-python-companion-to-w-g-mclean-and-e-w-nelson-schaum-s-engineering-mechanics-ex-19-11 = Complemento FOSSEE em Python a W. G. McLean e E. W. Nelson, Schaum's Engineering Mechanics, ex. 19-11
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-4-11-3 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 4.11.3
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-7-2-1-7-3-1-7-4-1-and-8-4-1 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 7.2.1, 7.3.1, 7.4.1 e 8.4.1
+fourth-frequency-without-damping = quarta frequência sem amortecimento
+it-follows-from-187-8-cycles-per-minute-with-in-inches-60-2-386-4-in-s-is-187-71 = segue de 187,8/√δ ciclos por minuto com δ em polegadas; 60/(2π)·√(386,4 in/s²) é 187,71
+it-follows-from-628-3-rad-s-for-6000-rpm-calculated-0-316629-kg = segue de 628,3 rad/s para 6000 rpm; calculado: 0,316629 kg
+m-i-friswell-et-al-dynamics-of-rotating-machines-ex-5-9-5-as-the-program-ross-asserts-it = M. I. Friswell et al., Dynamics of Rotating Machines, ex. 5.9.5, como o verifica o programa ROSS
+rayleigh-s-value-is-that-of-the-static-deflection-its-improvement-354-0695-rad-s-is-the-second-round = O valor de Rayleigh é o da deflexão estática; o seu melhoramento, 354,0695 rad/s, é a segunda volta da iteração, e o método de Stodola termina no valor exato. A área da seção não influi nas respostas.
+s-s-rao-mechanical-vibrations-ch-9-diesel-engine-of-3000-n-with-an-undamped-absorber = S. S. Rao, Mechanical Vibrations, cap. 9: motor Diesel de 3000 N com um absorvedor não amortecido
+second-frequency-without-damping = segunda frequência sem amortecimento
+steel-disc-on-a-wire-by-its-dimensions = Disco de aço em um arame, dado pelas dimensões
+structure-identified-by-an-exciter-with-two-wheels = Estrutura identificada por um excitador de duas rodas
+the-last-digit-is-cut-off-calculated-0-62426-rad-s = o último algarismo está truncado; calculado: 0,62426 rad/s²
+the-mass-of-the-disc-is-that-of-200-mm-by-50-mm-of-steel-7850-kg-m = A massa do disco é a de 200 mm por 50 mm de aço, 7850 kg/m³.
+the-mount-is-not-given-the-engine-is-taken-to-resonate-at-its-speed-mass-and-stiffness-of-the = O coxim não é dado: supõe-se o motor em ressonância na sua rotação. A massa e a rigidez do absorvedor não dependem disso.
+the-rotor-at-rest-is-a-configuration-the-frequencies-without-damping-are-s-2-of-the-eigenvalues-s = O rotor em repouso é uma configuração. As frequências sem amortecimento são |s|/(2π) dos autovalores s: as do movimento amortecido divididas por √(1 − ζ²).
+third-frequency-without-damping = terceira frequência sem amortecimento
+third-frequency-without-damping-at-rest = terceira frequência sem amortecimento, em repouso
+torsiograph-that-reads-two-degrees = Torsiógrafo que indica dois graus
+two-discs-on-damped-bearings-at-rest-and-at-4000-rpm = Dois discos sobre mancais amortecidos, em repouso e a 4000 rpm
+w-t-thomson-theory-of-vibration-with-applications-ch-3-counter-rotating-exciter-on-a-structure-of-181 = W. T. Thomson, Theory of Vibration with Applications, cap. 3: excitador de massas contrarrotativas sobre uma estrutura de 181,4 kg
+without-the-damping-away-from-the-resonance-it-is-2-321-mm-calculated-2-3135-mm = sem o amortecimento, longe da ressonância, é 2,321 mm; calculado: 2,3135 mm

@@ -2604,3 +2604,37 @@ work-of-a-cycle-from-its-mean-power-and-its-time = trabalho de um ciclo pela sua
 work-of-the-gas-as-the-area-of-its-diagram-strip-by-strip = trabalho do gás como a área do seu diagrama, faixa por faixa
 the-same-rod-by-two-terms-of-the-series = A mesma biela por dois termos da série
 cos-a-b-s-2-a-b-with-s-s-v-t-differentiated-the-cylinder-s-work-is-i = cos θ = (a² + b² − s²)/(2 a b) com s = s₀ + v t, derivado; o trabalho do cilindro é ½I(ω₁² − ω₀²)
+compression-from-0-1-n-mm-by-14-and-expansion-follow-p-v-1-35-oil-is-injected-at-constant-pressure = A compressão a partir de 0,1 N/mm² por 14 e a expansão seguem p v^1,35; o óleo é injetado a pressão constante durante um décimo do curso. O complemento não calcula a pressão a 45°, mas toma 2,2 N/mm².
+compression-from-0-1-n-mm-by-14-and-expansion-follow-p-v-1-35-the-injection-ends-at-a-tenth-of-the = A compressão a partir de 0,1 N/mm² por 14 e a expansão seguem p v^1,35; a injeção termina em um décimo do curso.
+crank-angle-of-the-maximum-piston-speed = Ângulo da manivela na velocidade máxima do pistão
+engine-with-a-bore-of-half-a-metre-at-60 = Motor com diâmetro de meio metro a 60°
+force-at-the-joint-against-a-spring-that-is-unstretched-with-the-bars-in-line = Força na articulação contra uma mola sem deformação com as barras alinhadas
+force-of-the-frame-on-the-crank-horizontal = força da base sobre a manivela, horizontal
+force-of-the-frame-on-the-crank-vertical = força da base sobre a manivela, vertical
+fossee-companion-to-b-k-sarkar-theory-of-machines-tata-mcgraw-hill-ex-5-8 = Complemento FOSSEE a B. K. Sarkar, Theory of Machines, Tata McGraw-Hill, ex. 5.8
+fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-15-13 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 15.13
+fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-15-21 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 15.21
+fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-15-3 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 15.3
+fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-15-7 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 15.7
+four-bar-linkage-with-a-force-on-its-coupler-and-a-load-torque = Quadrilátero articulado com uma força no acoplador e um torque de carga
+inertia-torque-of-a-rod-swung-about-its-gudgeon-pin = Torque de inércia de uma biela oscilada em torno do pino do pistão
+links-of-1-5-7-7-and-5-8-lb-of-whose-masses-g-386-in-s-is-a-definition-their-weights-are-neglected-80 = Elos de 1,5, 7,7 e 5,8 lb; g = 386 in/s², que dá as suas massas, é uma definição; os pesos são desprezados. 80 lbf a 330° atuam a 3 in e 100° do centro de massa do acoplador, que está a 9 in e 45° do pino da manivela.
+n-21-oscillations-about-the-gudgeon-pin-in-20-s-give-the-radius-of-gyration-by-the-compound-pendulum = 21 oscilações em torno do pino do pistão em 20 s dão o raio de giração pelo pêndulo composto. O livro imprime o módulo do torque, que se opõe à rotação.
+p-4-k-l-tan-1-cos-j-l-meriam-and-l-g-kraige-engineering-mechanics-statics-problem-7-10 = P = 4 k l tan θ (1 − cos θ); J. L. Meriam e L. G. Kraige, Engineering Mechanics: Statics, problema 7/10
+printed-with-rounded-numbers-calculated-107-46-lbf = impresso com números arredondados; calculado: −107,46 lbf
+printed-with-rounded-numbers-calculated-117-56-lbf = impresso com números arredondados; calculado: −117,56 lbf
+printed-with-rounded-numbers-calculated-8850-8-n-m = impresso com números arredondados; calculado: 8850,8 N·m
+r-l-norton-design-of-machinery-ex-11-3 = R. L. Norton, Design of Machinery, ex. 11-3
+r-p-b-r-j-l-meriam-and-l-g-kraige-engineering-mechanics-statics-problem-7-2 = R = P b/r; J. L. Meriam e L. G. Kraige, Engineering Mechanics: Statics, problema 7/2
+radius-of-gyration-of-the-rod = raio de giração da biela
+ram-force-of-a-press-with-a-lever-of-half-a-metre = Força do êmbolo de uma prensa com alavanca de meio metro
+the-book-gives-the-formula-the-numbers-were-chosen-here = O livro dá a fórmula; os números foram escolhidos aqui.
+the-book-gives-the-formula-the-slider-moves-upright-there-and-the-force-is-horizontal-the-numbers = O livro dá a fórmula; lá o cursor se move na vertical e a força é horizontal; os números foram escolhidos aqui.
+the-crank-angle-is-unknown-and-the-velocity-is-to-be-a-maximum-the-book-works-with-two-terms-the = O ângulo da manivela é a incógnita e a velocidade deve ser máxima. O livro usa dois termos; o máximo exato é 6,562 m/s a 74,5°.
+the-engine-is-horizontal-the-book-neglects-the-weight-of-the-reciprocating-parts-which-the-guide = O motor é horizontal; o livro despreza o peso das partes alternativas, que a guia suporta.
+the-lever-arms-of-the-forces-are-measured-in-a-drawing-calculated-12-43-n-m = os braços de alavanca das forças são medidos em um desenho; calculado: −12,43 N·m
+the-pressure-is-rounded-to-2-2-n-mm-calculated-109-341-kn = a pressão é arredondada para 2,2 N/mm²; calculado: 109,341 kN
+the-pressure-is-rounded-to-2-2-n-mm-calculated-27-335-kn-m = a pressão é arredondada para 2,2 N/mm²; calculado: 27,335 kN·m
+the-pressure-is-rounded-to-2-2-n-mm-calculated-79-323-kn = a pressão é arredondada para 2,2 N/mm²; calculado: 79,323 kN
+vertical-diesel-engine-during-its-expansion-at-45 = Motor Diesel vertical na expansão a 45°
+vertical-diesel-engine-during-its-expansion-at-60 = Motor Diesel vertical na expansão a 60°
