@@ -7,14 +7,16 @@
 
 mod band;
 mod complex;
+mod divide;
 mod elimination;
 mod exact;
 mod lowest;
 mod nonsymmetric;
 mod pencil;
 mod sparse;
+mod tridiagonal;
 
-use faer::MatRef;
+use faer::{MatMut, MatRef};
 use nalgebra::{DMatrix, DVector};
 
 pub use self::{
@@ -314,6 +316,11 @@ fn below_diagonal(n: usize, mut visit: impl FnMut(usize, usize)) {
 /// The same matrix for the other library.
 fn view(a: &DMatrix<f64>) -> MatRef<'_, f64> {
     MatRef::from_column_major_slice(a.as_slice(), a.nrows(), a.ncols())
+}
+
+fn view_mut(a: &mut DMatrix<f64>) -> MatMut<'_, f64> {
+    let (rows, columns) = a.shape();
+    MatMut::from_column_major_slice_mut(a.as_mut_slice(), rows, columns)
 }
 
 fn not_above(what: &'static str, size: usize, limit: usize) -> Result<(), LinalgError> {

@@ -2,11 +2,9 @@
 
 use faer::{
     Accum, MatMut, MatRef, Par,
-    diag::DiagMut,
     dyn_stack::{MemBuffer, MemStack},
     linalg::{
         cholesky::llt::factor::{LltError, cholesky_in_place, cholesky_in_place_scratch},
-        evd::{ComputeEigenvectors, self_adjoint_evd, self_adjoint_evd_scratch},
         matmul::{
             matmul,
             triangular::{self, BlockStructure},
@@ -18,8 +16,12 @@ use faer::{
 use nalgebra::{DMatrix, DVector};
 
 use super::{
-    LinalgError, MOST_DENSE, SymmetricEigen, below_diagonal, exact::Sum, finite, largest, not_above,
-    power_of_two_below, shape, square, sum_of_sizes, symmetric, view,
+    LinalgError, MOST_DENSE, SymmetricEigen, below_diagonal,
+    divide::{qr_algorithm, tridiagonal_eigen},
+    exact::Sum,
+    finite, largest, not_above, power_of_two_below, shape, square, sum_of_sizes, symmetric,
+    tridiagonal::Tridiagonal,
+    view, view_mut,
 };
 
 /// A mode whose value lies this far below the largest one has its value recomputed from its vector, with twice
@@ -53,7 +55,7 @@ fn values_and_vectors(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<SymmetricEig
     let Reduced { stiffness, mass, lower, standard, scale, size } = reduce(k, m)?;
     let n = k.nrows();
     let (mut values, mut vectors) = (vec![0.0; n], DMatrix::zeros(n, n));
-    eigen(&standard, &mut values, Some(view_mut(&mut vectors)))?;
+    eigen(standard, &mut values, Some(view_mut(&mut vectors)))?;
     solve_upper_triangular_in_place(view(&lower).transpose(), view_mut(&mut vectors), threads(n));
 
     let most = largest(&values);
@@ -89,7 +91,7 @@ pub fn generalised_eigenvalues(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<DVe
     among_threads(k.nrows(), || {
         let Reduced { standard, size, .. } = reduce(k, m)?;
         let mut values = vec![0.0; k.nrows()];
-        eigen(&standard, &mut values, None)?;
+        eigen(standard, &mut values, None)?;
         let values = DVector::from_vec(values) * size;
         finite(values.iter())?;
         Ok(values)
@@ -107,24 +109,15 @@ fn threads(n: usize) -> Par {
     if n < WORTH_THREADS { Par::Seq } else { Par::rayon(0) }
 }
 
-fn view_mut(a: &mut DMatrix<f64>) -> MatMut<'_, f64> {
-    let (rows, columns) = a.shape();
-    MatMut::from_column_major_slice_mut(a.as_mut_slice(), rows, columns)
-}
-
 /// Eigenvalues of a symmetric matrix, ascending, and its vectors if they are wanted. The lower half is read.
-fn eigen(a: &DMatrix<f64>, values: &mut [f64], vectors: Option<MatMut<'_, f64>>) -> Result<(), LinalgError> {
-    let (n, par) = (a.nrows(), threads(a.nrows()));
-    let wanted = if vectors.is_some() { ComputeEigenvectors::Yes } else { ComputeEigenvectors::No };
-    let settings = <_>::default();
-    let mut memory = MemBuffer::new(self_adjoint_evd_scratch::<f64>(n, wanted, par, settings));
-    let values = DiagMut::from_slice_mut(values);
-    #[expect(
-        clippy::disallowed_methods,
-        reason = "finite and scaled, and checked against its equation by the callers"
-    )]
-    self_adjoint_evd(view(a), values, vectors, par, MemStack::new(&mut memory), settings)
-        .map_err(|_| LinalgError::NotConverged)
+fn eigen(a: DMatrix<f64>, values: &mut [f64], vectors: Option<MatMut<'_, f64>>) -> Result<(), LinalgError> {
+    let par = threads(a.nrows());
+    let reduced = Tridiagonal::of(a, par);
+    values.copy_from_slice(&reduced.diagonal);
+    let Some(mut vectors) = vectors else { return qr_algorithm(values, &reduced.below, None) };
+    tridiagonal_eigen(values, &reduced.below, vectors.rb_mut(), par)?;
+    reduced.back_transform(vectors, par);
+    Ok(())
 }
 
 /// `D K D / size` and `D M D`, the Cholesky factor of the second, and `L⁻¹ K L⁻ᵀ` of the scaled ones.

@@ -46,6 +46,55 @@ fn full(band: &SymmetricBand) -> DMatrix<f64> {
     DMatrix::from_fn(band.size(), band.size(), |i, j| band.get(i, j))
 }
 
+/// Matrices whose reduced problems are divided, with values that are alike or almost so.
+#[test]
+fn alike_values_have_orthogonal_modes() {
+    let n = 150;
+    let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
+    // A ring of masses, on ground springs that are alike, almost alike and far apart, and without any coupling.
+    let ring = |i: usize, j: usize| match i.abs_diff(j) {
+        0 => 2.0,
+        1 => -1.0,
+        off if off == n - 1 => -1.0,
+        _ => 0.0,
+    };
+    let coupled = DMatrix::from_fn(n, n, |i, j| ring(i, j) + unit(i, j));
+    let all = DMatrix::from_fn(n, n, |i, j| 1.0 + unit(i, j));
+    let almost = DMatrix::from_fn(n, n, |i, j| 1e-9 * ring(i, j) + unit(i, j) * (1.0 + (i % 3) as f64));
+    let glued = DMatrix::from_fn(n, n, |i, j| {
+        let across = (i + 1).min(j + 1) % 21 == 0;
+        let steep = (i % 21).abs_diff(10) as f64;
+        match i.abs_diff(j) {
+            0 => steep,
+            1 => {
+                if across {
+                    1e-8
+                } else {
+                    1.0
+                }
+            }
+            _ => 0.0,
+        }
+    });
+    let alone = DMatrix::from_fn(n, n, |i, j| unit(i, j) * (i / 10) as f64);
+    let mass = DMatrix::identity(n, n);
+    for k in [coupled, all, almost, glued, alone] {
+        let modes = found(generalised_eigen(&k, &mass));
+        let products = modes.vectors.tr_mul(&modes.vectors) - &mass;
+        assert!(products.amax() < 1e-13, "{:e}", products.amax());
+        let off = &k * &modes.vectors - &modes.vectors * DMatrix::from_diagonal(&modes.values);
+        assert!(off.amax() < 1e-13 * k.amax() * n as f64, "{:e}", off.amax());
+        let sum = modes.values.sum();
+        close(sum, k.trace(), 1e-12);
+    }
+    // The ring: 1 + 4 sin²(π m/n), each twice but the first and the last.
+    let modes = found(generalised_eigen(&DMatrix::from_fn(n, n, |i, j| ring(i, j) + unit(i, j)), &mass));
+    for (at, value) in modes.values.iter().enumerate() {
+        let wave = at.div_ceil(2) as f64;
+        close(*value, 1.0 + 4.0 * (PI * wave / n as f64).sin().powi(2), 1e-12);
+    }
+}
+
 #[test]
 fn modes_are_orthogonal_and_satisfy_their_equation() {
     let mut random = Random(7);

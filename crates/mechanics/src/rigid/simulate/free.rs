@@ -19,6 +19,8 @@ const ROUNDS: usize = 60;
 const LONGEST: f64 = 0.5;
 /// Steps after which what rounding did to the invariants is taken back.
 const BETWEEN: u32 = 32;
+/// The part of a radian up to which the attitude of so many steps is exact to rounding.
+const SHORT: f64 = 0.01;
 /// Relative rounding error of the invariants.
 const ROUNDING: f64 = 8e-15;
 
@@ -28,7 +30,7 @@ const ROUNDING: f64 = 8e-15;
 /// keeps every quadratic invariant: energy and `|H|` (E. Hairer, C. Lubich, G. Wanner, *Geometric Numerical
 /// Integration*, 2nd ed., §IV.2.1). The attitude is turned by the exponential of the mean angular velocity, to the
 /// same order (S. Blanes, F. Casas, J. A. Oteo, J. Ros, *The Magnus expansion and some of its applications*, Physics
-/// Reports 470 (2009), §5), and then by what keeps the angular momentum where it was in space.
+/// Reports 470 (2009), §5), and by what keeps the angular momentum where it was in space.
 #[derive(Debug, Clone)]
 pub struct FreeRotation {
     /// `1/J` of the principal axes.
@@ -48,6 +50,8 @@ pub struct FreeRotation {
     energy: f64,
     square: f64,
     since: u32,
+    /// True if the attitude is corrected after every step, rather than after [`BETWEEN`] of them.
+    long: bool,
 }
 
 impl FreeRotation {
@@ -91,6 +95,7 @@ impl FreeRotation {
             energy,
             square,
             since: 0,
+            long: turned > SHORT,
         })
     }
 
@@ -164,8 +169,8 @@ impl FreeRotation {
         self.momentum.dot(&self.omega_body()) / 2.0
     }
 
-    /// Turns the attitude by the mean angular velocity of a step, of which three stages are known, and then brings the
-    /// angular momentum back to where it is in space.
+    /// Turns the attitude by the mean angular velocity of a step, of which three stages are known, and brings the angular
+    /// momentum back to where it is in space: after a long step at once, else when its rounding is taken back.
     fn turn(&mut self, [first, middle, last]: [Vector3<f64>; 3]) {
         // The transpose of the attitude follows Ẏ = −ω̂ Y; α are the moments of −ω over the step.
         let mean = middle * -self.step;
@@ -175,6 +180,10 @@ impl FreeRotation {
         let two = mean.cross(&(bend * 2.0 + one)) / -60.0;
         let angle = mean + bend / 12.0 + (one - mean * 20.0 - bend).cross(&(slope + two)) / 240.0;
         let turned = self.attitude * exponential(angle * -0.5);
+        if self.since > 0 && !self.long {
+            self.attitude = turned;
+            return;
+        }
         let off = rotated(&turned, self.momentum).cross(&self.in_space);
         // Without any angular momentum nothing turns.
         let back = if self.square > 0.0 { off * (0.5 / self.square) } else { off };
