@@ -34,6 +34,7 @@ pub mod distribution;
 pub mod elementary;
 pub mod elliptic;
 pub mod extremes;
+pub mod fourier;
 pub mod gauss_legendre;
 pub mod givens;
 pub mod intervals;

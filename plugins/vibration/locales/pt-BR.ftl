@@ -5841,3 +5841,110 @@ torsiograph-that-reads-two-degrees = Torsiógrafo que indica dois graus
 two-discs-on-damped-bearings-at-rest-and-at-4000-rpm = Dois discos sobre mancais amortecidos, em repouso e a 4000 rpm
 w-t-thomson-theory-of-vibration-with-applications-ch-3-counter-rotating-exciter-on-a-structure-of-181 = W. T. Thomson, Theory of Vibration with Applications, cap. 3: excitador de massas contrarrotativas sobre uma estrutura de 181,4 kg
 without-the-damping-away-from-the-resonance-it-is-2-321-mm-calculated-2-3135-mm = sem o amortecimento, longe da ressonância, é 2,321 mm; calculado: 2,3135 mm
+a-harmonic-requires-at-least-three-ordinates-in-the-period-add-some = um harmônico exige pelo menos três ordenadas no período: acrescente algumas
+accelerations = Acelerações
+amplitude-of-the-elastic-vibration-with-this-velocity = Amplitude da vibração elástica com essa velocidade
+amplitude-of-the-harmonic = Amplitude do harmônico
+ansys-mechanical-apdl-verification-manual-vm80-after-j-m-biggs-introduction-to-structural-dynamics-p = ANSYS Mechanical APDL Verification Manual, VM80, segundo J. M. Biggs, Introduction to Structural Dynamics, p. 69
+at-0-t-n-2t-n-and-so-on-the-ordinate-at-the-end-of-the-period-is-the-first-of-the-next-one-and-is = Em 0, T/N, 2T/N e assim por diante; a ordenada no fim do período é a primeira do seguinte e fica de fora.
+at-most-half-the-number-of-ordinates = No máximo metade do número de ordenadas.
+beam-that-yields-under-a-sudden-force = Viga que escoa sob uma força súbita
+blow-that-yields-the-spring = Choque que faz a mola escoar
+constant-force-suddenly-applied = Força constante, aplicada subitamente
+cosine-coefficient-2-n-y-j-cos-360-n-j-1-n-of-the-last-harmonic-n-n-2-half-as-much = Coeficiente do cosseno: 2/N Σ y_j cos (360° n (j − 1)/N); do último harmônico, n = N/2, a metade
+cosine-coefficient-of-harmonic = Coeficiente do cosseno do harmônico
+count-ordinates-determine-most-harmonics-at-most-ask-for-fewer-or-give-more-ordinates = { $count } ordenadas determinam no máximo { $most } harmônicos: peça menos, ou dê mais ordenadas
+deceleration-while-the-spring-yields = Desaceleração enquanto a mola escoa
+displacements = Deslocamentos
+ductility-ratio = Ductilidade
+ductility-ratio-maximum-displacement-over-yield-displacement = Ductilidade: deslocamento máximo sobre o deslocamento de escoamento
+elastic-response-twice-the-static-displacement = Resposta elástica: o dobro do deslocamento estático
+elastoplastic-spring = Mola elastoplástica
+energy-dissipated-in-yielding = Energia dissipada no escoamento
+energy-dissipated-the-work-of-the-load-less-the-elastic-energy-of-the-spring = energia dissipada: o trabalho do carregamento menos a energia elástica da mola
+force-of-the-spring = força da mola
+force-of-the-spring-against-displacement = Força da mola em função do deslocamento
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-1-8-2 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 1.8.2
+fourier-coefficients-amplitudes-and-phases-of-the-harmonics-of-a-curve-from-its-ordinates-at-equal = Coeficientes de Fourier, amplitudes e fases dos harmônicos de uma curva a partir de ordenadas a intervalos iguais: um momento torçor, uma pressão, a elevação de um came, uma vibração medida.
+fraction-of-the-period-as-an-angle = fração do período como ângulo
+frequency-of-the-first-harmonic = Frequência do primeiro harmônico
+frequency-of-the-first-harmonic-that-of-the-n-th-is-n-times-as-large = Frequência do primeiro harmônico; a do n-ésimo é n vezes maior
+from-0-to-10-in-half-a-period-and-back-the-continuous-wave-has-a-40-4-0528-twelve-ordinates-are-few = De 0 a 10 em meio período e de volta. A onda contínua tem a₁ = −40/π² = −4,0528: doze ordenadas são poucas.
+harmonic-analysis-of-a-periodic-curve = Análise harmônica de uma curva periódica
+harmonic-n-cosine-coefficient-by-goertzel-s-recursion = harmônico { $n }: coeficiente do cosseno pela recursão de Goertzel
+harmonic-n-sine-coefficient-by-goertzel-s-recursion = harmônico { $n }: coeficiente do seno pela recursão de Goertzel
+harmonics-of-the-curve = Harmônicos da curva
+if-given-the-frequency-of-the-first-harmonic-is-also-calculated = Se dado, a frequência do primeiro harmônico também é calculada.
+impulse-of-the-force-and-of-the-spring-up-to-the-maximum = impulso da força e da mola até o máximo
+impulse-of-the-spring-up-to-the-maximum = impulso da mola até o máximo
+initial-velocity-from-a-blow = Velocidade inicial, de um choque
+kinetic-energy-at-the-start-in-the-spring-at-the-maximum = energia cinética inicial, na mola no máximo
+m-v-2-r-y-max-y-e-2-energy-of-an-elastic-perfectly-plastic-spring = m v₀²/2 = R (y_max − y_e/2): energia de uma mola elástica, perfeitamente plástica
+maximum-displacement-after-yielding = Deslocamento máximo, após o escoamento
+maximum-displacement-permanent-displacement-ductility-and-rebound-of-a-mass-on-an-elastic-perfectly = Deslocamento máximo, deslocamento permanente, ductilidade e retorno de uma massa sobre uma mola elástica, perfeitamente plástica, sob uma força súbita ou um choque.
+maximum-displacement-the-spring-stays-elastic = Deslocamento máximo: a mola permanece elástica
+maximum-displacement-the-spring-stays-elastic-twice-the-static-displacement = Deslocamento máximo: a mola permanece elástica, o dobro do deslocamento estático
+mean-square-of-the-ordinates-the-square-of-the-mean-and-half-the-squares-of-the-amplitudes-of-all = média dos quadrados das ordenadas: o quadrado da média e metade dos quadrados das amplitudes de todos os harmônicos
+mean-the-sum-of-the-ordinates-over-their-number = Média: a soma das ordenadas sobre o seu número
+minimum-displacement-of-the-rebound = Deslocamento mínimo do retorno
+minimum-of-the-rebound-the-return-is-elastic-about-the-position-at-which-spring-and-load-are-in = Mínimo do retorno: o retorno é elástico, em torno da posição em que mola e carregamento estão em equilíbrio
+n-83-4-kip-in-45-286-kip-0-0259-kip-s-in-30-kip-the-targets-are-read-from-a-chart-of-a-numerical = 83,4 kip/in, 45,286 kip, 0,0259 kip·s²/in, 30 kip. Os valores de referência vêm de uma integração numérica.
+natural-frequency-elastic = Frequência natural, elástica
+natural-frequency-of-the-elastic-spring = Frequência natural da mola elástica
+no-velocity-at-the-minimum-net-work-of-spring-and-load-on-the-return = sem velocidade no mínimo: trabalho resultante da mola e do carregamento no retorno
+number-of-harmonics = Número de harmônicos
+numbers = Números
+ordinate = ordenada
+ordinates = ordenadas
+ordinates-and-the-sum-of-the-harmonics = Ordenadas e a soma dos harmônicos
+ordinates-of-one-period = Ordenadas de um período
+permanent-displacement = Deslocamento permanente
+permanent-displacement-from-the-dissipated-energy = deslocamento permanente a partir da energia dissipada
+permanent-displacement-what-remains-when-the-spring-has-returned-elastically = Deslocamento permanente: o que resta quando a mola retornou elasticamente
+phase-of-harmonic = Fase do harmônico
+phase-the-harmonic-is-a-cos-n-t = Fase: o harmônico é A cos (nωt − φ)
+pressure-in-a-pipe-by-twelve-ordinates = Pressão num tubo por doze ordenadas
+root-mean-square-of-the-ordinates = Valor eficaz das ordenadas
+s-s-rao-mechanical-vibrations-1-11-numerical-fourier-analysis-of-the-pressure-in-a-pipe = S. S. Rao, Mechanical Vibrations, §1.11, análise de Fourier numérica da pressão num tubo
+sine-coefficient-2-n-y-j-sin-360-n-j-1-n = Coeficiente do seno: 2/N Σ y_j sen (360° n (j − 1)/N)
+sine-coefficient-of-harmonic = Coeficiente do seno do harmônico
+static-displacement-under-the-force = Deslocamento estático sob a força
+the-force-is-not-below-the-yield-force-resistance-the-mass-is-driven-on-without-end-reduce-the-force = a força não é menor que a força de escoamento { $resistance }: a massa é empurrada sem fim; reduza a força
+the-largest-force-of-the-spring-the-resistance-of-the-structure = A maior força da mola: a resistência da estrutura.
+the-mass-on-its-spring = A massa sobre a mola
+the-period-of-0-12-s-in-twelve-intervals-the-book-counts-them-from-0-01-s-where-the-pressure-is-20-kn = O período de 0,12 s em doze intervalos; o livro os conta de 0,01 s, onde a pressão é 20 kN/m², a 0,12 s, onde ela é nula.
+the-target-is-that-of-a-numerical-integration-calculated-0-8043-in = o valor de referência vem de uma integração numérica; calculado: 0,8043 in
+time-at-which-the-spring-yields = Instante em que a mola escoa
+time-at-which-the-spring-yields-v-sin-t-y-e = Instante em que a mola escoa: v₀/ωₙ sen ωₙt = y_e
+time-at-which-the-spring-yields-y-s-1-cos-t-y-e = Instante em que a mola escoa: y_s (1 − cos ωₙt) = y_e
+time-of-the-maximum-a-quarter-of-a-period = Instante do máximo: um quarto de período
+time-of-the-maximum-displacement = Instante do deslocamento máximo
+time-of-the-maximum-half-a-period = Instante do máximo: meio período
+time-of-the-minimum-displacement = Instante do deslocamento mínimo
+time-of-the-minimum-half-a-period-of-the-elastic-spring-later = Instante do mínimo: meio período da mola elástica depois
+time-of-the-return-by-quadrature-of-dt-dy-v = tempo do retorno por quadratura de dt = dy/v
+triangular-wave-by-twelve-ordinates = Onda triangular por doze ordenadas
+up-to-the-yield-force-and-of-the-return = Até a força de escoamento, e no retorno.
+velocities = Velocidades
+velocity-there-v-cos-t = Velocidade ali: v₀ cos ωₙt
+velocity-there-y-s-sin-t = Velocidade ali: y_s ωₙ sen ωₙt
+work-of-the-force-up-to-the-maximum-in-the-spring = trabalho da força até o máximo, na mola
+y-e-50-mm-100-kg-at-4-m-s-have-800-j-y-max-0-425-m = y_e = 50 mm; 100 kg a 4 m/s têm 800 J: y_max = 0,425 m.
+y-max-2-f-k-up-to-f-r-2-j-m-biggs-introduction-to-structural-dynamics-2-3 = y_max = 2 F/k até F = R/2: J. M. Biggs, Introduction to Structural Dynamics, §2.3
+yield-displacement = deslocamento de escoamento
+yield-force = Força de escoamento
+acceleration-with-a-fundamental-and-its-third-harmonic = Aceleração com fundamental e terceiro harmônico
+cam-lift-in-simple-harmonic-motion = Elevação de um came em movimento harmônico simples
+f-300-n-the-amplitude-2-f-lies-above-4f-that-of-the-continuous-wave = F = 300 N. A amplitude √2 F fica acima de 4F/π, a da onda contínua.
+square-wave-of-a-force-by-four-ordinates = Onda quadrada de uma força por quatro ordenadas
+stiffness-and-damping-ratio-are-those-of-the-resonance-at-900-rpm-with-21-6-mm = A rigidez e o fator de amortecimento são os da ressonância a 900 rpm com 21,6 mm.
+the-ordinates-at-every-60-cannot-tell-the-third-harmonic-from-its-reflection-of-the-last-harmonic-n-n = As ordenadas a cada 60° não distinguem o terceiro harmônico do seu reflexo: do último harmônico, n = N/2, só há o cosseno.
+the-root-mean-square-is-40-25-2-n-m = O valor eficaz é √(40² + 25²/2) N·m.
+the-same-structure-at-1200-rpm = A mesma estrutura a 1200 rpm
+turning-moment-of-a-twin-by-eight-ordinates = Momento torçor de um motor de dois cilindros por oito ordenadas
+h-20-mm-the-lift-at-every-45 = h = 20 mm; a elevação a cada 45°.
+harmonic-n-cosine-coefficient-from-amplitude-and-phase = harmônico { $n }: coeficiente do cosseno a partir da amplitude e da fase
+harmonic-n-sine-coefficient-from-amplitude-and-phase = harmônico { $n }: coeficiente do seno a partir da amplitude e da fase
+s-h-2-1-cos-mean-h-2-cosine-coefficient-h-2-nothing-else = s = h/2 (1 − cos θ): média h/2, coeficiente do cosseno −h/2, nada mais
+pressure-that-pulsates-once-in-a-period = Pressão que pulsa uma vez por período
+p-5-bar-2-bar-cos = p = 5 bar + 2 bar cos θ
