@@ -2730,3 +2730,87 @@ closed-form-2-g-cos-sin-4-a-r-cos-for-a-hoop-solved-for-the-circle-of-the-centre
 fossee-companion-to-bevan-the-theory-of-machines-ch-2-ex-12 = Complemento FOSSEE a Bevan, The Theory of Machines, cap. 2, ex. 12
 rotor-whose-shaft-turns-once-in-five-seconds = Rotor cujo eixo dá uma volta em cinco segundos
 the-moment-of-inertia-of-40-lb-ft-is-the-weight-of-the-rotor-times-the-square-of-its-radius-of = O momento de inércia de 40 lb ft² é o peso do rotor vezes o quadrado do seu raio de giração; g = 32,2 ft/s² dá o da sua massa.
+a-shape = Uma forma
+about-its-own-axes-through-its-centre-of-mass = Em relação aos seus próprios eixos, pelo centro de massa.
+angular-impulse = Impulso angular
+angular-impulses = Impulsos angulares
+angular-momentum-about-g-after-impact-excluding-the-support-reactions-h-g-r-j-k = Momento angular em relação a G após o impacto, sem as reações dos apoios: H_G + Σ r × J + Σ K
+another-shape = Outra forma
+as-the-road-wheels-roll = Como as rodas do veículo
+at-that-speed-the-centrifugal-force-of-the-frame-has-the-moment-of-the-gyroscopic-couple = nessa velocidade a força centrífuga do quadro tem o momento do binário giroscópico
+below-the-axis-about-which-the-frame-swings = Abaixo do eixo em torno do qual o quadro oscila.
+both-together-outward-a-wheel-that-turns-against-the-road-wheels-drives-the-lower-end-of-the-frame = Os dois juntos, para fora: um volante que gira contra as rodas do veículo empurra a extremidade inferior do quadro para fora
+both-together-outward-a-wheel-that-turns-as-the-road-wheels-pulls-the-lower-end-of-the-frame-inward = Os dois juntos, para fora: um volante que gira como as rodas do veículo puxa a extremidade inferior do quadro para dentro
+by-the-formula-for-fast-tops-the-mass-of-1-kg-is-chosen-here-and-cancels = Pela fórmula dos piões rápidos. A massa de 1 kg é escolhida aqui e se cancela.
+depth-of-the-centre-of-mass-of-the-frame = Profundidade do centro de massa do quadro
+disc-of-0-3-ft-radius-on-a-stem-of-0-5-ft-at-40-to-the-vertical-spinning-at-300-rad-s-g-32-2-ft-s-as = Disco de 0,3 ft de raio numa haste de 0,5 ft, a 40° da vertical, girando a 300 rad/s. g = 32,2 ft/s² como no livro.
+disc-of-0-5-m-radius-5-5-cm-from-its-pivot = Disco de 0,5 m de raio, a 5,5 cm do seu ponto fixo
+fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-14-16 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 14.16
+g-r-fowles-g-l-cassiday-analytical-mechanics-problem-9-9 = G. R. Fowles, G. L. Cassiday, Analytical Mechanics, problema 9.9
+gyro-wheel-that-turns-as-the-road-wheels = Volante giroscópico que gira como as rodas do veículo
+gyroscopic-couple-with-the-frame-upright = Binário giroscópico com o quadro na vertical
+gyroscopic-couple-with-the-frame-upright-at-the-inclination-it-is-c-g-cos = Binário giroscópico com o quadro na vertical; na inclinação θ ele é C_g cos θ
+h-2-t-i-on-the-separatrix-l-d-landau-e-m-lifshitz-mechanics-37 = H² = 2 T I₂ na separatriz: L. D. Landau, E. M. Lifshitz, Mecânica, §37
+h-2-t-i-with-the-intermediate-moment-in-a-separatrix-plane = H² = 2 T I com o momento intermediário, num plano da separatriz
+h-i-a-u-k-the-body-precesses-about-h-with-the-rate-h-i-t = H = I_a ω u + K: o corpo precessiona em torno de H com a velocidade angular H/I_t
+i-a-0-02-kg-m-i-t-0-012-kg-m-100-rad-s-0-3-n-m-s-the-mass-of-1-kg-is-chosen-here-and-does-not-matter = I_a = 0,02 kg·m², I_t = 0,012 kg·m², 100 rad/s, 0,3 N·m·s. A massa de 1 kg é escolhida aqui e não importa.
+i-i-i-i-i-i-3-the-angular-velocity-at-the-start-is-chosen-here-and-does-not-matter = ω₁/ω₃ = √(I₃ (I₃ − I₂)/(I₁ (I₂ − I₁))) = √3; a velocidade angular inicial é escolhida aqui e não importa.
+in-the-opposite-direction-of-travel-the-wheel-turns-against-the-road-wheels = No sentido de marcha oposto o volante gira contra as rodas do veículo.
+inclination-against-the-speed-of-the-vehicle = Inclinação em função da velocidade do veículo
+inclination-of-a-frame-with-a-spinning-wheel-that-hangs-from-a-fore-and-aft-axis-under-the-gyroscopic = Inclinação de um quadro com um volante girante que pende de um eixo longitudinal, sob o binário giroscópico, a força centrífuga e o peso.
+inclination-of-the-frame-outward = Inclinação do quadro, para fora
+inclination-outward = inclinação, para fora
+inclination-positive-with-the-lower-end-outward-c-cos-k-sin = Inclinação, positiva com a extremidade inferior para fora: C cos θ = K sen θ
+it-leaves-the-body = Ele deixa o corpo
+it-passes-through-or-rebounds-the-body-receives-the-change-of-its-momentum = Ele atravessa o corpo ou ricocheteia: o corpo recebe a variação da sua quantidade de movimento.
+its-own-z-axis-along-the-axis-of-the-top-its-centre-of-mass-at-the-distance-given = Seu próprio eixo z no eixo do pião, seu centro de massa à distância dada.
+its-own-z-axis-along-the-axle = Seu próprio eixo z no eixo do rotor.
+its-own-z-axis-is-the-axis-of-symmetry = Seu próprio eixo z é o eixo de simetria.
+linear-momentum-lost-by-name-its-mass-times-the-change-of-its-velocity = Quantidade de movimento perdida por { $name }: sua massa vezes a variação da sua velocidade
+m-f-h-v-i-a-the-centrifugal-moment-and-the-gyroscopic-couple-are-both-proportional-to-the-rate-of = m_f h v₀ = I_a ω: o momento centrífugo e o binário giroscópico são ambos proporcionais à velocidade angular da curva
+mass-of-the-frame = Massa do quadro
+meteorite-that-passes-through-a-space-probe = Meteorito que atravessa uma sonda espacial
+moment-of-inertia-of-the-shape-about-a-transverse-axis-through-g = Momento de inércia da forma em relação a um eixo transversal por G
+moment-of-inertia-of-the-shape-about-its-axis-of-symmetry = Momento de inércia da forma em relação ao seu eixo de simetria
+moment-of-the-centrifugal-force-of-the-frame-about-the-axis-at-the-inclination-it-is-c-c-cos = Momento da força centrífuga do quadro em relação ao eixo; na inclinação θ ele é C_c cos θ
+moment-of-the-centrifugal-force-with-the-frame-upright = Momento da força centrífuga com o quadro na vertical
+moment-of-the-weight-of-the-frame-with-its-arm-level-at-the-inclination-it-is-k-sin = Momento do peso do quadro com o braço na horizontal; na inclinação θ ele é K sen θ
+moments-about-the-axis-that-of-the-weight-is-the-rate-of-change-of-the-angular-momentum-of-wheel-and = momentos em relação ao eixo: o do peso é a taxa de variação do momento angular do volante e do quadro
+motion-of-a-body-immediately-after-an-impulse-an-angular-impulse-the-impact-of-a-projectile-or-a = Movimento de um corpo logo após um impulso, um impulso angular, o impacto de um projétil ou um vínculo súbito; reações impulsivas e energia.
+n-0-5-kg-0-02-m-100-rad-s-0-3-kg-0-01-m-20-943951-m-s = 0,5 kg (0,02 m)² 100π rad/s/(0,3 kg · 0,01 m) = 20,943951 m/s.
+opposite-to-the-road-wheels = Contra as rodas do veículo
+pendulous-gyroscope-on-a-vehicle-in-a-turn = Giroscópio pendular em veículo numa curva
+plate-a-quarter-as-thick-as-wide-thrown-at-45 = Placa de espessura igual a um quarto da largura, lançada a 45°
+principal-moment-of-inertia-of-the-shape-about-its-axis-through-g = Momento principal de inércia da forma, em relação ao seu eixo por G
+projectiles = Projéteis
+questions-and-answers-on-preguntia-com-no-13898735 = perguntas e respostas em preguntia.com, n.º 13898735
+r-c-hibbeler-engineering-mechanics-dynamics-11th-ed-problem-21-70 = R. C. Hibbeler, Engineering Mechanics: Dynamics, 11.ª ed., problema 21-70
+relative-to-the-frame = Em relação ao quadro.
+sense-of-the-wheel = Sentido do volante
+separatrix-planes-of-a-body-of-1-2-and-3-kg-m = Planos da separatriz de um corpo de 1, 2 e 3 kg·m²
+separatrix-planes-through-the-intermediate-axis-from-h-2-t-i-with-the-intermediate-moment-angular = Planos da separatriz, pelo eixo intermediário, de H² = 2 T I com o momento intermediário: velocidade angular em torno do eixo de menor inércia sobre a do eixo de maior inércia
+slope-of-the-separatrix-planes = Declividade dos planos da separatriz
+speed-at-which-the-frame-stays-upright = Velocidade em que o quadro fica na vertical
+speed-of-the-vehicle-at-which-the-two-couples-are-equal-the-frame-stays-upright-in-any-turn = Velocidade do veículo em que os dois binários são iguais: o quadro fica na vertical em qualquer curva
+speed-of-the-wheel = Rotação do volante
+spinning-body-given-a-transverse-angular-impulse = Corpo em rotação que recebe um impulso angular transversal
+square-plate-of-thickness-a-4-one-revolution-per-second-a-1-m-and-m-1-kg-are-chosen-here-and-cancel = Placa quadrada de espessura a/4, uma volta por segundo. a = 1 m e m = 1 kg são escolhidos aqui e se cancelam.
+the-axes-of-this-shape-are-not-principal-axes-of-inertia-calculate-them-by-rigid-body-mass-properties = os eixos desta forma não são eixos principais de inércia: calcule-os com rigid-body/mass-properties
+the-book-gives-letters-mv-mr-2-27-18-25-9-8-and-the-moment-of-the-momentum-lost-15-32-mvr-1-12-12-m-1 = O livro dá letras: ω = mV/(MR) (2/27; −18/25; −9/8), e o momento da quantidade de movimento perdida, 15/32 mVR (1; −12; −12). M = 1 kg, R = 1 m, V = 1 m/s e m = 1 kg são escolhidos aqui.
+the-frame-from-behind-in-a-turn-to-the-left = O quadro visto de trás, numa curva para a esquerda
+the-inner-radius-is-not-smaller-than-the-outer-radius-write-the-smaller-one-as-the-inner = o raio interno não é menor que o externo: escreva o menor como interno
+the-moment-of-the-couple-times-its-duration = O momento do binário vezes a sua duração.
+the-moments-of-inertia-of-this-shape-about-its-x-and-y-axes-differ-so-its-z-axis-is-no-axis-of = os momentos de inércia desta forma em relação aos eixos x e y diferem, portanto o eixo z não é eixo de simetria: use uma forma de revolução em torno de z
+the-same-gyro-wheel-on-the-vehicle-driven-the-other-way = O mesmo volante com o veículo no sentido oposto
+the-section-of-the-torus-is-larger-than-its-circle-make-its-radius-smaller = a seção do toro é maior que a sua circunferência: diminua o seu raio
+thin-disc-of-8-lb-on-a-light-stem = Disco fino de 8 lb numa haste leve
+velocity-of-the-projectile-after-impact = Velocidade do projétil após o impacto
+wheel = Volante
+wheel-of-0-5-kg-with-a-radius-of-gyration-of-20-mm-at-3000-rpm-frame-of-0-3-kg-with-its-centre-of = Volante de 0,5 kg com raio de giração de 20 mm a 3000 rpm, quadro de 0,3 kg com centro de massa 10 mm abaixo do eixo; 15 m/s em 50 m. O livro imprime o módulo do ângulo; aqui a extremidade inferior vai para dentro.
+wilcox-dynamics-ch-8-problem-2 = Wilcox, Dynamics, cap. 8, problema 2
+solid-cylinder-in-a-frame-that-turns = Cilindro maciço num quadro que gira
+c-i-with-i-m-r-2 = C = I ω Ω com I = m r²/2
+n-10-kg-100-mm-300-rad-s-0-2-rad-s-i-0-05-kg-m = 10 kg, 100 mm, 300 rad/s, 0,2 rad/s: I = 0,05 kg·m².
+elliptical-plate-thrown-with-a-spin = Placa elíptica lançada em rotação
+i-m-b-4-i-y-m-a-4-i-z-m-a-b-4-of-a-thin-elliptical-plate-j-l-meriam-l-g-kraige-engineering-mechanics = Iₓ = m b²/4, I_y = m a²/4, I_z = m (a² + b²)/4 de uma placa elíptica fina: J. L. Meriam, L. G. Kraige, Mecânica: Dinâmica, tabela D/4
+m-4-kg-a-0-5-m-b-0-25-m-0-0625-0-25-and-0-3125-kg-m-t-i-2 = m = 4 kg, a = 0,5 m, b = 0,25 m: 0,0625, 0,25 e 0,3125 kg·m²; T = Σ I ω²/2.

@@ -2,6 +2,7 @@
 
 pub mod body;
 pub(crate) mod differences;
+pub mod gyro_rotor;
 pub(crate) mod inertia;
 pub mod joints;
 pub mod scene;

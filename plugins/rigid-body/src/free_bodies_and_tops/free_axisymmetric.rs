@@ -13,7 +13,10 @@ use dalembert_mechanics::{
 use nalgebra::{Rotation3, Vector3};
 
 use crate::{
-    shared::scene::{self, Scene},
+    shared::{
+        body::Shape,
+        scene::{self, Scene},
+    },
     sources::{BEER, GOLDSTEIN},
 };
 
@@ -56,6 +59,15 @@ pub enum AxisymmetricInertia {
         /// Transverse radius of gyration.
         #[input("k_t", "m", positive)]
         transverse: f64,
+    },
+    /// A shape
+    /// Its own z axis is the axis of symmetry.
+    Shape {
+        /// Mass.
+        #[input("m", "kg", positive)]
+        mass: f64,
+        /// Shape.
+        shape: Shape,
     },
     /// Their ratio only
     Ratio {
@@ -129,7 +141,7 @@ impl Analysis for FreeAxisymmetric {
     };
 
     fn solve<W: Worksheet>(&self, given: &FreeAxisymmetricGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let body = AxisymmetricBody::of(&given.inertia, sheet);
+        let body = AxisymmetricBody::of(&given.inertia, sheet)?;
         if body.ratio.value() > 2.0 * (1.0 + 1e-9) {
             return Err(Refusal::because(
                 "no body has a moment about its axis above twice its transverse moment: a thin plate has exactly twice",
@@ -336,11 +348,12 @@ struct AxisymmetricBody<N> {
 }
 
 impl<N: Real> AxisymmetricBody<N> {
-    fn of<W: Worksheet<Num = N>>(inertia: &AxisymmetricInertiaGiven<W>, sheet: W) -> Self {
-        const RATIO: &str =
-            "Ratio of the moments of inertia: above 1 for a flat body, below 1 for a long one";
+    fn of<W: Worksheet<Num = N>>(inertia: &AxisymmetricInertiaGiven<W>, sheet: W) -> Result<Self, Refusal> {
         let (axial, transverse) = match inertia {
-            AxisymmetricInertiaGiven::Ratio { ratio } => return Self { ratio: *ratio, moments: None },
+            AxisymmetricInertiaGiven::Ratio { ratio } => return Ok(Self { ratio: *ratio, moments: None }),
+            AxisymmetricInertiaGiven::Shape { mass, shape } => {
+                shape.axial_and_transverse(*mass, "I_t", sheet)?.into()
+            }
             AxisymmetricInertiaGiven::Moments { axial, transverse } => (*axial, *transverse),
             AxisymmetricInertiaGiven::Gyration { mass, axial, transverse } => (
                 sheet.step(
@@ -357,8 +370,9 @@ impl<N: Real> AxisymmetricBody<N> {
                 ),
             ),
         };
-        let ratio = sheet.step("r", "1", axial / transverse, RATIO);
-        Self { ratio, moments: Some((axial, transverse)) }
+        let why = "Ratio of the moments of inertia: above 1 for a flat body, below 1 for a long one";
+        let ratio = sheet.step("r", "1", axial / transverse, why);
+        Ok(Self { ratio, moments: Some((axial, transverse)) })
     }
 }
 

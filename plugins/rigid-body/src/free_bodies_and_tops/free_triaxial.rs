@@ -12,7 +12,10 @@ use dalembert_mechanics::{
 };
 use nalgebra::{Matrix3, Rotation3, Unit, Vector3};
 
-use crate::sources::{GOLDSTEIN, LANDAU};
+use crate::{
+    shared::body::Shape,
+    sources::{GOLDSTEIN, LANDAU},
+};
 use pictures::{components, herpolhode, poinsot, shown_time};
 
 /// The body and how it was thrown.
@@ -76,6 +79,15 @@ pub enum PrincipalInertia {
         #[input("c", "mm", positive)]
         z: f64,
     },
+    /// Another shape
+    /// About its own axes through its centre of mass.
+    Shape {
+        /// Mass.
+        #[input("m", "kg", positive)]
+        mass: f64,
+        /// Shape.
+        shape: Shape,
+    },
 }
 
 mod pictures;
@@ -96,7 +108,7 @@ impl Analysis for FreeTriaxial {
     };
 
     fn solve<W: Worksheet>(&self, given: &FreeTriaxialGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let inertia = moments(&given.inertia, sheet);
+        let inertia = moments(&given.inertia, sheet)?;
         let velocity = given.velocity;
         let plain = inertia.map(Real::value);
         let start = velocity.value();
@@ -138,6 +150,27 @@ impl Analysis for FreeTriaxial {
             );
             sheet.answer("growth_rate", "Growth rate near the intermediate axis", growth);
             sheet.verify(|| growing(plain, order, growth, start[order[1]], sheet));
+            let [least, most] = if a.value() < c.value() { [a, c] } else { [c, a] };
+            let slope = sheet.step(
+                "κ_s",
+                "1",
+                ((most * (most - b)) / (least * (b - least))).sqrt(),
+                (
+                    "Separatrix planes, through the intermediate axis, from H² = 2 T I with the intermediate moment: angular velocity about the axis of minimum inertia over that about the axis of maximum inertia",
+                    GOLDSTEIN.at("§5.6"),
+                ),
+            );
+            sheet.answer("separatrix_slope", "Slope of the separatrix planes", slope);
+            sheet.verify(|| {
+                // A vector in such a plane, of length one about the axis of maximum inertia.
+                let (momentum, energy) =
+                    ((least * slope).powi(2) + most.powi(2), (least * slope.powi(2) + most) * b);
+                sheet.check(
+                    "H² = 2 T I with the intermediate moment, in a separatrix plane",
+                    momentum,
+                    energy,
+                );
+            });
         }
         match body.polhode() {
             Polhode::Permanent => {
@@ -404,9 +437,9 @@ fn mean_of(function: impl Fn(f64) -> f64) -> f64 {
     (0..POINTS).map(at).sum::<f64>() / f64::from(POINTS)
 }
 
-fn moments<W: Worksheet>(inertia: &PrincipalInertiaGiven<W>, sheet: W) -> [W::Num; 3] {
+fn moments<W: Worksheet>(inertia: &PrincipalInertiaGiven<W>, sheet: W) -> Result<[W::Num; 3], Refusal> {
     const SYMBOLS: [&str; 3] = ["I_x", "I_y", "I_z"];
-    match inertia {
+    Ok(match inertia {
         PrincipalInertiaGiven::Moments { x, y, z } => [*x, *y, *z],
         PrincipalInertiaGiven::Gyration { mass, x, y, z } => {
             let radii = [*x, *y, *z];
@@ -431,7 +464,8 @@ fn moments<W: Worksheet>(inertia: &PrincipalInertiaGiven<W>, sheet: W) -> [W::Nu
                 )
             })
         }
-    }
+        PrincipalInertiaGiven::Shape { mass, shape } => shape.principal_moments(*mass, sheet)?,
+    })
 }
 
 /// Holds a rate of growth beside a rotation about the middle axis to Euler's equations: of what grows, along the polhode

@@ -77,7 +77,7 @@ impl Analysis for HeavyTop {
     };
 
     fn solve<W: Worksheet>(&self, given: &HeavyTopGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let moments = given.body.moments(sheet);
+        let moments = given.body.moments(sheet)?;
         let theta = given.nutation;
         let Some(transverse) = moments.transverse else {
             return self.to_first_order(given, &moments, sheet);
@@ -340,7 +340,7 @@ impl HeavyTop {
         }
         let discriminant = sheet.step("Δ", "kg^2*m^4/s^2", discriminant, "Discriminant of the quadratic");
         let root = if momentum.value() < 0.0 { -discriminant.sqrt() } else { discriminant.sqrt() };
-        let root = sheet.step("R", "kg*m^2/s", root, "Its root, with the sign of H");
+        let root = sheet.step("Q", "kg*m^2/s", root, "Its root, with the sign of H");
         let slow = sheet.step(
             "φ̇₁",
             "rad/s",

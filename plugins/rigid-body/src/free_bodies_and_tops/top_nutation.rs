@@ -84,7 +84,7 @@ impl Analysis for TopNutation {
     };
 
     fn solve<W: Worksheet>(&self, given: &TopNutationGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let moments = given.body.moments(sheet);
+        let moments = given.body.moments(sheet)?;
         let Some(transverse) = moments.transverse else {
             return Err(Refusal::because(
                 "nutation needs the transverse moment of inertia: give it about the fixed point or the centre of mass",

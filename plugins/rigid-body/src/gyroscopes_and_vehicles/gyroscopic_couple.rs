@@ -14,7 +14,7 @@ use dalembert_mechanics::{
 use nalgebra::Vector3;
 
 use crate::{
-    shared::differences::{check_disc, second_slope},
+    shared::{differences::second_slope, gyro_rotor::GyroRotor},
     sources::{BEER, IRODOV, KHURMI, MERIAM},
 };
 
@@ -58,39 +58,6 @@ pub enum RotorCarrier {
     Vehicle,
     /// A frame
     Frame,
-}
-
-/// A symmetric rotor.
-#[derive(Clone, Debug, Inputs)]
-pub enum GyroRotor {
-    /// Mass and radius of gyration
-    RadiusOfGyration {
-        /// Mass.
-        #[input("m", "kg", positive)]
-        mass: f64,
-        /// Radius of gyration about the axle.
-        #[input("k", "m", positive)]
-        radius_of_gyration: f64,
-    },
-    /// Thin disc
-    Disc {
-        /// Mass.
-        #[input("m", "kg", positive)]
-        mass: f64,
-        /// Radius.
-        #[input("r", "m", positive)]
-        radius: f64,
-    },
-    /// Moment of inertia
-    MomentOfInertia {
-        /// Moment of inertia about the axle.
-        #[input("I_a", "kg*m^2", positive)]
-        inertia: f64,
-        /// Mass.
-        /// Required only for the bearings and the weight.
-        #[input("m", "kg", nonnegative)]
-        mass: Option<f64>,
-    },
 }
 
 /// A sense of turning.
@@ -241,7 +208,7 @@ impl Analysis for GyroscopicCouple {
     };
 
     fn solve<W: Worksheet>(&self, given: &GyroscopicCoupleGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let (axial, mass) = rotor(&given.rotor, sheet);
+        let (axial, mass) = given.rotor.inertia(sheet)?;
         let axle = sheet.step_vector(
             "u",
             "1",
@@ -314,34 +281,6 @@ impl Analysis for GyroscopicCouple {
         }
         Ok(())
     }
-}
-
-/// Moment of inertia about the axle, and the mass where it is known.
-fn rotor<W: Worksheet>(rotor: &GyroRotorGiven<W>, sheet: W) -> (W::Num, Option<W::Num>) {
-    let (inertia, mass) = match *rotor {
-        GyroRotorGiven::RadiusOfGyration { mass, radius_of_gyration } => {
-            let inertia = sheet.step(
-                "I_a",
-                "kg*m^2",
-                mass * radius_of_gyration.powi(2),
-                "Moment of inertia about the axle, from the radius of gyration",
-            );
-            (inertia, Some(mass))
-        }
-        GyroRotorGiven::Disc { mass, radius } => {
-            let inertia = sheet.step(
-                "I_a",
-                "kg*m^2",
-                rigid::disc_axial_inertia(mass, radius),
-                "Moment of inertia of a disc about its axle",
-            );
-            check_disc(inertia, mass, radius, sheet);
-            (inertia, Some(mass))
-        }
-        GyroRotorGiven::MomentOfInertia { inertia, mass } => return (inertia, mass),
-    };
-    sheet.answer("axial_inertia", "Moment of inertia about the axle", inertia);
-    (inertia, mass)
 }
 
 /// A fixed direction as a vector of the worksheet.

@@ -25,7 +25,9 @@ pub struct Impulse {
     pub going: BodyVelocity,
     /// Impulses.
     pub blows: Vec<Blow>,
-    /// Projectiles that stick.
+    /// Angular impulses.
+    pub angular_impulses: Vec<AngularImpulse>,
+    /// Projectiles.
     pub projectiles: Vec<Projectile>,
     /// Constraint after the impact.
     #[input(default = "nothing")]
@@ -68,7 +70,18 @@ pub enum Strength {
     },
 }
 
-/// A small body that hits the body and sticks in it.
+/// The angular impulse of a couple: of a thruster pair, or of a wheel that is set spinning inside.
+#[derive(Clone, Debug, Inputs)]
+pub struct AngularImpulse {
+    /// Name.
+    pub name: String,
+    /// Angular impulse.
+    /// The moment of the couple times its duration.
+    #[input("K", "N*m*s")]
+    pub impulse: Vector3<f64>,
+}
+
+/// A small body that hits the body, and sticks in it or leaves.
 #[derive(Clone, Debug, Inputs)]
 pub struct Projectile {
     /// Name.
@@ -87,14 +100,21 @@ pub struct Projectile {
     pub mass_after: MassAfter,
 }
 
-/// Mass after impact: with or without that of an embedded projectile.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+/// Mass after impact: with or without that of an embedded projectile, or of one that leaves again.
+#[derive(Clone, Copy, Debug, PartialEq, Inputs)]
 pub enum MassAfter {
     /// Part of the body
     Kept,
     /// Neglected
     /// Its momentum is included, its mass and inertia are not.
     Neglected,
+    /// It leaves the body
+    /// It passes through or rebounds: the body receives the change of its momentum.
+    Leaves {
+        /// Velocity of the projectile after impact.
+        #[input("v_p′", "m/s")]
+        velocity: Vector3<f64>,
+    },
 }
 
 /// Constraint of the body after the impact.
@@ -140,9 +160,9 @@ impl Analysis for Impulse {
         id: "rigid-body/impulse",
         title: "Impulse on a body in space",
         topic: "Inertia and momentum",
-        summary: "Motion of a body immediately after an impulse, the impact of a projectile that sticks or a sudden constraint; impulsive reactions and energy.",
-        keywords: "impulse impact blow sudden constraint projectile meteorite impulsive reaction instantaneous axis screw torque-free precession \
-                   impulso impacto choque percussão projétil reação impulsiva eixo instantâneo precessão",
+        summary: "Motion of a body immediately after an impulse, an angular impulse, the impact of a projectile or a sudden constraint; impulsive reactions and energy.",
+        keywords: "impulse angular impulse impact blow sudden constraint projectile meteorite impulsive reaction instantaneous axis screw torque-free precession \
+                   impulso impulso angular impacto choque percussão projétil reação impulsiva eixo instantâneo precessão",
         sources: &[&BEER, &HIBBELER, &MERIAM, &RIUL],
         cases: include_str!("../../cases/impulse.toml"),
     };

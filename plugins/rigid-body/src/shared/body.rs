@@ -1,5 +1,6 @@
 //! Inputs of a rigid body: its parts or its inertia, its rotation, a line in it.
 
+mod alone;
 mod description;
 mod motion;
 mod outline;

@@ -1,9 +1,9 @@
 //! The body of a heavy top: what a user may know of it, and what its motion needs.
 
-use dalembert_core::{Inputs, Worksheet};
+use dalembert_core::{Inputs, Refusal, Worksheet};
 use dalembert_mechanics::rigid;
 
-use crate::sources::BEER;
+use crate::{shared::body::Shape, sources::BEER};
 
 /// A body of revolution that turns about a fixed point of its axis.
 #[derive(Clone, Debug, Inputs)]
@@ -52,6 +52,12 @@ pub enum TopInertia {
         #[input("k_t", "mm", positive)]
         transverse: f64,
     },
+    /// A shape
+    /// Its own z axis along the axis of the top, its centre of mass at the distance given.
+    Shape {
+        /// Shape.
+        shape: Shape,
+    },
     /// About the axis only: a top that spins fast
     AxialOnly {
         /// Moment of inertia about the axis.
@@ -73,26 +79,33 @@ pub struct TopMoments<N> {
 
 impl<W: Worksheet> TopBodyGiven<W> {
     /// Writes the moments of the body and of its weight.
-    pub fn moments(&self, sheet: W) -> TopMoments<W::Num> {
+    ///
+    /// # Errors
+    /// A shape that is none of revolution about its z axis.
+    pub fn moments(&self, sheet: W) -> Result<TopMoments<W::Num>, Refusal> {
         let couple = sheet.step(
             "K",
             "N*m",
             self.mass * self.gravity * self.distance,
             "Moment of the weight about the fixed point with the axis level; at the angle θ it is K sin θ",
         );
+        let about_point = |transverse| {
+            sheet.step(
+                "I_t",
+                "kg*m^2",
+                rigid::parallel_axis(transverse, self.mass, self.distance),
+                (
+                    "Transverse moment of inertia about the fixed point: parallel-axis theorem",
+                    BEER.at("app. B"),
+                ),
+            )
+        };
         let (axial, transverse) = match &self.inertia {
             TopInertiaGiven::AboutPoint { axial, transverse } => (*axial, Some(*transverse)),
-            TopInertiaGiven::AboutCentre { axial, transverse } => {
-                let about_point = sheet.step(
-                    "I_t",
-                    "kg*m^2",
-                    rigid::parallel_axis(*transverse, self.mass, self.distance),
-                    (
-                        "Transverse moment of inertia about the fixed point: parallel-axis theorem",
-                        BEER.at("app. B"),
-                    ),
-                );
-                (*axial, Some(about_point))
+            TopInertiaGiven::AboutCentre { axial, transverse } => (*axial, Some(about_point(*transverse))),
+            TopInertiaGiven::Shape { shape } => {
+                let [axial, transverse] = shape.axial_and_transverse(self.mass, "I_G", sheet)?;
+                (axial, Some(about_point(transverse)))
             }
             TopInertiaGiven::Gyration { axial, transverse } => {
                 let about = |symbol, radius: W::Num, why| {
@@ -106,6 +119,6 @@ impl<W: Worksheet> TopBodyGiven<W> {
             }
             TopInertiaGiven::AxialOnly { axial } => (*axial, None),
         };
-        TopMoments { axial, transverse, couple }
+        Ok(TopMoments { axial, transverse, couple })
     }
 }

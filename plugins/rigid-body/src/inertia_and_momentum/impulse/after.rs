@@ -8,7 +8,8 @@ use dalembert_mechanics::{
 use nalgebra::{Matrix3, Vector3};
 
 use super::{
-    BodyConstraint, BodyConstraintGiven, Impulse, ImpulseGiven, MassAfter, Strength, StrengthGiven,
+    BodyConstraint, BodyConstraintGiven, Impulse, ImpulseGiven, MassAfter, MassAfterGiven, Strength,
+    StrengthGiven,
     free::{self, After},
 };
 use crate::{
@@ -31,10 +32,26 @@ impl From<Named<'_>> for Reason {
     }
 }
 
-/// External impulse at a point.
+/// External impulses.
 pub(super) struct Given<W: Worksheet> {
+    /// Impulses, each at its point.
+    pub(super) at_points: Vec<PointImpulse<W>>,
+    /// Angular impulses of couples.
+    pub(super) couples: Vec<W::Vec>,
+}
+
+/// External impulse at a point.
+pub(super) struct PointImpulse<W: Worksheet> {
     pub(super) impulse: W::Vec,
     pub(super) point: W::Vec,
+}
+
+impl<W: Worksheet> Given<W> {
+    /// The moments of all of them about a point.
+    pub(super) fn moments(&self, about: W::Vec) -> impl Iterator<Item = W::Vec> {
+        let moment = move |one: &PointImpulse<W>| (one.point - about).cross(one.impulse);
+        self.at_points.iter().map(moment).chain(self.couples.iter().copied())
+    }
 }
 
 /// Below this share of the largest moment a product of inertia is rounding.
@@ -76,17 +93,17 @@ impl Impulse {
         let linear_after = sheet.step_vector(
             "L′",
             "kg*m/s",
-            <W::Vec as Vector>::sum(std::iter::once(linear).chain(gifts.iter().map(|one| one.impulse))),
+            <W::Vec as Vector>::sum(
+                std::iter::once(linear).chain(gifts.at_points.iter().map(|one| one.impulse)),
+            ),
             ("Linear momentum after impact, excluding the support reactions: L + Σ J", BEER.at("§18.1B")),
         );
-        let moments: Vec<W::Vec> =
-            gifts.iter().map(|one| (one.point - after_body.centre).cross(one.impulse)).collect();
         let momentum_after = sheet.step_vector(
             "H_G′",
             "kg*m^2/s",
-            <W::Vec as Vector>::sum(std::iter::once(about).chain(moments)),
+            <W::Vec as Vector>::sum(std::iter::once(about).chain(gifts.moments(after_body.centre))),
             (
-                "Angular momentum about G after impact, excluding the support reactions: H_G + Σ r × J",
+                "Angular momentum about G after impact, excluding the support reactions: H_G + Σ r × J + Σ K",
                 BEER.at("§18.1B"),
             ),
         );
@@ -127,8 +144,8 @@ impl Impulse {
     }
 
     /// All impulses from outside.
-    fn gifts<W: Worksheet>(&self, given: &ImpulseGiven<W>, sheet: W) -> Vec<Given<W>> {
-        let mut all = Vec::new();
+    fn gifts<W: Worksheet>(&self, given: &ImpulseGiven<W>, sheet: W) -> Given<W> {
+        let mut at_points = Vec::new();
         for (row, (blow, this)) in (1..).zip(self.blows.iter().zip(&given.blows)) {
             let impulse = match (&blow.strength, &this.strength) {
                 (Strength::Force { .. }, StrengthGiven::Force { force, duration }) => sheet.step_vector(
@@ -140,18 +157,21 @@ impl Impulse {
                 (_, StrengthGiven::Impulse { impulse }) => *impulse,
                 (_, StrengthGiven::Force { force, duration }) => *force * *duration,
             };
-            all.push(Given { impulse, point: this.point });
+            at_points.push(PointImpulse { impulse, point: this.point });
         }
         for (row, (one, this)) in (1..).zip(self.projectiles.iter().zip(&given.projectiles)) {
-            let impulse = sheet.step_vector(
-                ("L_p", row),
-                "kg*m/s",
-                this.velocity * this.mass,
-                Named("Linear momentum added by {name}", &one.name),
-            );
-            all.push(Given { impulse, point: this.point });
+            let (change, why) = match this.mass_after {
+                MassAfterGiven::Leaves { velocity } => (
+                    this.velocity - velocity,
+                    "Linear momentum lost by {name}: its mass times the change of its velocity",
+                ),
+                _ => (this.velocity, "Linear momentum added by {name}"),
+            };
+            let impulse =
+                sheet.step_vector(("L_p", row), "kg*m/s", change * this.mass, Named(why, &one.name));
+            at_points.push(PointImpulse { impulse, point: this.point });
         }
-        all
+        Given { at_points, couples: given.angular_impulses.iter().map(|this| this.impulse).collect() }
     }
 
     /// The body together with the projectiles that stay in it, and the way from its centre of mass to that before.
@@ -419,6 +439,10 @@ impl Impulse {
         let own = energy(body, omega, velocity);
         let brought: Vec<W::Num> =
             given.projectiles.iter().map(|this| this.mass * this.velocity.dot(this.velocity) / 2.0).collect();
+        let taken = given.projectiles.iter().filter_map(|this| match this.mass_after {
+            MassAfterGiven::Leaves { velocity } => Some(this.mass * velocity.dot(velocity) / 2.0),
+            _ => None,
+        });
         let reason = if brought.is_empty() {
             "Kinetic energy before impact"
         } else {
@@ -428,7 +452,7 @@ impl Impulse {
         let second = sheet.step(
             "T′",
             "J",
-            energy(after_body, after.omega, after.velocity),
+            Real::sum(std::iter::once(energy(after_body, after.omega, after.velocity)).chain(taken)),
             "Kinetic energy after impact",
         );
         let change = sheet.step("ΔT", "J", second - first, "Change of the kinetic energy");
@@ -441,7 +465,7 @@ impl Impulse {
     fn drawn<W: Worksheet>(
         &self,
         body: &WorkedBody<W>,
-        gifts: &[Given<W>],
+        gifts: &Given<W>,
         omega: Vector3<f64>,
         velocity: Vector3<f64>,
     ) -> Exhibit {
@@ -452,11 +476,14 @@ impl Impulse {
             let along = |vector: Vector3<f64>| {
                 vector.try_normalize(0.0).map_or_else(Vector3::zeros, |unit| unit * (0.7 * size))
             };
-            for one in gifts {
+            for one in &gifts.at_points {
                 let arrow = along(one.impulse.value());
                 scene.arrow(one.point.value() - arrow, arrow, Ink::Force, "J");
             }
             let centre = body.properties.centre;
+            for couple in &gifts.couples {
+                scene.arrow(centre, along(couple.value()), Ink::Force, "K");
+            }
             scene.arrow(centre, along(omega), Ink::Result, "ω′");
             scene.arrow(centre, along(velocity), Ink::Motion, "v_G′");
             scene.label(centre, "G");

@@ -15,7 +15,7 @@ impl Impulse {
         body: &WorkedBody<W>,
         before: Vector3<f64>,
         after: &After<W>,
-        gifts: &[Given<W>],
+        gifts: &Given<W>,
         sheet: W,
     ) -> Result<(), Refusal> {
         let Some(wanted) = given.wanted_speed else { return Ok(()) };
@@ -35,9 +35,11 @@ impl Impulse {
         sheet.verify(|| {
             let BodyConstraint::Axis { point, axis } = self.hold else { return };
             let Ok(inertia) = body.properties.inertia_about_line(point, axis) else { return };
-            let blows = gifts.iter().map(|one| (one.point.value() - point).cross(one.impulse.value()));
+            let blows =
+                gifts.at_points.iter().map(|one| (one.point.value() - point).cross(one.impulse.value()));
+            let all = blows.chain(gifts.couples.iter().map(|couple| couple.value()));
             let (moments, sizes): (Vec<_>, Vec<_>) =
-                blows.map(|moment| (moment.dot(axis.normalize()), moment.norm())).unzip();
+                all.map(|moment| (moment.dot(axis.normalize()), moment.norm())).unzip();
             let turned = mass / body.mass * inertia * wanted;
             sheet.check_sum(
                 "angular momentum of that mass about the axis, and the moments of the blows",
@@ -59,7 +61,7 @@ impl Impulse {
         body: &WorkedBody<W>,
         after_body: &WorkedBody<W>,
         [omega, velocity]: [Vector3<f64>; 2],
-        gifts: &[Given<W>],
+        gifts: &Given<W>,
         after: &After<W>,
         change: f64,
         sheet: W,
@@ -71,7 +73,8 @@ impl Impulse {
                 body.inertia * omega + body.centre.cross(velocity * body.mass)
             };
             let mut terms = vec![about_origin(second, turns, goes), -about_origin(first, omega, velocity)];
-            terms.extend(gifts.iter().map(|one| -one.point.value().cross(one.impulse.value())));
+            terms.extend(gifts.at_points.iter().map(|one| -one.point.value().cross(one.impulse.value())));
+            terms.extend(gifts.couples.iter().map(|couple| -couple.value()));
             if let Some((reaction, at)) = after.reaction {
                 terms.push(-at.cross(reaction.value()));
             }
@@ -106,7 +109,8 @@ impl Impulse {
                         / 2.0
                 };
                 let mut terms: Vec<f64> =
-                    gifts.iter().map(|one| work(one.impulse.value(), one.point.value())).collect();
+                    gifts.at_points.iter().map(|one| work(one.impulse.value(), one.point.value())).collect();
+                terms.extend(gifts.couples.iter().map(|couple| couple.value().dot(turns + omega) / 2.0));
                 if let Some((reaction, point)) = after.reaction {
                     terms.push(work(reaction.value(), point));
                 }
