@@ -11,6 +11,7 @@ mod indices;
 mod levels;
 mod notation;
 mod plan;
+mod rows;
 mod sample;
 mod statistics;
 mod target;
@@ -21,13 +22,14 @@ pub use self::{
     bands::Bands,
     curves::{Curves, MOST_CURVES},
     design::{Design, USUAL_SAMPLES},
-    evaluation::{Evaluation, Row, Rows, Study, answer},
+    evaluation::{Evaluation, Study, answer},
     indices::{Estimate, SobolIndex, SobolIndices},
     levels::{LevelMean, Levels},
     plan::{
         Amount, Correlation, DataColumn, DistributionKind, Limit, MappedInputs, ReadData, Sampling, Spacing,
         StudyPlan, Variation,
     },
+    rows::{Row, Rows},
     statistics::{Accumulator, AnswerLimit, AnswerStatistics, BLOCK, Exceedance, LEVEL_ROWS, Summary},
     target::{FoundTarget, find_target},
     values::{Histogram, PERCENTILES},

@@ -124,6 +124,17 @@ impl Value {
         self.map(dim, (f64::NEG_INFINITY, f64::INFINITY), |x| x.powi(n))
     }
 
+    /// A positive number to the power of any other.
+    fn power_of(self, exponent: &Self) -> Result<Self, String> {
+        if self.dim != Dim::NONE || exponent.dim != Dim::NONE {
+            return Err(format!("{} to the power of {}", self.dim, exponent.dim));
+        }
+        let error = self.number[0].powf(exponent.number[0]) * self.number[0].ln().abs() * exponent.error;
+        let mut power = self.map(Dim::NONE, (0.0, f64::INFINITY), |x| x.powf(exponent.number[0]))?;
+        power.error += error;
+        Ok(power)
+    }
+
     fn root(self, n: u8) -> Result<Self, String> {
         let dim = self.dim.root(n).ok_or_else(|| format!("root {n} of {}", self.dim))?;
         let even = n.is_multiple_of(2);
@@ -213,6 +224,11 @@ impl<'t> Reader<'t> {
             self.rest =
                 &self.rest[self.rest.char_indices().nth(power.len()).map_or(self.rest.len(), |(at, _)| at)..];
             return base.power(power.parse().map_err(|_| "no power")?);
+        }
+        if self.eat("^(") {
+            let exponent = self.sum()?;
+            self.expect(")")?;
+            return base.power_of(&exponent);
         }
         if self.eat("^") {
             let digits: usize = self.rest.chars().take_while(|c| *c == '-' || c.is_ascii_digit()).count();

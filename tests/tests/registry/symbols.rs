@@ -1,8 +1,10 @@
 //! Symbols of a sheet: no two of them are one name in formulas.
 
-use std::{collections::BTreeMap, sync::Mutex};
+use std::{collections::BTreeMap, ops::Range, sync::Mutex};
 
-use dalembert_core::{Entry, Number, Solution, Stop, cases, normalised, printer, registry, trace::Op};
+use dalembert_core::{
+    Entry, Number, ProblemSteps, Solution, Stop, cases, normalised, printer, registry, trace::Op,
+};
 use dalembert_plugins as _;
 use dalembert_testkit::on_all_cores;
 use itertools::zip_eq;
@@ -10,8 +12,24 @@ use itertools::zip_eq;
 /// A quantity of a sheet: its symbol, its number, and where it is.
 type Quantity = (String, Number, String);
 
-/// The symbols of a sheet that are one name in formulas, and stand for different numbers or are written differently.
+/// The symbols of a sheet, or of one of its problems or configurations, that are one name in formulas, and stand for
+/// different numbers or are written differently.
 fn coincident(solution: &Solution) -> Vec<String> {
+    if solution.problems.is_empty() {
+        return coincident_in(solution, 0..solution.steps.len(), |_| true);
+    }
+    let names: Vec<&str> = solution.problems.iter().map(|problem| problem.name).collect();
+    let of_problem = |path: &str| {
+        let first = path.split('.').next().unwrap_or_default();
+        names.iter().find(|name| **name == first).copied().unwrap_or_default()
+    };
+    let of = |problem: &ProblemSteps| {
+        coincident_in(solution, problem.steps.clone(), |path| of_problem(path) == problem.name)
+    };
+    solution.problems.iter().flat_map(of).collect()
+}
+
+fn coincident_in(solution: &Solution, steps: Range<usize>, is_given: impl Fn(&str) -> bool) -> Vec<String> {
     let mut all: BTreeMap<String, Vec<Quantity>> = BTreeMap::new();
     let mut put = |symbol: String, number: Number, what: String| {
         let of = all.entry(normalised(&symbol)).or_default();
@@ -20,11 +38,13 @@ fn coincident(solution: &Solution) -> Vec<String> {
         }
     };
     for node in &solution.trace.nodes {
-        if let Op::Given { symbol, path, .. } = &node.op {
+        if let Op::Given { symbol, path, .. } = &node.op
+            && is_given(path)
+        {
             put(printer::symbol(symbol), node.number, path.clone());
         }
     }
-    for (n, step) in solution.steps.iter().enumerate() {
+    for (n, step) in zip_eq(steps.clone(), &solution.steps[steps]) {
         let number = solution.trace.node(step.result).number;
         put(printer::symbol(&step.symbol), number, format!("step {} {}", n + 1, step.why.english()));
     }

@@ -8,6 +8,7 @@ use super::{
     amounts::shown,
     design::Design,
     plan::{Amount, Limit, StudyPlan},
+    rows::Rows,
     statistics::{Accumulator, AnswerLimit},
 };
 use crate::{
@@ -30,28 +31,6 @@ pub struct Study<'a> {
     /// The limits whose probability is asked for.
     pub limits: Vec<AnswerLimit>,
     conditions: Vec<AnswerLimit>,
-}
-
-/// Points of a study with their answers.
-#[derive(Clone, Debug, Default)]
-pub struct Rows {
-    /// Numbers of inputs and answers of a row.
-    widths: [usize; 2],
-    inputs: Vec<f64>,
-    answers: Vec<f64>,
-    /// The rows without an answer, counted from 0, ascending, and why.
-    refused: Vec<(usize, Text)>,
-}
-
-/// A point of a study with its answers.
-#[derive(Clone, Copy, Debug)]
-pub struct Row<'r> {
-    /// The inputs, in the units of the design.
-    pub inputs: &'r [f64],
-    /// The answers, in their units; NaN where there is none.
-    pub answers: &'r [f64],
-    /// Reason for which the point has no answer.
-    pub refusal: Option<&'r Text>,
 }
 
 /// The plain reading of a study, for one thread.
@@ -249,39 +228,6 @@ impl Evaluation<'_> {
             }
         }
         Ok(())
-    }
-}
-
-impl Rows {
-    /// Number of rows.
-    pub fn len(&self) -> usize {
-        self.answers.len() / self.widths[1].max(1)
-    }
-
-    /// Returns true if there are none.
-    pub fn is_empty(&self) -> bool {
-        self.answers.is_empty()
-    }
-
-    /// The rows in their order.
-    pub fn iter(&self) -> impl Iterator<Item = Row<'_>> {
-        let [inputs, answers] = self.widths.map(|width| width.max(1));
-        let mut refused = self.refused.iter().peekable();
-        let rows = self.inputs.chunks_exact(inputs).zip(self.answers.chunks_exact(answers)).enumerate();
-        rows.map(move |(row, (inputs, answers))| {
-            let refusal = refused.next_if(|(at, _)| *at == row).map(|(_, why)| why);
-            Row { inputs, answers, refusal }
-        })
-    }
-
-    /// The inputs and the answers, a row after the other.
-    pub(super) fn numbers(&self) -> [&[f64]; 2] {
-        [&self.inputs, &self.answers]
-    }
-
-    /// Returns true if some point has no answer for a reason.
-    pub(super) fn is_refused_somewhere(&self) -> bool {
-        !self.refused.is_empty()
     }
 }
 

@@ -10,9 +10,9 @@ use dalembert_numerics::simd;
 use serde::Serialize;
 
 use super::{
-    evaluation::Rows,
     indices::{INDEPENDENT, IndexSums, SobolIndices, TWO_SIDED_95},
     levels::{LevelMean, LevelSums, Levels, share_between},
+    rows::Rows,
     sample::{self, RowSample},
     values::{Histogram, Values},
 };
@@ -117,7 +117,7 @@ pub struct Accumulator {
     maps: Vec<[usize; 2]>,
     /// The columns of the present block: inputs, then answers.
     columns: Vec<Vec<f64>>,
-    /// Its rows that the means at levels are of.
+    /// Rows of the block that the means at levels are of.
     at_levels: Vec<usize>,
     /// The largest hash of a point that they are of.
     largest_hash: u64,
@@ -243,7 +243,7 @@ impl Accumulator {
 
     /// Takes the next rows.
     pub fn take(&mut self, rows: &Rows) {
-        if rows.is_refused_somewhere() || self.base_sample.is_some() {
+        if rows.has_refusals() || self.base_sample.is_some() {
             rows.iter().for_each(|row| self.push(row.inputs, row.answers, row.refusal));
             return;
         }
