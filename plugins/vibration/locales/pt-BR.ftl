@@ -549,8 +549,6 @@ zero-to-peak-unless-the-unit-specifies-otherwise = De zero a pico, salvo se a un
 mean-power-given-force-sought = Potência média dada, força procurada
 mean-power = Potência média
 from-the-start-of-the-force = Contado do início da força.
-harmonic-force = Força harmônica
-steady-state-amplitude-phase-forces-and-power-of-one-mass-under-a-harmonic-force-and-its-motion-from = Amplitude em regime permanente, fase, forças e potência de uma massa sob uma força harmônica, e o seu movimento a partir do repouso.
 work-of-the-force-in-a-cycle-energy-dissipated-by-the-damper-f-x-sin = trabalho da força em um ciclo = energia dissipada pelo amortecedor, πF₀X sen φ
 maximum-acceleration-zero-slope-with-respect-to-frequency-1-2 = aceleração máxima: inclinação nula em relação à frequência, (ωₙ/ω)² = 1 − 2ζ²
 deflection-under-a-constant-force-f = Deflexão sob uma força constante F₀
@@ -581,6 +579,39 @@ frequency-of-maximum-displacement = Frequência do deslocamento máximo
 maximum-amplitude-at-where-only-the-loss-of-the-spring-balances-the-force = Amplitude máxima, em ωₙ, onde só a perda da mola equilibra a força
 without-damping-no-force-is-needed-to-keep-a-motion-at-the-natural-frequency-and-any-force-makes-it = sem amortecimento nenhuma força é necessária para manter um movimento na frequência natural, e qualquer força o faz crescer sem limite: dê a força
 growth-rate-from-the-impulse-of-the-force = taxa de crescimento pelo impulso da força
+amplitude-of-the-angular-acceleration = Amplitude da aceleração angular
+amplitude-of-the-angular-velocity = Amplitude da velocidade angular
+amplitude-of-the-rotation = Amplitude da rotação
+amplitude-of-the-rotation-given-torque-unknown = Amplitude da rotação dada, torque desconhecido
+amplitude-of-the-torque-transmitted-to-the-foundation = Amplitude do torque transmitido à fundação
+amplitude-from-the-power-p-c-t-dissipated-by-the-damper = Amplitude, pela potência P = ½ c_t ω² Θ² dissipada pelo amortecedor
+angle-at-that-time = Ângulo nesse instante
+angle-of-twist-under-a-constant-torque-t = Ângulo de torção sob um torque constante T₀
+for-a-rotation = Para uma rotação.
+harmonic-force-or-torque = Força ou torque harmônico
+one-degree-of-freedom-in-rotation = Um grau de liberdade em rotação
+rotating-vectors-of-the-torques = Vetores girantes dos torques
+rotation-moment-of-inertia = Rotação: momento de inércia
+springs-damping-and-excitation-are-then-torsional = Molas, amortecimento e excitação são então torcionais.
+steady-state-amplitude-phase-forces-and-power-of-one-mass-under-a-harmonic-force-or-of-a-rotating = Amplitude em regime permanente, fase, forças e potência de uma massa sob uma força harmônica, ou de um corpo em rotação sob um torque harmônico, e o seu movimento a partir do repouso.
+the-motion-lags-the-torque-by = O movimento está atrasado em relação ao torque de
+torque-given = Torque dado
+torque-in-the-damper = Torque no amortecedor
+torque-in-the-spring = Torque na mola
+torque-required-for-this-amplitude = Torque necessário para esta amplitude
+torque-transmitted-to-the-foundation = Torque transmitido à fundação
+torsional-damping-coefficient-given = Coeficiente de amortecimento torcional dado
+torsional-springs-and-shafts = Molas de torção e eixos
+torsional-stiffness-that-gives-the-moment-of-inertia-this-natural-frequency = Rigidez torcional que dá ao momento de inércia esta frequência natural
+a-mass-moves-along-a-line-give-its-springs-its-damping-coefficient-and-its-excitation-for-a = uma massa move-se em linha reta: dê as molas, o coeficiente de amortecimento e a excitação de uma translação, ou escolha a rotação como inércia
+a-moment-of-inertia-rotates-give-torsional-springs-or-the-natural-frequency-the-torsional-damping = um momento de inércia gira: dê molas de torção ou a frequência natural, o coeficiente de amortecimento torcional ou o fator de amortecimento, e um torque ou um ângulo
+angle = Ângulo
+growth-rate-from-the-impulse-of-the-torque = taxa de crescimento pelo impulso do torque
+mean-power-from-torque-angular-velocity-and-the-angle-between-them = potência média por torque, velocidade angular e o ângulo entre eles
+torques-of-spring-damper-and-inertia-close-the-polygon-of-torques = os torques de mola, amortecedor e inércia fecham o polígono dos torques
+transmitted-torque-from-the-transmissibility = torque transmitido pela transmissibilidade
+without-damping-no-torque-is-needed-to-keep-a-rotation-at-the-natural-frequency-and-any-torque-makes = sem amortecimento nenhum torque é necessário para manter uma rotação na frequência natural, e qualquer torque a faz crescer sem limite: dê o torque
+work-of-the-torque-in-a-cycle-energy-dissipated-by-the-damper-t-sin = trabalho do torque em um ciclo = energia dissipada pelo amortecedor, πT₀Θ sen φ
 # harmonic-sum
 phase = Fase
 question = Pergunta
@@ -4675,6 +4706,24 @@ p-c-x-and-f-x-k-m-c = P = ½ c ω² X² e F₀ = X √((k − mω²)² + (cω)²
 c-20-n-s-m-30-rad-s-x-0-1-m-p-90-w-k-m-1000-900-100-n-m-f-0-1-100-600-n = c = 20 N·s/m, ω = 30 rad/s, X = 0,1 m: P = 90 W; k − mω² = 1000 − 900 = 100 N/m, F₀ = 0,1 √(100² + 600²) N.
 force-required-at-an-undamped-resonance = Força procurada numa ressonância sem amortecimento
 any-force-at-the-natural-frequency-makes-an-undamped-motion-grow = Qualquer força na frequência natural faz crescer um movimento sem amortecimento
+a-torque-does-no-work-on-a-translation = Um torque não realiza trabalho numa translação
+base-motion-of-an-oscillator-known-by-its-free-decay = Movimento da base de um oscilador conhecido pelo seu decaimento livre
+disc-on-two-shafts-from-rest = Disco sobre dois eixos, a partir do repouso
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-4-2-1 = Companion FOSSEE em Scilab de G. K. Grover, Mechanical Vibrations, ex. 4.2.1
+j-16-1-8-2-kg-m-k-t-500-300-n-m-rad-20-rad-s-0-0666667-sin-1-0-5-sin-2-rad = J = 16·1²/8 = 2 kg·m², k_t = 500 + 300 N·m/rad: ωₙ = 20 rad/s; θ = 0,0666667 (sen 1 − 0,5 sen 2) rad.
+machine-of-known-static-deflection = Máquina de deflexão estática conhecida
+mass-on-two-parallel-springs = Massa sobre duas molas em paralelo
+straight-spring-on-a-body-that-rotates = Mola linear num corpo que gira
+the-stiffness-of-a-rotation-is-a-torque-per-angle = A rigidez de uma rotação é um torque por ângulo
+torque-at-an-undamped-resonance = Torque numa ressonância sem amortecimento
+torque-on-a-mass-that-moves-along-a-line = Torque numa massa que se move em linha reta
+torque-that-keeps-an-amplitude-at-the-natural-frequency = Torque que mantém uma amplitude na frequência natural
+torsional-oscillation-the-wire-is-the-torsional-spring-the-dashpot-a-torsional-damper = Oscilação torcional: o fio é a mola de torção, e o amortecedor é torcional.
+wheel-on-a-wire-under-a-harmonic-torque = Roda num fio sob um torque harmônico
+x-f-k-m-undamped-below-the-natural-frequency = X = F₀/(k − mω²), sem amortecimento, abaixo da frequência natural
+k-t-2-20-800-n-m-rad-t-0-5-800-0-05-n-m-p-t = k_t = 2·20² = 800 N·m/rad: T₀ = 0,5·800·0,05 N·m; P = ½ T₀ ω Θ.
+t-k-t-1-r-sin-t-r-sin-t-with-r-1-2 = θ = T₀/(k_t (1 − r²)) (sen ωt − r sen ωₙt), com r = 1/2
+n-1000-rad-s-400-rad-s-x-60-10-600-m = ωₙ² = 1000 rad²/s², ω² = 400 rad²/s²: X = 60/(10·600) m.
 
 # harmonic_sum.toml
 beating-of-two-motions = Batimento de dois movimentos
