@@ -1894,6 +1894,42 @@ per-half-cycle-viscous-damping-reduces-the-distance-from-the-shifted-equilibrium
 viscous-damping-with-the-same-energy-loss-per-cycle-at-that-amplitude-it-increases-as-the-amplitude = Amortecimento viscoso com a mesma perda de energia por ciclo nessa amplitude; aumenta conforme a amplitude diminui
 whole-half-cycles-in-cycles = Meios ciclos inteiros, em ciclos
 
+# torsional-friction
+amplitude-decrease-per-cycle-4-t-f-k-t-the-same-in-each = Redução da amplitude por ciclo, 4 T_f/k_t: a mesma em cada um
+amplitude-decrease-per-cycle-4-t-f-k-t = Redução da amplitude por ciclo: 4 T_f/k_t
+amplitude-decrease-number-of-cycles-stopping-time-and-angle-and-exact-motion-of-a-body-on-a-torsional = Redução da amplitude, número de ciclos, tempo e ângulo de parada, e movimento exato de um corpo numa mola de torção ou num eixo com um torque de atrito; torque de atrito a partir de um decaimento.
+angle-at-that-instant = Ângulo nesse instante
+angle-at-that-time-free-vibration-about-the-shifted-equilibrium-position = Ângulo nesse instante: vibração livre em torno da posição de equilíbrio deslocada
+angle-at-the-first-turning-point = Ângulo no primeiro ponto de retorno
+angular-velocity-at-that-time = Velocidade angular nesse instante
+angular-velocity-at-that-time-its-derivative = Velocidade angular nesse instante: a sua derivada
+at-rest-static-friction-holds-the-body-up-to-this-angle = Em repouso, o atrito estático retém o corpo até este ângulo
+coefficient-of-friction-normal-force-and-radius = Coeficiente de atrito, força normal e raio
+free-torsional-vibration-with-dry-friction = Vibração torcional livre com atrito seco
+friction-shifts-the-equilibrium-position-to-either-side-by-t-f-k-t = O atrito desloca a posição de equilíbrio para um e outro lado de T_f/k_t
+friction-torque = Torque de atrito
+friction-torque-given = Torque de atrito dado
+friction-torque-friction-force-times-its-radius = Torque de atrito: força de atrito vezes o seu raio
+half-cycles-to-rest-before-rounding-up = Meios ciclos até o repouso, antes de arredondar para cima
+inertia-of-the-body = Inércia do corpo
+initial-angular-velocity = Velocidade angular inicial
+radius-at-which-it-rubs = Raio em que atrita
+the-body-on-its-torsional-spring-with-friction = O corpo na sua mola de torção, com atrito
+torsional-spring-or-shaft = Mola de torção ou eixo
+angle-at-the-first-turning-point-by-step-by-step-integration = ângulo no primeiro ponto de retorno por integração passo a passo
+angle-by-step-by-step-integration-of-the-equation-of-motion = ângulo por integração passo a passo da equação do movimento
+angular-velocity = Velocidade angular
+angular-velocity-by-step-by-step-integration-of-the-equation-of-motion = velocidade angular por integração passo a passo da equação do movimento
+friction-stops-the-body-before-it-decays-to-the-required-amplitude-write-one-above-the-half-width-of = o atrito para o corpo antes que ele decaia até a amplitude pedida: escreva uma acima da meia largura da zona de aderência
+initial-energy-energy-at-rest-friction-torque-angle-travelled = energia inicial = energia em repouso + torque de atrito × ângulo percorrido
+the-edge-of-the-sticking-zone-c-results-from-the-first-amplitude-c-after-those-half-cycles = a borda da zona de aderência + C resulta da primeira amplitude + C após esses meios ciclos
+the-energy-difference-between-the-two-amplitudes-is-the-friction-work-over-the-angle-travelled = a diferença de energia entre as duas amplitudes é o trabalho do atrito ao longo do ângulo percorrido
+the-energy-difference-down-to-the-edge-of-the-sticking-zone-is-the-friction-work-over-the-path-of = a diferença de energia até a borda da zona de aderência é o trabalho do atrito ao longo do percurso desses meios ciclos
+the-torsional-spring-does-not-overcome-the-friction-at-the-start-the-body-remains-at-rest-write-a = a mola de torção não vence o atrito no início: o corpo permanece em repouso; escreva um ângulo maior, ou uma velocidade angular
+the-viscous-damping-is-critical-or-higher-the-body-does-not-oscillate-and-only-approaches-the-edge-of = o amortecimento viscoso é crítico ou maior: o corpo não oscila, e apenas tende à borda da zona de aderência
+with-viscous-damping-present-two-amplitudes-do-not-determine-the-friction-write-the-friction-torque = com amortecimento viscoso presente, duas amplitudes não determinam o atrito: escreva o torque de atrito
+work-of-that-damper-in-a-cycle-summed-over-equal-steps-friction-torque-times-the-angle-4 = trabalho desse amortecedor em um ciclo, somado em passos iguais = torque de atrito vezes o ângulo 4Θ
+
 # decay-identification
 amplitudes-and-the-three-fits = Amplitudes e os três ajustes
 exponential-linear-and-combined-fits-to-a-decay-record-viscous-damping-coulomb-friction-and-which-of = Ajustes exponencial, linear e combinado a um registro de decaimento: amortecimento viscoso, atrito de Coulomb e qual deles está presente.
@@ -4365,6 +4401,21 @@ viscous-damping-above-critical = Amortecimento viscoso acima do crítico
 the-mass-approaches-f-k-2-mm-without-oscillation = A massa tende a F/k = 2 mm sem oscilar
 a-spring-too-weak-for-the-friction = Mola fraca demais para o atrito
 k-x-0-1-n-is-below-f-0-2-n = k x₀ = 0,1 N está abaixo de F = 0,2 N
+
+# torsional_friction.toml
+a-pulley-of-25-kg-m-on-a-steel-shaft-of-1-m-and-50-mm-a-friction-torque-of-400-n-m-twisted-by-6-and = Uma polia de 25 kg·m² num eixo de aço de 1 m e 50 mm, um torque de atrito de 400 N·m, torcida de 6° e solta.
+a-shaft-too-weak-for-the-friction = Eixo fraco demais para o atrito
+disc-struck-against-a-brake-shoe = Disco golpeado contra uma sapata de freio
+friction-torque-beside-viscous-damping = Torque de atrito ao lado de amortecimento viscoso
+friction-torque-identified-from-the-decay = Torque de atrito identificado pelo decaimento
+pulley-on-a-shaft-with-a-band-brake = Polia num eixo com freio de cinta
+r-f-f-2-mrad-20-mrad-then-2-f-4-mrad-per-half-cycle = R = √(θ_f² + (Ω₀/ωₙ)²), θ_f = 2 mrad, Ω₀/ωₙ = 20 mrad; depois 2θ_f = 4 mrad por meio ciclo
+s-s-rao-mechanical-vibrations-ch-2-example-on-a-pulley-with-coulomb-damping = S. S. Rao, Mechanical Vibrations, cap. 2, exemplo de uma polia com amortecimento de Coulomb
+t-f-0-2-10-0-1-0-2-n-m-k-t-100-n-m-rad-j-8-1-8-1-kg-m = T_f = 0,2·10·0,1 = 0,2 N·m, k_t = 100 N·m/rad, J = 8·1²/8 = 1 kg·m².
+the-body-approaches-t-f-k-t-2-mrad-without-oscillation = O corpo tende a T_f/k_t = 2 mrad sem oscilar
+viscous-torsional-damping-above-critical = Amortecimento viscoso torcional acima do crítico
+k-t-0-1-n-m-is-below-t-f-0-2-n-m = k_t θ₀ = 0,1 N·m está abaixo de T_f = 0,2 N·m
+q-f-1-q-f-2-mrad-0-1-from-50-mrad = Θₙ₊₁ = q Θₙ − θ_f (1 + q), θ_f = 2 mrad, ζ = 0,1, a partir de 50 mrad
 
 # coupled_pendulums.toml
 two-rods-joined-at-their-free-ends = Duas barras unidas nas suas extremidades livres
