@@ -3547,7 +3547,6 @@ exact-1-is-the-largest-eigenvalue-of-the-product-of-influence-coefficients-and-m
 exact-lowest-root-of-the-dynamic-stiffness-of-the-shaft-including-its-mass-and-the-discs = Exata: menor raiz da rigidez dinâmica do eixo, incluindo a sua massa e os discos
 frequency-of-the-shaft-without-discs = Frequência do eixo sem discos
 its-mass-or-weight = Sua massa ou peso
-lowest-frequency-and-critical-speed-of-a-shaft-with-several-discs-by-dunkerley-rayleigh-and-matrix = Menor frequência e velocidade crítica de um eixo com vários discos por Dunkerley, Rayleigh e iteração matricial, com o valor exato e o limite que cada método dá.
 mass-of-the-disc-weight-over-gravity = Massa do disco: peso sobre gravidade
 mass-of-the-shaft-itself = Massa do próprio eixo
 mass-of-the-shaft-times-the-square-of-its-static-deflection-integrated-over-the-length = Massa do eixo vezes o quadrado da sua deflexão estática, integrada no comprimento
@@ -3584,6 +3583,15 @@ the-lowest-frequency-cannot-be-found-the-masses-of-discs-and-shaft-differ-too-mu
 the-second-bearing-is-not-before-the-end-of-the-shaft-choose-bearings-at-both-ends-or-write-a-shorter = o segundo mancal não está antes da extremidade do eixo: escolha mancais nas duas extremidades, ou escreva uma distância menor entre eles
 upper-bound = limite superior
 work-of-the-shaft-weight-through-the-deflection-due-to-the-discs-equals-that-of-the-discs-through-the = o trabalho do peso do eixo na deflexão causada pelos discos é igual ao dos discos na deflexão causada pelo peso do eixo (Betti)
+critical-speeds-and-mode-shapes = Velocidades críticas e formas modais
+critical-speeds-and-mode-shapes-of-a-shaft-with-several-discs-the-lowest-also-by-dunkerley-rayleigh = Velocidades críticas e formas modais de um eixo com vários discos; a menor também por Dunkerley, Rayleigh e iteração matricial, com o valor exato e o limite que cada método dá.
+higher-frequency = Frequência superior
+higher-frequency-the-next-eigenvalue-of-the-product-of-influence-coefficients-and-masses = Frequência superior: o autovalor seguinte do produto dos coeficientes de influência pelas massas
+higher-root-of-the-dynamic-stiffness = Raiz superior da rigidez dinâmica
+only-for-the-mass-of-the-beam-itself-by-its-density = Apenas para a massa da própria viga, pela sua massa específica.
+determinant-of-the-frequency-equation-at-this-frequency = determinante da equação de frequências nesta frequência
+the-highest-frequencies-are-more-than-three-hundred-times-the-lowest-and-are-left-out-discs-near-a = as frequências mais altas passam de trezentas vezes a menor e são omitidas: discos perto de um mancal ou de massa desprezível
+the-mass-of-the-shaft-by-its-density-needs-the-area-of-the-section-write-the-area-or-the-mass-per = a massa do eixo pela sua massa específica exige a área da seção: escreva a área, ou a massa por unidade de comprimento
 
 # string-rod-shaft
 beam-that-only-shears = Viga que só cisalha
@@ -4364,6 +4372,9 @@ n-n-l-n-ei-k-l-ei-for-a-beam-pinned-at-both-ends-timoshenko-arts-59-60 = λ = (n
 e-i-2-kn-m-n-20-kn-k-200-kn-m-over-1-m-10-100-296-105 = E I = 2 kN·m², N = 20 kN, k = 200 kN/m² em 1 m: λ₁ = π⁴ + 10π² + 100 = 296,105.
 compression-beyond-the-buckling-load = Compressão além da carga de flambagem
 euler-s-buckling-load-ei-l-19-74-kn = Carga de flambagem de Euler π²EI/L² = 19,74 kN
+round-shaft-on-two-pins = Eixo redondo sobre dois apoios
+f-2-e-d-4l = f₁ = π/2·√(E/ρ)·d/(4L²)
+e-5000-m-s-f-2-5000-0-0125-hz = √(E/ρ) = 5000 m/s: f₁ = π/2·5000·0,0125 Hz.
 
 # beam_with_tip_body.toml
 cantilever-with-two-eccentric-masses = Viga em balanço com duas massas excêntricas
@@ -5254,6 +5265,13 @@ cantilever-with-two-discs-and-its-own-mass = Eixo em balanço com dois discos e 
 dynamic-stiffness-verified-with-the-strain-and-kinetic-energy-of-the-mode-shape = Rigidez dinâmica; verificada com as energias de deformação e cinética da forma modal
 a-disc-beyond-the-shaft = Disco além do eixo
 the-disc-must-stand-on-the-shaft = O disco tem de estar sobre o eixo
+density-without-the-area-of-the-section = Massa específica sem a área da seção
+e-i-4-kn-m-m-10-kg-antisymmetric-mode-1-2-m-l-768ei = E I = 4 kN·m², m = 10 kg: modo antissimétrico 1/ω² = 2 m L³/768EI.
+i-24-100-12-mm-2-10-m-e-i-400-kn-m-48-400000-1000-138-564-rad-s = I = 24·100³/12 mm⁴ = 2·10⁻⁶ m⁴, E I = 400 kN·m²: ω = √(48·400000/1000) = 138,564 rad/s.
+rectangular-bar-with-a-mass-at-the-middle = Barra retangular com uma massa no meio
+the-mass-per-unit-length-is-the-density-times-the-area = A massa por unidade de comprimento é a massa específica vezes a área
+three-equal-discs-at-the-quarters = Três discos iguais nos quartos do vão
+a-9-a-11-a-7-a-16-l-768ei-1-m-l-768ei-16-11-2-and-2 = a₁₁ = 9, a₁₂ = 11, a₁₃ = 7, a₂₂ = 16 (L³/768EI): 1/ω² = m L³/768EI × (16 ± 11√2) e 2
 
 # shock_response_spectrum.toml
 half-sine-pulse-on-undamped-oscillators = Pulso de meio seno em osciladores sem amortecimento
@@ -5926,7 +5944,7 @@ fourth-frequency-without-damping = quarta frequência sem amortecimento
 it-follows-from-187-8-cycles-per-minute-with-in-inches-60-2-386-4-in-s-is-187-71 = segue de 187,8/√δ ciclos por minuto com δ em polegadas; 60/(2π)·√(386,4 in/s²) é 187,71
 it-follows-from-628-3-rad-s-for-6000-rpm-calculated-0-316629-kg = segue de 628,3 rad/s para 6000 rpm; calculado: 0,316629 kg
 m-i-friswell-et-al-dynamics-of-rotating-machines-ex-5-9-5-as-the-program-ross-asserts-it = M. I. Friswell et al., Dynamics of Rotating Machines, ex. 5.9.5, como o verifica o programa ROSS
-rayleigh-s-value-is-that-of-the-static-deflection-its-improvement-354-0695-rad-s-is-the-second-round = O valor de Rayleigh é o da deflexão estática; o seu melhoramento, 354,0695 rad/s, é a segunda volta da iteração, e o método de Stodola termina no valor exato. A área da seção não influi nas respostas.
+rayleigh-s-value-is-that-of-the-static-deflection-its-improvement-354-0695-rad-s-is-the-second-round = O valor de Rayleigh é o da deflexão estática; o seu melhoramento, 354,0695 rad/s, é a segunda volta da iteração, e o método de Stodola termina no valor exato.
 s-s-rao-mechanical-vibrations-ch-9-diesel-engine-of-3000-n-with-an-undamped-absorber = S. S. Rao, Mechanical Vibrations, cap. 9: motor Diesel de 3000 N com um absorvedor não amortecido
 second-frequency-without-damping = segunda frequência sem amortecimento
 steel-disc-on-a-wire-by-its-dimensions = Disco de aço em um arame, dado pelas dimensões
