@@ -3531,6 +3531,44 @@ the-rod-is-as-fast-as-the-waves-in-it-or-faster-no-elastic-wave-can-stop-it-writ
 the-rod-yields-the-elastic-stress-would-exceed-the-yield-strength-of-the-material = a barra escoa: a tensão elástica ultrapassaria a tensão de escoamento do material
 the-strain-exceeds-2-this-is-beyond-small-deformations-and-the-range-of-most-materials = a deformação passa de 2 %: isso está além das pequenas deformações e do alcance da maioria dos materiais
 
+# rod-under-sudden-force
+after-the-wavefront-has-passed-the-place-moves-faster-by-v = Depois da passagem da frente de onda, a posição move-se mais rápido em v
+compressive-stress-behind-the-wavefront-the-maximum-in-the-rod = Tensão de compressão atrás da frente de onda: a máxima na barra
+constant-from-the-start-it-pushes-one-end-along-the-axis-of-the-rod-which-nothing-else-holds = Constante desde o início; empurra uma extremidade ao longo do eixo da barra, que nada mais segura.
+displacement-along-the-rod = Deslocamento ao longo da barra
+displacement-at-that-place-and-time = Deslocamento nessa posição e nesse instante
+displacement-of-a-free-rod-that-a-constant-force-suddenly-pushes-at-one-end-by-wave-propagation = Deslocamento de uma barra livre que uma força constante empurra subitamente numa extremidade, por propagação de ondas: velocidade da extremidade carregada, retorno da onda, tensão, movimento de corpo rígido.
+displacement-of-the-centre-of-mass = Deslocamento do centro de massa
+displacement-of-the-whole-rod-at-the-velocities-that-the-round-trips-have-left-it = Deslocamento de toda a barra às velocidades que as idas e voltas lhe deixaram
+distance-from-the-loaded-end = Distância a partir da extremidade carregada.
+free-rod-under-a-sudden-force = Barra livre sob uma força súbita
+in-a-time-dt-the-wavefront-strains-a-length-c-dt-by-e-velocity-of-the-part-behind-it = Num tempo dt a frente de onda deforma de σ/E um comprimento c dt: velocidade da parte atrás dela
+mass-of-the-rod = Massa da barra
+place-at-which-the-motion-is-required = Posição em que o movimento é pedido
+rigid-body-motion-displacement-of-the-centre-of-mass = Movimento de corpo rígido: deslocamento do centro de massa
+round-trips-of-the-wave-before-that-time-each-leaves-the-rod-without-stress-and-faster-by-2v = Idas e voltas da onda antes desse instante: cada uma deixa a barra sem tensão e mais rápida em 2v
+the-free-rod-and-the-force-on-its-end = A barra livre e a força na sua extremidade
+the-next-wavefront-has-not-reached-the-place = A frente de onda seguinte não chegou à posição
+the-reflected-wave-has-passed-too-faster-by-v-once-more = A onda refletida também passou: mais rápido em v outra vez
+the-wave-reflected-as-tension-is-back-at-the-loaded-end-the-rod-is-without-stress-and-moves-at-2v = A onda, refletida como tração, está de volta à extremidade carregada: a barra está sem tensão e move-se a 2v
+the-wavefront-has-not-reached-the-place-it-is-at-rest = A frente de onda não chegou à posição: ela está em repouso
+the-wavefront-reaches-the-free-end = A frente de onda chega à extremidade livre
+time-for-the-wave-to-reach-the-free-end = Tempo da onda até a extremidade livre
+time-since-the-last-of-them = Tempo desde a última delas
+time-until-the-wave-returns = Tempo até o retorno da onda
+velocity-of-the-loaded-end-until-the-wave-returns = Velocidade da extremidade carregada até o retorno da onda
+at-that-place-and-time = nessa posição e nesse instante
+centre-of-mass = centro de massa
+displacement-from-the-rigid-body-motion-and-the-sum-of-the-free-free-modes = deslocamento pelo movimento de corpo rígido e pela soma dos modos livre-livre
+displacement-of-the-centre-of-mass-mean-of-the-displacements-over-the-length = deslocamento do centro de massa: média dos deslocamentos ao longo do comprimento
+free-end = extremidade livre
+impulse-of-the-force-until-the-wave-is-back-momentum-of-the-rod-all-of-it-at-2v = impulso da força até o retorno da onda = quantidade de movimento da barra, toda a 2v
+impulse-of-the-force-until-the-wavefront-reaches-the-free-end-momentum-of-the-rod-all-of-it-at-v = impulso da força até a frente de onda chegar à extremidade livre = quantidade de movimento da barra, toda a v
+loaded-end = extremidade carregada
+stress-behind-a-wavefront-from-the-velocity-c-v = tensão atrás de uma frente de onda pela velocidade, ρ c v
+the-place-lies-beyond-the-free-end-of-the-rod-write-a-distance-not-greater-than-its-length = a posição está além da extremidade livre da barra: escreva uma distância não maior que o seu comprimento
+work-of-the-force-until-then-kinetic-energy-strain-energy = trabalho da força até então = energia cinética + energia de deformação
+
 # shaft-with-discs
 bearings = Mancais
 clamped-at-the-left-end = Engastado na extremidade esquerda
@@ -5081,6 +5119,20 @@ c-v-v-l-c-contact-2-l-c-timoshenko-ch-5 = σ = ρ c v, δ = v L/c, contato 2 L/c
 c-200-10-8000-5000-m-s-8000-5000-1-40-mpa-1-5000-m-0-4-ms-1-cm-carries-4-kn-250-mpa-are-reached-at-6 = c = √(200·10⁹/8000) = 5000 m/s: σ = 8000·5000·1 = 40 MPa, δ = 1/5000 m, 0,4 ms; 1 cm² leva 4 kN; chega-se a 250 MPa com 6,25 m/s.
 impact-faster-than-the-wave-speed = Impacto mais rápido que a velocidade da onda
 the-strain-v-c-would-reach-one = A deformação v/c chegaria a um
+
+# rod_under_sudden_force.toml
+a-bar-of-48000-in-and-2-in-under-6000-lbf-density-0-0007202-lbf-s-in-at-t-l-c = Uma barra de 48000 in e 2 in² sob 6000 lbf; massa específica 0,0007202 lbf·s²/in⁴, em t = L/c.
+a-place-beyond-the-rod = Uma posição além da barra
+a-place-that-the-wave-has-not-reached = Uma posição à qual a onda não chegou
+bar-suddenly-loaded-at-one-end = Barra carregada subitamente numa extremidade
+free-end-after-the-wave-has-reached-it = Extremidade livre depois da chegada da onda
+s-timoshenko-vibration-problems-in-engineering-p-311-target-of-the-verification-problem-vm84-of-ansys = S. Timoshenko, Vibration Problems in Engineering, p. 311; valor de referência do problema de verificação VM84 do Ansys Mechanical APDL
+steel-rod-after-the-wave-has-returned = Barra de aço depois do retorno da onda
+the-place-must-be-on-the-rod = A posição tem de estar na barra
+c-200-10-8000-5000-m-s-2l-c-0-4-ms-4-kn-on-1-cm-40-mpa-v-1-m-s-at-0-5-ms-u-0-5-0-1-0-1-mm-and-m-0-8 = c = √(200·10⁹/8000) = 5000 m/s, 2L/c = 0,4 ms; 4 kN em 1 cm²: 40 MPa, v = 1 m/s; em 0,5 ms u = 0,5 + 0,1 + 0,1 mm, e m = 0,8 kg dá F t²/(2m) = 0,625 mm.
+u-2-v-t-l-c-at-the-free-end-for-l-c-t-3l-c = u = 2 v (t − L/c) na extremidade livre para L/c < t < 3L/c
+u-g-f-t-2m-ahead-of-the-wavefront-the-rod-is-at-rest = u_G = F t²/(2m); à frente da frente de onda a barra está em repouso
+v-f-c-a-u-v-t-v-t-2l-c-v-t-2l-c-at-the-loaded-end-for-2l-c-t-4l-c = v = F/(ρ c A), u = v t + v (t − 2L/c) + v (t − 2L/c) na extremidade carregada para 2L/c < t < 4L/c
 
 # rotating_beam.toml
 flapwise-at-1 = Em batimento, com η = 1
