@@ -68,10 +68,10 @@ pub enum FrictionTorque {
     /// From the decrease of the amplitude
     Decay {
         /// First amplitude.
-        #[input("Θ_a", "rad", positive)]
+        #[input("A₁", "rad", positive)]
         first_amplitude: f64,
         /// Last amplitude.
-        #[input("Θ_b", "rad", positive)]
+        #[input("A₂", "rad", positive)]
         last_amplitude: f64,
         /// Counted quantity.
         counted: DecayCount,
