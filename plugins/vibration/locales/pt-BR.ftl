@@ -549,8 +549,6 @@ zero-to-peak-unless-the-unit-specifies-otherwise = De zero a pico, salvo se a un
 mean-power-given-force-sought = Potência média dada, força procurada
 mean-power = Potência média
 from-the-start-of-the-force = Contado do início da força.
-harmonic-force = Força harmônica
-steady-state-amplitude-phase-forces-and-power-of-one-mass-under-a-harmonic-force-and-its-motion-from = Amplitude em regime permanente, fase, forças e potência de uma massa sob uma força harmônica, e o seu movimento a partir do repouso.
 work-of-the-force-in-a-cycle-energy-dissipated-by-the-damper-f-x-sin = trabalho da força em um ciclo = energia dissipada pelo amortecedor, πF₀X sen φ
 maximum-acceleration-zero-slope-with-respect-to-frequency-1-2 = aceleração máxima: inclinação nula em relação à frequência, (ωₙ/ω)² = 1 − 2ζ²
 deflection-under-a-constant-force-f = Deflexão sob uma força constante F₀
@@ -581,6 +579,39 @@ frequency-of-maximum-displacement = Frequência do deslocamento máximo
 maximum-amplitude-at-where-only-the-loss-of-the-spring-balances-the-force = Amplitude máxima, em ωₙ, onde só a perda da mola equilibra a força
 without-damping-no-force-is-needed-to-keep-a-motion-at-the-natural-frequency-and-any-force-makes-it = sem amortecimento nenhuma força é necessária para manter um movimento na frequência natural, e qualquer força o faz crescer sem limite: dê a força
 growth-rate-from-the-impulse-of-the-force = taxa de crescimento pelo impulso da força
+amplitude-of-the-angular-acceleration = Amplitude da aceleração angular
+amplitude-of-the-angular-velocity = Amplitude da velocidade angular
+amplitude-of-the-rotation = Amplitude da rotação
+amplitude-of-the-rotation-given-torque-unknown = Amplitude da rotação dada, torque desconhecido
+amplitude-of-the-torque-transmitted-to-the-foundation = Amplitude do torque transmitido à fundação
+amplitude-from-the-power-p-c-t-dissipated-by-the-damper = Amplitude, pela potência P = ½ c_t ω² Θ² dissipada pelo amortecedor
+angle-at-that-time = Ângulo nesse instante
+angle-of-twist-under-a-constant-torque-t = Ângulo de torção sob um torque constante T₀
+for-a-rotation = Para uma rotação.
+harmonic-force-or-torque = Força ou torque harmônico
+one-degree-of-freedom-in-rotation = Um grau de liberdade em rotação
+rotating-vectors-of-the-torques = Vetores girantes dos torques
+rotation-moment-of-inertia = Rotação: momento de inércia
+springs-damping-and-excitation-are-then-torsional = Molas, amortecimento e excitação são então torcionais.
+steady-state-amplitude-phase-forces-and-power-of-one-mass-under-a-harmonic-force-or-of-a-rotating = Amplitude em regime permanente, fase, forças e potência de uma massa sob uma força harmônica, ou de um corpo em rotação sob um torque harmônico, e o seu movimento a partir do repouso.
+the-motion-lags-the-torque-by = O movimento está atrasado em relação ao torque de
+torque-given = Torque dado
+torque-in-the-damper = Torque no amortecedor
+torque-in-the-spring = Torque na mola
+torque-required-for-this-amplitude = Torque necessário para esta amplitude
+torque-transmitted-to-the-foundation = Torque transmitido à fundação
+torsional-damping-coefficient-given = Coeficiente de amortecimento torcional dado
+torsional-springs-and-shafts = Molas de torção e eixos
+torsional-stiffness-that-gives-the-moment-of-inertia-this-natural-frequency = Rigidez torcional que dá ao momento de inércia esta frequência natural
+a-mass-moves-along-a-line-give-its-springs-its-damping-coefficient-and-its-excitation-for-a = uma massa move-se em linha reta: dê as molas, o coeficiente de amortecimento e a excitação de uma translação, ou escolha a rotação como inércia
+a-moment-of-inertia-rotates-give-torsional-springs-or-the-natural-frequency-the-torsional-damping = um momento de inércia gira: dê molas de torção ou a frequência natural, o coeficiente de amortecimento torcional ou o fator de amortecimento, e um torque ou um ângulo
+angle = Ângulo
+growth-rate-from-the-impulse-of-the-torque = taxa de crescimento pelo impulso do torque
+mean-power-from-torque-angular-velocity-and-the-angle-between-them = potência média por torque, velocidade angular e o ângulo entre eles
+torques-of-spring-damper-and-inertia-close-the-polygon-of-torques = os torques de mola, amortecedor e inércia fecham o polígono dos torques
+transmitted-torque-from-the-transmissibility = torque transmitido pela transmissibilidade
+without-damping-no-torque-is-needed-to-keep-a-rotation-at-the-natural-frequency-and-any-torque-makes = sem amortecimento nenhum torque é necessário para manter uma rotação na frequência natural, e qualquer torque a faz crescer sem limite: dê o torque
+work-of-the-torque-in-a-cycle-energy-dissipated-by-the-damper-t-sin = trabalho do torque em um ciclo = energia dissipada pelo amortecedor, πT₀Θ sen φ
 # harmonic-sum
 phase = Fase
 question = Pergunta
@@ -1862,6 +1893,42 @@ viscous-damping-in-addition-to-friction = Amortecimento viscoso além do atrito
 per-half-cycle-viscous-damping-reduces-the-distance-from-the-shifted-equilibrium-position-to-this = Por meio ciclo, o amortecimento viscoso reduz a esta fração a distância à posição de equilíbrio deslocada
 viscous-damping-with-the-same-energy-loss-per-cycle-at-that-amplitude-it-increases-as-the-amplitude = Amortecimento viscoso com a mesma perda de energia por ciclo nessa amplitude; aumenta conforme a amplitude diminui
 whole-half-cycles-in-cycles = Meios ciclos inteiros, em ciclos
+
+# torsional-friction
+amplitude-decrease-per-cycle-4-t-f-k-t-the-same-in-each = Redução da amplitude por ciclo, 4 T_f/k_t: a mesma em cada um
+amplitude-decrease-per-cycle-4-t-f-k-t = Redução da amplitude por ciclo: 4 T_f/k_t
+amplitude-decrease-number-of-cycles-stopping-time-and-angle-and-exact-motion-of-a-body-on-a-torsional = Redução da amplitude, número de ciclos, tempo e ângulo de parada, e movimento exato de um corpo numa mola de torção ou num eixo com um torque de atrito; torque de atrito a partir de um decaimento.
+angle-at-that-instant = Ângulo nesse instante
+angle-at-that-time-free-vibration-about-the-shifted-equilibrium-position = Ângulo nesse instante: vibração livre em torno da posição de equilíbrio deslocada
+angle-at-the-first-turning-point = Ângulo no primeiro ponto de retorno
+angular-velocity-at-that-time = Velocidade angular nesse instante
+angular-velocity-at-that-time-its-derivative = Velocidade angular nesse instante: a sua derivada
+at-rest-static-friction-holds-the-body-up-to-this-angle = Em repouso, o atrito estático retém o corpo até este ângulo
+coefficient-of-friction-normal-force-and-radius = Coeficiente de atrito, força normal e raio
+free-torsional-vibration-with-dry-friction = Vibração torcional livre com atrito seco
+friction-shifts-the-equilibrium-position-to-either-side-by-t-f-k-t = O atrito desloca a posição de equilíbrio para um e outro lado de T_f/k_t
+friction-torque = Torque de atrito
+friction-torque-given = Torque de atrito dado
+friction-torque-friction-force-times-its-radius = Torque de atrito: força de atrito vezes o seu raio
+half-cycles-to-rest-before-rounding-up = Meios ciclos até o repouso, antes de arredondar para cima
+inertia-of-the-body = Inércia do corpo
+initial-angular-velocity = Velocidade angular inicial
+radius-at-which-it-rubs = Raio em que atrita
+the-body-on-its-torsional-spring-with-friction = O corpo na sua mola de torção, com atrito
+torsional-spring-or-shaft = Mola de torção ou eixo
+angle-at-the-first-turning-point-by-step-by-step-integration = ângulo no primeiro ponto de retorno por integração passo a passo
+angle-by-step-by-step-integration-of-the-equation-of-motion = ângulo por integração passo a passo da equação do movimento
+angular-velocity = Velocidade angular
+angular-velocity-by-step-by-step-integration-of-the-equation-of-motion = velocidade angular por integração passo a passo da equação do movimento
+friction-stops-the-body-before-it-decays-to-the-required-amplitude-write-one-above-the-half-width-of = o atrito para o corpo antes que ele decaia até a amplitude pedida: escreva uma acima da meia largura da zona de aderência
+initial-energy-energy-at-rest-friction-torque-angle-travelled = energia inicial = energia em repouso + torque de atrito × ângulo percorrido
+the-edge-of-the-sticking-zone-c-results-from-the-first-amplitude-c-after-those-half-cycles = a borda da zona de aderência + C resulta da primeira amplitude + C após esses meios ciclos
+the-energy-difference-between-the-two-amplitudes-is-the-friction-work-over-the-angle-travelled = a diferença de energia entre as duas amplitudes é o trabalho do atrito ao longo do ângulo percorrido
+the-energy-difference-down-to-the-edge-of-the-sticking-zone-is-the-friction-work-over-the-path-of = a diferença de energia até a borda da zona de aderência é o trabalho do atrito ao longo do percurso desses meios ciclos
+the-torsional-spring-does-not-overcome-the-friction-at-the-start-the-body-remains-at-rest-write-a = a mola de torção não vence o atrito no início: o corpo permanece em repouso; escreva um ângulo maior, ou uma velocidade angular
+the-viscous-damping-is-critical-or-higher-the-body-does-not-oscillate-and-only-approaches-the-edge-of = o amortecimento viscoso é crítico ou maior: o corpo não oscila, e apenas tende à borda da zona de aderência
+with-viscous-damping-present-two-amplitudes-do-not-determine-the-friction-write-the-friction-torque = com amortecimento viscoso presente, duas amplitudes não determinam o atrito: escreva o torque de atrito
+work-of-that-damper-in-a-cycle-summed-over-equal-steps-friction-torque-times-the-angle-4 = trabalho desse amortecedor em um ciclo, somado em passos iguais = torque de atrito vezes o ângulo 4Θ
 
 # decay-identification
 amplitudes-and-the-three-fits = Amplitudes e os três ajustes
@@ -3464,6 +3531,44 @@ the-rod-is-as-fast-as-the-waves-in-it-or-faster-no-elastic-wave-can-stop-it-writ
 the-rod-yields-the-elastic-stress-would-exceed-the-yield-strength-of-the-material = a barra escoa: a tensão elástica ultrapassaria a tensão de escoamento do material
 the-strain-exceeds-2-this-is-beyond-small-deformations-and-the-range-of-most-materials = a deformação passa de 2 %: isso está além das pequenas deformações e do alcance da maioria dos materiais
 
+# rod-under-sudden-force
+after-the-wavefront-has-passed-the-place-moves-faster-by-v = Depois da passagem da frente de onda, a posição move-se mais rápido em v
+compressive-stress-behind-the-wavefront-the-maximum-in-the-rod = Tensão de compressão atrás da frente de onda: a máxima na barra
+constant-from-the-start-it-pushes-one-end-along-the-axis-of-the-rod-which-nothing-else-holds = Constante desde o início; empurra uma extremidade ao longo do eixo da barra, que nada mais segura.
+displacement-along-the-rod = Deslocamento ao longo da barra
+displacement-at-that-place-and-time = Deslocamento nessa posição e nesse instante
+displacement-of-a-free-rod-that-a-constant-force-suddenly-pushes-at-one-end-by-wave-propagation = Deslocamento de uma barra livre que uma força constante empurra subitamente numa extremidade, por propagação de ondas: velocidade da extremidade carregada, retorno da onda, tensão, movimento de corpo rígido.
+displacement-of-the-centre-of-mass = Deslocamento do centro de massa
+displacement-of-the-whole-rod-at-the-velocities-that-the-round-trips-have-left-it = Deslocamento de toda a barra às velocidades que as idas e voltas lhe deixaram
+distance-from-the-loaded-end = Distância a partir da extremidade carregada.
+free-rod-under-a-sudden-force = Barra livre sob uma força súbita
+in-a-time-dt-the-wavefront-strains-a-length-c-dt-by-e-velocity-of-the-part-behind-it = Num tempo dt a frente de onda deforma de σ/E um comprimento c dt: velocidade da parte atrás dela
+mass-of-the-rod = Massa da barra
+place-at-which-the-motion-is-required = Posição em que o movimento é pedido
+rigid-body-motion-displacement-of-the-centre-of-mass = Movimento de corpo rígido: deslocamento do centro de massa
+round-trips-of-the-wave-before-that-time-each-leaves-the-rod-without-stress-and-faster-by-2v = Idas e voltas da onda antes desse instante: cada uma deixa a barra sem tensão e mais rápida em 2v
+the-free-rod-and-the-force-on-its-end = A barra livre e a força na sua extremidade
+the-next-wavefront-has-not-reached-the-place = A frente de onda seguinte não chegou à posição
+the-reflected-wave-has-passed-too-faster-by-v-once-more = A onda refletida também passou: mais rápido em v outra vez
+the-wave-reflected-as-tension-is-back-at-the-loaded-end-the-rod-is-without-stress-and-moves-at-2v = A onda, refletida como tração, está de volta à extremidade carregada: a barra está sem tensão e move-se a 2v
+the-wavefront-has-not-reached-the-place-it-is-at-rest = A frente de onda não chegou à posição: ela está em repouso
+the-wavefront-reaches-the-free-end = A frente de onda chega à extremidade livre
+time-for-the-wave-to-reach-the-free-end = Tempo da onda até a extremidade livre
+time-since-the-last-of-them = Tempo desde a última delas
+time-until-the-wave-returns = Tempo até o retorno da onda
+velocity-of-the-loaded-end-until-the-wave-returns = Velocidade da extremidade carregada até o retorno da onda
+at-that-place-and-time = nessa posição e nesse instante
+centre-of-mass = centro de massa
+displacement-from-the-rigid-body-motion-and-the-sum-of-the-free-free-modes = deslocamento pelo movimento de corpo rígido e pela soma dos modos livre-livre
+displacement-of-the-centre-of-mass-mean-of-the-displacements-over-the-length = deslocamento do centro de massa: média dos deslocamentos ao longo do comprimento
+free-end = extremidade livre
+impulse-of-the-force-until-the-wave-is-back-momentum-of-the-rod-all-of-it-at-2v = impulso da força até o retorno da onda = quantidade de movimento da barra, toda a 2v
+impulse-of-the-force-until-the-wavefront-reaches-the-free-end-momentum-of-the-rod-all-of-it-at-v = impulso da força até a frente de onda chegar à extremidade livre = quantidade de movimento da barra, toda a v
+loaded-end = extremidade carregada
+stress-behind-a-wavefront-from-the-velocity-c-v = tensão atrás de uma frente de onda pela velocidade, ρ c v
+the-place-lies-beyond-the-free-end-of-the-rod-write-a-distance-not-greater-than-its-length = a posição está além da extremidade livre da barra: escreva uma distância não maior que o seu comprimento
+work-of-the-force-until-then-kinetic-energy-strain-energy = trabalho da força até então = energia cinética + energia de deformação
+
 # shaft-with-discs
 bearings = Mancais
 clamped-at-the-left-end = Engastado na extremidade esquerda
@@ -3480,7 +3585,6 @@ exact-1-is-the-largest-eigenvalue-of-the-product-of-influence-coefficients-and-m
 exact-lowest-root-of-the-dynamic-stiffness-of-the-shaft-including-its-mass-and-the-discs = Exata: menor raiz da rigidez dinâmica do eixo, incluindo a sua massa e os discos
 frequency-of-the-shaft-without-discs = Frequência do eixo sem discos
 its-mass-or-weight = Sua massa ou peso
-lowest-frequency-and-critical-speed-of-a-shaft-with-several-discs-by-dunkerley-rayleigh-and-matrix = Menor frequência e velocidade crítica de um eixo com vários discos por Dunkerley, Rayleigh e iteração matricial, com o valor exato e o limite que cada método dá.
 mass-of-the-disc-weight-over-gravity = Massa do disco: peso sobre gravidade
 mass-of-the-shaft-itself = Massa do próprio eixo
 mass-of-the-shaft-times-the-square-of-its-static-deflection-integrated-over-the-length = Massa do eixo vezes o quadrado da sua deflexão estática, integrada no comprimento
@@ -3517,6 +3621,15 @@ the-lowest-frequency-cannot-be-found-the-masses-of-discs-and-shaft-differ-too-mu
 the-second-bearing-is-not-before-the-end-of-the-shaft-choose-bearings-at-both-ends-or-write-a-shorter = o segundo mancal não está antes da extremidade do eixo: escolha mancais nas duas extremidades, ou escreva uma distância menor entre eles
 upper-bound = limite superior
 work-of-the-shaft-weight-through-the-deflection-due-to-the-discs-equals-that-of-the-discs-through-the = o trabalho do peso do eixo na deflexão causada pelos discos é igual ao dos discos na deflexão causada pelo peso do eixo (Betti)
+critical-speeds-and-mode-shapes = Velocidades críticas e formas modais
+critical-speeds-and-mode-shapes-of-a-shaft-with-several-discs-the-lowest-also-by-dunkerley-rayleigh = Velocidades críticas e formas modais de um eixo com vários discos; a menor também por Dunkerley, Rayleigh e iteração matricial, com o valor exato e o limite que cada método dá.
+higher-frequency = Frequência superior
+higher-frequency-the-next-eigenvalue-of-the-product-of-influence-coefficients-and-masses = Frequência superior: o autovalor seguinte do produto dos coeficientes de influência pelas massas
+higher-root-of-the-dynamic-stiffness = Raiz superior da rigidez dinâmica
+only-for-the-mass-of-the-beam-itself-by-its-density = Apenas para a massa da própria viga, pela sua massa específica.
+determinant-of-the-frequency-equation-at-this-frequency = determinante da equação de frequências nesta frequência
+the-highest-frequencies-are-more-than-three-hundred-times-the-lowest-and-are-left-out-discs-near-a = as frequências mais altas passam de trezentas vezes a menor e são omitidas: discos perto de um mancal ou de massa desprezível
+the-mass-of-the-shaft-by-its-density-needs-the-area-of-the-section-write-the-area-or-the-mass-per = a massa do eixo pela sua massa específica exige a área da seção: escreva a área, ou a massa por unidade de comprimento
 
 # string-rod-shaft
 beam-that-only-shears = Viga que só cisalha
@@ -4297,6 +4410,9 @@ n-n-l-n-ei-k-l-ei-for-a-beam-pinned-at-both-ends-timoshenko-arts-59-60 = λ = (n
 e-i-2-kn-m-n-20-kn-k-200-kn-m-over-1-m-10-100-296-105 = E I = 2 kN·m², N = 20 kN, k = 200 kN/m² em 1 m: λ₁ = π⁴ + 10π² + 100 = 296,105.
 compression-beyond-the-buckling-load = Compressão além da carga de flambagem
 euler-s-buckling-load-ei-l-19-74-kn = Carga de flambagem de Euler π²EI/L² = 19,74 kN
+round-shaft-on-two-pins = Eixo redondo sobre dois apoios
+f-2-e-d-4l = f₁ = π/2·√(E/ρ)·d/(4L²)
+e-5000-m-s-f-2-5000-0-0125-hz = √(E/ρ) = 5000 m/s: f₁ = π/2·5000·0,0125 Hz.
 
 # beam_with_tip_body.toml
 cantilever-with-two-eccentric-masses = Viga em balanço com duas massas excêntricas
@@ -4334,6 +4450,21 @@ viscous-damping-above-critical = Amortecimento viscoso acima do crítico
 the-mass-approaches-f-k-2-mm-without-oscillation = A massa tende a F/k = 2 mm sem oscilar
 a-spring-too-weak-for-the-friction = Mola fraca demais para o atrito
 k-x-0-1-n-is-below-f-0-2-n = k x₀ = 0,1 N está abaixo de F = 0,2 N
+
+# torsional_friction.toml
+a-pulley-of-25-kg-m-on-a-steel-shaft-of-1-m-and-50-mm-a-friction-torque-of-400-n-m-twisted-by-6-and = Uma polia de 25 kg·m² num eixo de aço de 1 m e 50 mm, um torque de atrito de 400 N·m, torcida de 6° e solta.
+a-shaft-too-weak-for-the-friction = Eixo fraco demais para o atrito
+disc-struck-against-a-brake-shoe = Disco golpeado contra uma sapata de freio
+friction-torque-beside-viscous-damping = Torque de atrito ao lado de amortecimento viscoso
+friction-torque-identified-from-the-decay = Torque de atrito identificado pelo decaimento
+pulley-on-a-shaft-with-a-band-brake = Polia num eixo com freio de cinta
+r-f-f-2-mrad-20-mrad-then-2-f-4-mrad-per-half-cycle = R = √(θ_f² + (Ω₀/ωₙ)²), θ_f = 2 mrad, Ω₀/ωₙ = 20 mrad; depois 2θ_f = 4 mrad por meio ciclo
+s-s-rao-mechanical-vibrations-ch-2-example-on-a-pulley-with-coulomb-damping = S. S. Rao, Mechanical Vibrations, cap. 2, exemplo de uma polia com amortecimento de Coulomb
+t-f-0-2-10-0-1-0-2-n-m-k-t-100-n-m-rad-j-8-1-8-1-kg-m = T_f = 0,2·10·0,1 = 0,2 N·m, k_t = 100 N·m/rad, J = 8·1²/8 = 1 kg·m².
+the-body-approaches-t-f-k-t-2-mrad-without-oscillation = O corpo tende a T_f/k_t = 2 mrad sem oscilar
+viscous-torsional-damping-above-critical = Amortecimento viscoso torcional acima do crítico
+k-t-0-1-n-m-is-below-t-f-0-2-n-m = k_t θ₀ = 0,1 N·m está abaixo de T_f = 0,2 N·m
+q-f-1-q-f-2-mrad-0-1-from-50-mrad = Θₙ₊₁ = q Θₙ − θ_f (1 + q), θ_f = 2 mrad, ζ = 0,1, a partir de 50 mrad
 
 # coupled_pendulums.toml
 two-rods-joined-at-their-free-ends = Duas barras unidas nas suas extremidades livres
@@ -4675,6 +4806,24 @@ p-c-x-and-f-x-k-m-c = P = ½ c ω² X² e F₀ = X √((k − mω²)² + (cω)²
 c-20-n-s-m-30-rad-s-x-0-1-m-p-90-w-k-m-1000-900-100-n-m-f-0-1-100-600-n = c = 20 N·s/m, ω = 30 rad/s, X = 0,1 m: P = 90 W; k − mω² = 1000 − 900 = 100 N/m, F₀ = 0,1 √(100² + 600²) N.
 force-required-at-an-undamped-resonance = Força procurada numa ressonância sem amortecimento
 any-force-at-the-natural-frequency-makes-an-undamped-motion-grow = Qualquer força na frequência natural faz crescer um movimento sem amortecimento
+a-torque-does-no-work-on-a-translation = Um torque não realiza trabalho numa translação
+base-motion-of-an-oscillator-known-by-its-free-decay = Movimento da base de um oscilador conhecido pelo seu decaimento livre
+disc-on-two-shafts-from-rest = Disco sobre dois eixos, a partir do repouso
+fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-4-2-1 = Companion FOSSEE em Scilab de G. K. Grover, Mechanical Vibrations, ex. 4.2.1
+j-16-1-8-2-kg-m-k-t-500-300-n-m-rad-20-rad-s-0-0666667-sin-1-0-5-sin-2-rad = J = 16·1²/8 = 2 kg·m², k_t = 500 + 300 N·m/rad: ωₙ = 20 rad/s; θ = 0,0666667 (sen 1 − 0,5 sen 2) rad.
+machine-of-known-static-deflection = Máquina de deflexão estática conhecida
+mass-on-two-parallel-springs = Massa sobre duas molas em paralelo
+straight-spring-on-a-body-that-rotates = Mola linear num corpo que gira
+the-stiffness-of-a-rotation-is-a-torque-per-angle = A rigidez de uma rotação é um torque por ângulo
+torque-at-an-undamped-resonance = Torque numa ressonância sem amortecimento
+torque-on-a-mass-that-moves-along-a-line = Torque numa massa que se move em linha reta
+torque-that-keeps-an-amplitude-at-the-natural-frequency = Torque que mantém uma amplitude na frequência natural
+torsional-oscillation-the-wire-is-the-torsional-spring-the-dashpot-a-torsional-damper = Oscilação torcional: o fio é a mola de torção, e o amortecedor é torcional.
+wheel-on-a-wire-under-a-harmonic-torque = Roda num fio sob um torque harmônico
+x-f-k-m-undamped-below-the-natural-frequency = X = F₀/(k − mω²), sem amortecimento, abaixo da frequência natural
+k-t-2-20-800-n-m-rad-t-0-5-800-0-05-n-m-p-t = k_t = 2·20² = 800 N·m/rad: T₀ = 0,5·800·0,05 N·m; P = ½ T₀ ω Θ.
+t-k-t-1-r-sin-t-r-sin-t-with-r-1-2 = θ = T₀/(k_t (1 − r²)) (sen ωt − r sen ωₙt), com r = 1/2
+n-1000-rad-s-400-rad-s-x-60-10-600-m = ωₙ² = 1000 rad²/s², ω² = 400 rad²/s²: X = 60/(10·600) m.
 
 # harmonic_sum.toml
 beating-of-two-motions = Batimento de dois movimentos
@@ -4971,6 +5120,20 @@ c-200-10-8000-5000-m-s-8000-5000-1-40-mpa-1-5000-m-0-4-ms-1-cm-carries-4-kn-250-
 impact-faster-than-the-wave-speed = Impacto mais rápido que a velocidade da onda
 the-strain-v-c-would-reach-one = A deformação v/c chegaria a um
 
+# rod_under_sudden_force.toml
+a-bar-of-48000-in-and-2-in-under-6000-lbf-density-0-0007202-lbf-s-in-at-t-l-c = Uma barra de 48000 in e 2 in² sob 6000 lbf; massa específica 0,0007202 lbf·s²/in⁴, em t = L/c.
+a-place-beyond-the-rod = Uma posição além da barra
+a-place-that-the-wave-has-not-reached = Uma posição à qual a onda não chegou
+bar-suddenly-loaded-at-one-end = Barra carregada subitamente numa extremidade
+free-end-after-the-wave-has-reached-it = Extremidade livre depois da chegada da onda
+s-timoshenko-vibration-problems-in-engineering-p-311-target-of-the-verification-problem-vm84-of-ansys = S. Timoshenko, Vibration Problems in Engineering, p. 311; valor de referência do problema de verificação VM84 do Ansys Mechanical APDL
+steel-rod-after-the-wave-has-returned = Barra de aço depois do retorno da onda
+the-place-must-be-on-the-rod = A posição tem de estar na barra
+c-200-10-8000-5000-m-s-2l-c-0-4-ms-4-kn-on-1-cm-40-mpa-v-1-m-s-at-0-5-ms-u-0-5-0-1-0-1-mm-and-m-0-8 = c = √(200·10⁹/8000) = 5000 m/s, 2L/c = 0,4 ms; 4 kN em 1 cm²: 40 MPa, v = 1 m/s; em 0,5 ms u = 0,5 + 0,1 + 0,1 mm, e m = 0,8 kg dá F t²/(2m) = 0,625 mm.
+u-2-v-t-l-c-at-the-free-end-for-l-c-t-3l-c = u = 2 v (t − L/c) na extremidade livre para L/c < t < 3L/c
+u-g-f-t-2m-ahead-of-the-wavefront-the-rod-is-at-rest = u_G = F t²/(2m); à frente da frente de onda a barra está em repouso
+v-f-c-a-u-v-t-v-t-2l-c-v-t-2l-c-at-the-loaded-end-for-2l-c-t-4l-c = v = F/(ρ c A), u = v t + v (t − 2L/c) + v (t − 2L/c) na extremidade carregada para 2L/c < t < 4L/c
+
 # rotating_beam.toml
 flapwise-at-1 = Em batimento, com η = 1
 a-d-wright-c-e-smith-r-w-thresher-and-j-l-c-wang-j-appl-mech-49-1982-uniform-blade-without-a-hub = A. D. Wright, C. E. Smith, R. W. Thresher e J. L. C. Wang, J. Appl. Mech. 49 (1982): pá uniforme sem cubo
@@ -5154,6 +5317,13 @@ cantilever-with-two-discs-and-its-own-mass = Eixo em balanço com dois discos e 
 dynamic-stiffness-verified-with-the-strain-and-kinetic-energy-of-the-mode-shape = Rigidez dinâmica; verificada com as energias de deformação e cinética da forma modal
 a-disc-beyond-the-shaft = Disco além do eixo
 the-disc-must-stand-on-the-shaft = O disco tem de estar sobre o eixo
+density-without-the-area-of-the-section = Massa específica sem a área da seção
+e-i-4-kn-m-m-10-kg-antisymmetric-mode-1-2-m-l-768ei = E I = 4 kN·m², m = 10 kg: modo antissimétrico 1/ω² = 2 m L³/768EI.
+i-24-100-12-mm-2-10-m-e-i-400-kn-m-48-400000-1000-138-564-rad-s = I = 24·100³/12 mm⁴ = 2·10⁻⁶ m⁴, E I = 400 kN·m²: ω = √(48·400000/1000) = 138,564 rad/s.
+rectangular-bar-with-a-mass-at-the-middle = Barra retangular com uma massa no meio
+the-mass-per-unit-length-is-the-density-times-the-area = A massa por unidade de comprimento é a massa específica vezes a área
+three-equal-discs-at-the-quarters = Três discos iguais nos quartos do vão
+a-9-a-11-a-7-a-16-l-768ei-1-m-l-768ei-16-11-2-and-2 = a₁₁ = 9, a₁₂ = 11, a₁₃ = 7, a₂₂ = 16 (L³/768EI): 1/ω² = m L³/768EI × (16 ± 11√2) e 2
 
 # shock_response_spectrum.toml
 half-sine-pulse-on-undamped-oscillators = Pulso de meio seno em osciladores sem amortecimento
@@ -5826,7 +5996,7 @@ fourth-frequency-without-damping = quarta frequência sem amortecimento
 it-follows-from-187-8-cycles-per-minute-with-in-inches-60-2-386-4-in-s-is-187-71 = segue de 187,8/√δ ciclos por minuto com δ em polegadas; 60/(2π)·√(386,4 in/s²) é 187,71
 it-follows-from-628-3-rad-s-for-6000-rpm-calculated-0-316629-kg = segue de 628,3 rad/s para 6000 rpm; calculado: 0,316629 kg
 m-i-friswell-et-al-dynamics-of-rotating-machines-ex-5-9-5-as-the-program-ross-asserts-it = M. I. Friswell et al., Dynamics of Rotating Machines, ex. 5.9.5, como o verifica o programa ROSS
-rayleigh-s-value-is-that-of-the-static-deflection-its-improvement-354-0695-rad-s-is-the-second-round = O valor de Rayleigh é o da deflexão estática; o seu melhoramento, 354,0695 rad/s, é a segunda volta da iteração, e o método de Stodola termina no valor exato. A área da seção não influi nas respostas.
+rayleigh-s-value-is-that-of-the-static-deflection-its-improvement-354-0695-rad-s-is-the-second-round = O valor de Rayleigh é o da deflexão estática; o seu melhoramento, 354,0695 rad/s, é a segunda volta da iteração, e o método de Stodola termina no valor exato.
 s-s-rao-mechanical-vibrations-ch-9-diesel-engine-of-3000-n-with-an-undamped-absorber = S. S. Rao, Mechanical Vibrations, cap. 9: motor Diesel de 3000 N com um absorvedor não amortecido
 second-frequency-without-damping = segunda frequência sem amortecimento
 steel-disc-on-a-wire-by-its-dimensions = Disco de aço em um arame, dado pelas dimensões

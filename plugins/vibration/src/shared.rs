@@ -4,6 +4,7 @@ pub mod body_load;
 pub mod chain;
 pub(crate) mod continuous;
 pub mod decay;
+pub(crate) mod dry_friction;
 pub(crate) mod free_motion;
 pub mod inertia;
 pub mod jeffcott;

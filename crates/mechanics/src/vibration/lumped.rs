@@ -1,6 +1,6 @@
 //! Point masses on an elastic body without mass, by its influence coefficients `a_ij` (m/N): `x = ω² a m x`.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVectorView};
 
 use dalembert_numerics::linalg::{self, LinalgError};
 
@@ -13,21 +13,81 @@ pub struct Round {
     pub shape: Vec<f64>,
 }
 
+/// A natural frequency and its mode shape.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LumpedMode {
+    /// Natural frequency, rad/s; infinite for a motion without a frequency.
+    pub frequency: f64,
+    /// Deflections of the masses, the largest one.
+    pub shape: Vec<f64>,
+}
+
 /// Natural frequencies, rad/s, ascending, by the eigenvalues of `√m a √m`.
 ///
 /// # Errors
-/// Those of [`linalg::symmetric_eigen`]; `NotFinite` where no mass can move.
+/// Those of [`modes`].
 pub fn frequencies(influence: &[Vec<f64>], masses: &[f64]) -> Result<Vec<f64>, LinalgError> {
-    let count = masses.len();
-    let matrix = DMatrix::from_fn(count, count, |i, j| masses[i].sqrt() * influence[i][j] * masses[j].sqrt());
-    let eigen = linalg::symmetric_eigen(&matrix)?;
-    // An eigenvalue that is zero but for rounding is that of a motion without a frequency.
-    let mut found: Vec<f64> = eigen.values.iter().map(|value| value.max(0.0).sqrt().recip()).collect();
-    found.sort_by(f64::total_cmp);
+    Ok(modes(influence, masses)?.into_iter().map(|mode| mode.frequency).collect())
+}
+
+/// Natural frequencies, ascending, and mode shapes, by the eigenvalues and eigenvectors of `√m a √m`.
+///
+/// # Errors
+/// Those of [`linalg::symmetric_eigen`]; `NotFinite` where no mass can move.
+pub fn modes(influence: &[Vec<f64>], masses: &[f64]) -> Result<Vec<LumpedMode>, LinalgError> {
+    let eigen = linalg::symmetric_eigen(&scaled(influence, masses))?;
+    let mode = |(value, vector): (&f64, _)| {
+        let shape = shape_of(vector, masses);
+        // An eigenvalue that is zero but for rounding is that of a motion without a frequency.
+        LumpedMode { frequency: value.max(0.0).sqrt().recip(), shape }
+    };
+    let mut found: Vec<LumpedMode> = eigen.values.iter().zip(eigen.vectors.column_iter()).map(mode).collect();
+    found.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
     match found.first() {
-        Some(lowest) if lowest.is_finite() && *lowest > 0.0 => Ok(found),
+        Some(lowest) if lowest.frequency.is_finite() && lowest.frequency > 0.0 => Ok(found),
         _ => Err(LinalgError::NotFinite),
     }
+}
+
+/// Determinant of the frequency equation, `det(ω² √m a √m − 1)`, by elimination: zero at a natural frequency.
+pub fn frequency_determinant(influence: &[Vec<f64>], masses: &[f64], frequency: f64) -> f64 {
+    let mut rows = scaled(influence, masses) * frequency.powi(2);
+    rows -= DMatrix::identity(masses.len(), masses.len());
+    let mut determinant = 1.0;
+    for step in 0..masses.len() {
+        let pivot = (step..masses.len())
+            .max_by(|a, b| rows[(*a, step)].abs().total_cmp(&rows[(*b, step)].abs()))
+            .unwrap_or(step);
+        if pivot != step {
+            rows.swap_rows(pivot, step);
+            determinant = -determinant;
+        }
+        let head = rows[(step, step)];
+        determinant *= head;
+        if head == 0.0 {
+            return 0.0;
+        }
+        for row in step + 1..masses.len() {
+            let factor = rows[(row, step)] / head;
+            for column in step + 1..masses.len() {
+                rows[(row, column)] -= factor * rows[(step, column)];
+            }
+        }
+    }
+    determinant
+}
+
+/// `√m a √m`.
+fn scaled(influence: &[Vec<f64>], masses: &[f64]) -> DMatrix<f64> {
+    let count = masses.len();
+    DMatrix::from_fn(count, count, |i, j| masses[i].sqrt() * influence[i][j] * masses[j].sqrt())
+}
+
+/// Deflections of an eigenvector of `√m a √m`, the largest one.
+fn shape_of(vector: DVectorView<'_, f64>, masses: &[f64]) -> Vec<f64> {
+    let deflections: Vec<f64> = vector.iter().zip(masses).map(|(u, mass)| u / mass.sqrt()).collect();
+    let largest = deflections.iter().fold(0.0f64, |a, b| if b.abs() > a.abs() { *b } else { a });
+    deflections.iter().map(|w| w / largest).collect()
 }
 
 /// Matrix iteration (Stodola) from equal deflections: at most so many rounds, fewer where it no longer changes.

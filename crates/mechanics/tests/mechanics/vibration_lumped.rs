@@ -27,4 +27,30 @@ proptest! {
         }
         prop_assert!((before / exact - 1.0).abs() < 1e-10);
     }
+
+    /// Each mode satisfies `x = ω² a m x`, and its frequency the frequency equation; between two of them the determinant
+    /// changes its sign.
+    #[test]
+    fn modes_satisfy_the_equation_of_motion(discs in prop::collection::vec(0.5..2.0f64, 2..6)) {
+        let count = discs.len();
+        let place = |n: usize| (n + 1) as f64 / (count + 1) as f64;
+        let row = |i: usize| (0..count).map(move |j| influence::cantilever(1.0, place(i.min(j)), place(i.max(j))));
+        let rows: Vec<Vec<f64>> = (0..count).map(|i| row(i).collect()).collect();
+        let found = modes(&rows, &discs).unwrap();
+        for (n, mode) in found.iter().enumerate() {
+            let square = mode.frequency.powi(2);
+            for (i, w) in mode.shape.iter().enumerate() {
+                let sum: f64 = (0..count).map(|j| rows[i][j] * discs[j] * mode.shape[j]).sum();
+                prop_assert!((square * sum - w).abs() < 1e-8 * square / found[0].frequency.powi(2));
+            }
+            let scale: f64 =
+                found.iter().map(|other| (mode.frequency / other.frequency).powi(2).max(1.0)).product();
+            prop_assert!(frequency_determinant(&rows, &discs, mode.frequency).abs() < 1e-9 * scale);
+            if let Some(next) = found.get(n + 1) {
+                let [before, after] = [mode.frequency, next.frequency]
+                    .map(|at| frequency_determinant(&rows, &discs, at * (1.0 + 1e-6)));
+                prop_assert!(before * after < 0.0);
+            }
+        }
+    }
 }

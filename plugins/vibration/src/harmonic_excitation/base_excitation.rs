@@ -9,7 +9,9 @@ use dalembert_mechanics::{Real, sdof, vibration::isolation};
 
 use crate::{
     shared::oscillator::{
-        AtFrequency, Damping, Elasticity, Loss, Mass, Suspension, mass, plots, suspension,
+        AtFrequency, Damping, Elasticity, Loss, Mass, Suspension, mass,
+        motion::OscillatorMotion,
+        plots, suspension,
         transient_from_rest::{BuildUp, Wave},
     },
     sources::{RAO, THOMSON},
@@ -124,6 +126,7 @@ impl Analysis for BaseExcitation {
         };
         if let Some(start) = &given.start {
             let build_up = BuildUp {
+                motion: OscillatorMotion::Translation,
                 deflection: base,
                 frequency,
                 natural: suspension.natural,

@@ -1,27 +1,35 @@
-//! A harmonic force on one mass: the steady motion, the forces and the power in it, and how it builds up.
+//! A harmonic force on one mass, or a harmonic torque on a body that rotates: the steady motion, the forces and the power
+//! in it, and how it builds up.
 
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
-use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Text, Worksheet, register};
+use dalembert_core::{About, Analysis, Drawing, Exhibit, Inputs, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{Real, sdof};
 
 use crate::{
-    shared::oscillator::{
-        AtFrequency, Damping, Elasticity, Loss, Mass, MassAndStiffness, Suspension, mass, plots, suspension,
-        transient_from_rest::{BuildUp, Wave},
+    shared::{
+        inertia::{Inertia, moment_of_inertia},
+        oscillator::{
+            AtFrequency, Damping, DampingGiven, Elasticity, ElasticityGiven, Loss, Mass, MassAndStiffness,
+            Suspension, mass,
+            motion::OscillatorMotion,
+            plots, suspension_of,
+            transient_from_rest::{BuildUp, Wave},
+        },
+        spring::torsional::{self, TorsionalSpring},
     },
-    sources::{RAO, THOMSON},
+    sources::{GROVER, RAO, THOMSON},
 };
 
 /// The oscillator and the force on it.
 #[derive(Clone, Debug, Inputs)]
 pub struct HarmonicForce {
     /// Inertia.
-    pub mass: Mass,
+    pub mass: ForcedBody,
     /// Springs.
-    pub elasticity: Elasticity,
+    pub elasticity: ForcedElasticity,
     /// Damping.
-    pub damping: Damping,
+    pub damping: ForcedDamping,
     /// Frequency of the force.
     #[input("ω", "rad/s", positive)]
     pub frequency: f64,
@@ -30,6 +38,50 @@ pub struct HarmonicForce {
     /// Start from rest.
     /// The displacement at a time after the force is applied.
     pub start: Option<StartFromRest>,
+}
+
+/// Mass of a translation, or moment of inertia of a rotation.
+#[derive(Clone, Debug, Inputs)]
+pub enum ForcedBody {
+    /// Translation
+    #[input(flatten)]
+    Translation(Mass),
+    /// Rotation: moment of inertia
+    /// Springs, damping and excitation are then torsional.
+    Rotation {
+        /// Moment of inertia.
+        inertia: Inertia,
+    },
+}
+
+/// Given quantity of the springs, straight or torsional.
+#[derive(Clone, Debug, Inputs)]
+pub enum ForcedElasticity {
+    /// Translation
+    #[input(flatten)]
+    Any(Elasticity),
+    /// Torsional springs and shafts
+    /// For a rotation.
+    Torsional {
+        /// Torsional springs.
+        /// A network: series and parallel groups may be nested.
+        springs: TorsionalSpring,
+    },
+}
+
+/// Damping mechanism of a translation or of a rotation.
+#[derive(Clone, Debug, Inputs)]
+pub enum ForcedDamping {
+    /// Translation
+    #[input(flatten)]
+    Any(Damping),
+    /// Torsional damping coefficient given
+    /// For a rotation.
+    Torsional {
+        /// Torsional damping coefficient.
+        #[input("c_t", "N*m*s/rad", nonnegative)]
+        coefficient: f64,
+    },
 }
 
 /// Amplitude of the force, or the amplitude or power that determines it.
@@ -54,6 +106,19 @@ pub enum ForceStrength {
         #[input("P", "W", positive)]
         power: f64,
     },
+    /// Torque given
+    /// For a rotation.
+    Torque {
+        /// Amplitude of the torque.
+        #[input("T₀", "N*m", positive)]
+        torque: f64,
+    },
+    /// Amplitude of the rotation given, torque unknown
+    Rotation {
+        /// Amplitude of the rotation.
+        #[input("Θ", "rad", positive)]
+        amplitude: f64,
+    },
 }
 
 /// The oscillator is at rest until the force sets in.
@@ -72,18 +137,19 @@ register!(HarmonicForce);
 impl Analysis for HarmonicForce {
     const ABOUT: About = About {
         id: "vibration/harmonic-force",
-        title: "Harmonic force",
+        title: "Harmonic force or torque",
         topic: "Harmonic excitation",
-        summary: "Steady-state amplitude, phase, forces and power of one mass under a harmonic force, and its motion from rest.",
-        keywords: "forced resonance magnification power hysteretic build-up phasor força harmônica ressonância \
-                   amplificação potência regime permanente transitório",
-        sources: &[&RAO, &THOMSON],
+        summary: "Steady-state amplitude, phase, forces and power of one mass under a harmonic force, or of a rotating body under a harmonic torque, and its motion from rest.",
+        keywords: "forced resonance magnification power hysteretic build-up phasor torsional oscillation dashpot torque \
+                   força harmônica ressonância amplificação potência regime permanente transitório torque harmônico \
+                   oscilação torcional",
+        sources: &[&RAO, &THOMSON, &GROVER],
         cases: include_str!("../../cases/harmonic_force.toml"),
     };
 
     fn solve<W: Worksheet>(&self, given: &HarmonicForceGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let mass = mass(&given.mass, sheet);
-        let suspension = suspension(Some(mass), &given.elasticity, &given.damping, sheet)?;
+        let motion = given.motion()?;
+        let suspension = given.suspension(motion, sheet)?;
         let body = suspension.body.expect("the mass is given");
         suspension.answer(sheet);
         let at = suspension.at(given.frequency, sheet);
@@ -92,13 +158,13 @@ impl Analysis for HarmonicForce {
             return self.unbounded(given, &suspension, at, sheet);
         }
         let c = at.damping.expect("the mass is given");
-        let system = ForcedOscillator { frequency: given.frequency, body, c, at };
+        let system = ForcedOscillator { motion, frequency: given.frequency, body, c, at };
         let (force, amplitude) = strength(given, &system, sheet)?;
         let phase = sheet.step(
             "φ",
             "deg",
             sdof::phase_lag_from_ratios(at.ratio, at.damping_ratio),
-            ("The motion lags the force by", RAO.at("§3.4")),
+            (motion.of("The motion lags the force by", "The motion lags the torque by"), RAO.at("§3.4")),
         );
         sheet.answer("phase", "Phase lag", phase);
         let (velocity, forces) = system.forces(force, amplitude, sheet);
@@ -106,9 +172,9 @@ impl Analysis for HarmonicForce {
         resonances(&suspension, body, force, sheet);
         if let Some(start) = &given.start {
             let wave = self.start.as_ref().map_or(Wave::Sine, |start| start.wave);
-            let deflection =
-                sheet.step("δ", "mm", force / body.stiffness, "Deflection under a constant force F₀");
+            let deflection = static_deflection(motion, force, body.stiffness, sheet);
             let build_up = BuildUp {
+                motion,
                 deflection,
                 frequency: given.frequency,
                 natural: suspension.natural,
@@ -127,22 +193,104 @@ impl Analysis for HarmonicForce {
                 });
             }
             let x = build_up.displacement(start.time, sheet);
-            sheet.answer("displacement", "Displacement at that time", x);
+            sheet.answer("displacement", motion.of("Displacement at that time", "Angle at that time"), x);
             build_up.show(start.time.value(), "Motion from rest", x.value(), sheet);
         }
         let zeta = own_damping(&suspension);
         plots::force_families(at.ratio.value(), zeta, Some("magnification"), sheet);
         sheet.show(|| {
             let [spring, damper, inertia] = forces;
-            Exhibit::Drawing(plots::force_vectors(spring, damper, inertia))
+            Exhibit::Drawing(plots::force_vectors(motion, spring, damper, inertia))
         });
-        sheet.show(|| Exhibit::Drawing(plots::mass_spring_damper("F₀ cos ωt")));
+        sheet.show(|| Exhibit::Drawing(drawing(motion)));
         Ok(())
+    }
+}
+
+/// The oscillator under its force or torque.
+fn drawing(motion: OscillatorMotion) -> Drawing {
+    match motion {
+        OscillatorMotion::Translation => plots::mass_spring_damper("F₀ cos ωt"),
+        OscillatorMotion::Rotation => plots::inertia_spring_damper("T₀ cos ωt"),
+    }
+}
+
+/// The deflection that the amplitude of the force would hold at rest.
+fn static_deflection<W: Worksheet>(
+    motion: OscillatorMotion,
+    force: W::Num,
+    stiffness: W::Num,
+    sheet: W,
+) -> W::Num {
+    let why = motion.of("Deflection under a constant force F₀", "Angle of twist under a constant torque T₀");
+    sheet.step(motion.deflection(), motion.displacement_unit(), force / stiffness, why)
+}
+
+impl<W: Worksheet> HarmonicForceGiven<W> {
+    /// The motion that every input is of.
+    fn motion(&self) -> Result<OscillatorMotion, Refusal> {
+        let rotates = matches!(self.mass, ForcedBodyGiven::Rotation { .. });
+        let elasticity = match &self.elasticity {
+            ForcedElasticityGiven::Torsional { .. } => Some(true),
+            ForcedElasticityGiven::Any(
+                ElasticityGiven::Stiffness { .. }
+                | ElasticityGiven::Springs { .. }
+                | ElasticityGiven::StaticDeflection { .. },
+            ) => Some(false),
+            ForcedElasticityGiven::Any(_) => None,
+        };
+        let damping = match &self.damping {
+            ForcedDampingGiven::Torsional { .. } => Some(true),
+            ForcedDampingGiven::Any(DampingGiven::Coefficient { .. }) => Some(false),
+            ForcedDampingGiven::Any(_) => None,
+        };
+        let excitation = match &self.excitation {
+            ForceStrengthGiven::Torque { .. } | ForceStrengthGiven::Rotation { .. } => Some(true),
+            ForceStrengthGiven::Force { .. } | ForceStrengthGiven::Motion { .. } => Some(false),
+            ForceStrengthGiven::Power { .. } => None,
+        };
+        if !rotates && [elasticity, damping, excitation].contains(&Some(true)) {
+            return Err(Refusal::because(
+                "a mass moves along a line: give its springs, its damping coefficient and its excitation for a translation, or choose rotation as the inertia",
+            ));
+        }
+        if rotates && [elasticity, damping, excitation].contains(&Some(false)) {
+            return Err(Refusal::because(
+                "a moment of inertia rotates: give torsional springs or the natural frequency, the torsional damping coefficient or the damping ratio, and a torque or an angle",
+            ));
+        }
+        Ok(if rotates { OscillatorMotion::Rotation } else { OscillatorMotion::Translation })
+    }
+
+    /// Inertia, stiffness and damping.
+    fn suspension(&self, motion: OscillatorMotion, sheet: W) -> Result<Suspension<W::Num>, Refusal> {
+        let mass = match &self.mass {
+            ForcedBodyGiven::Translation(body) => mass(body, sheet),
+            ForcedBodyGiven::Rotation { inertia } => moment_of_inertia(inertia, sheet, "J".into()),
+        };
+        let torsional;
+        let elasticity = match &self.elasticity {
+            ForcedElasticityGiven::Any(elasticity) => elasticity,
+            ForcedElasticityGiven::Torsional { springs } => {
+                torsional = ElasticityGiven::Stiffness { stiffness: torsional::stiffness(springs, sheet)? };
+                &torsional
+            }
+        };
+        let coefficient;
+        let damping = match &self.damping {
+            ForcedDampingGiven::Any(damping) => damping,
+            ForcedDampingGiven::Torsional { coefficient: torsional } => {
+                coefficient = DampingGiven::Coefficient { coefficient: *torsional };
+                &coefficient
+            }
+        };
+        suspension_of(motion, Some(mass), elasticity, damping, sheet)
     }
 }
 
 /// Parameters of the steady-state motion.
 struct ForcedOscillator<N> {
+    motion: OscillatorMotion,
     frequency: N,
     body: MassAndStiffness<N>,
     c: N,
@@ -164,7 +312,8 @@ fn strength<W: Worksheet>(
     system: &ForcedOscillator<W::Num>,
     sheet: W,
 ) -> Result<(W::Num, W::Num), Refusal> {
-    let ForcedOscillator { frequency, body: MassAndStiffness { mass, stiffness: k }, c, at } = *system;
+    let ForcedOscillator { motion, frequency, body: MassAndStiffness { mass, stiffness: k }, c, at } =
+        *system;
     let magnification = sheet.step(
         "M",
         "1",
@@ -173,23 +322,31 @@ fn strength<W: Worksheet>(
     );
     sheet.answer("magnification", "Magnification", magnification);
     let sought = |amplitude: W::Num| {
-        let why = ("Force required for this amplitude", RAO.at("§3.4"));
-        sheet.step("F₀", "N", amplitude * k / magnification, why)
+        let why = motion.of("Force required for this amplitude", "Torque required for this amplitude");
+        let force = amplitude * k / magnification;
+        sheet.step(motion.of("F₀", "T₀"), motion.force_unit(), force, (why, RAO.at("§3.4")))
     };
+    let symbol = motion.of("X", "Θ");
     let (force, amplitude) = match &given.excitation {
-        ForceStrengthGiven::Force { force } => {
+        ForceStrengthGiven::Force { force } | ForceStrengthGiven::Torque { torque: force } => {
             let why = ("Steady-state amplitude", RAO.at("§3.4"));
-            (*force, sheet.step("X", "mm", *force / k * magnification, why))
+            (*force, sheet.step(symbol, motion.displacement_unit(), *force / k * magnification, why))
         }
-        ForceStrengthGiven::Motion { amplitude } => (sought(*amplitude), *amplitude),
+        ForceStrengthGiven::Motion { amplitude } | ForceStrengthGiven::Rotation { amplitude } => {
+            (sought(*amplitude), *amplitude)
+        }
         ForceStrengthGiven::Power { power } => {
             if c.value() == 0.0 {
                 return Err(Refusal::because(
                     "without damping the steady-state motion requires no power: write some damping, or give the force",
                 ));
             }
-            let why = ("Amplitude, from the power P = ½ c ω² X² dissipated by the damper", RAO.at("§2.6"));
-            let amplitude = sheet.step("X", "mm", (*power * 2.0 / c).sqrt() / frequency, why);
+            let why = motion.of(
+                "Amplitude, from the power P = ½ c ω² X² dissipated by the damper",
+                "Amplitude, from the power P = ½ c_t ω² Θ² dissipated by the damper",
+            );
+            let amplitude = (*power * 2.0 / c).sqrt() / frequency;
+            let amplitude = sheet.step(symbol, motion.displacement_unit(), amplitude, (why, RAO.at("§2.6")));
             (sought(amplitude), amplitude)
         }
     };
@@ -198,8 +355,9 @@ fn strength<W: Worksheet>(
         sdof::forced_amplitude(force, k, mass, c, frequency),
         amplitude,
     );
-    sheet.answer("force", "Amplitude of the force", force);
-    sheet.answer("amplitude", "Amplitude", amplitude);
+    let (name, label) = motion.of(("force", "Amplitude of the force"), ("torque", "Amplitude of the torque"));
+    sheet.answer(name, label, force);
+    sheet.answer("amplitude", motion.of("Amplitude", "Amplitude of the rotation"), amplitude);
     Ok((force, amplitude))
 }
 
@@ -207,40 +365,58 @@ impl<N: Real> ForcedOscillator<N> {
     /// Velocity, acceleration and the forces in spring, damper and ground; the velocity, and the sizes of the forces of
     /// spring, damper and inertia.
     fn forces<W: Worksheet<Num = N>>(&self, force: N, amplitude: N, sheet: W) -> (N, [f64; 3]) {
-        let ForcedOscillator { frequency, body: MassAndStiffness { mass, stiffness: k }, c, .. } = *self;
-        let velocity = sheet.step("V", "mm/s", amplitude * frequency, "Amplitude of the velocity");
-        let acceleration =
-            sheet.step("A", "m/s^2", amplitude * frequency.powi(2), "Amplitude of the acceleration");
-        let spring = sheet.step("F_k", "N", k * amplitude, "Force in the spring");
-        let damper = sheet.step("F_c", "N", c * frequency * amplitude, "Force in the damper");
-        let transmitted = sheet.step(
-            "F_T",
-            "N",
-            sdof::transmitted_force(amplitude, k, c, frequency),
-            ("Amplitude of the force transmitted to the foundation", RAO.at("§3.6")),
+        let ForcedOscillator { motion, frequency, body: MassAndStiffness { mass, stiffness: k }, c, .. } =
+            *self;
+        let label = motion.of("Amplitude of the velocity", "Amplitude of the angular velocity");
+        let velocity = sheet.step(motion.of("V", "Ω"), motion.velocity_unit(), amplitude * frequency, label);
+        sheet.answer("velocity", label, velocity);
+        let label = motion.of("Amplitude of the acceleration", "Amplitude of the angular acceleration");
+        let (symbol, unit) = motion.of(("A", "m/s^2"), ("α", "rad/s^2"));
+        let acceleration = sheet.step(symbol, unit, amplitude * frequency.powi(2), label);
+        sheet.answer("acceleration", label, acceleration);
+        let unit = motion.force_unit();
+        let (name, label) =
+            motion.of(("spring_force", "Force in the spring"), ("spring_torque", "Torque in the spring"));
+        let spring = sheet.step(motion.of("F_k", "T_k"), unit, k * amplitude, label);
+        sheet.answer(name, label, spring);
+        let (name, label) =
+            motion.of(("damper_force", "Force in the damper"), ("damper_torque", "Torque in the damper"));
+        let damper = sheet.step(motion.of("F_c", "T_c"), unit, c * frequency * amplitude, label);
+        sheet.answer(name, label, damper);
+        let why = motion.of(
+            "Amplitude of the force transmitted to the foundation",
+            "Amplitude of the torque transmitted to the foundation",
         );
+        let transmitted = sdof::transmitted_force(amplitude, k, c, frequency);
+        let transmitted = sheet.step(motion.of("F_T", "T_T"), unit, transmitted, (why, RAO.at("§3.6")));
+        let (name, label) = motion.of(
+            ("transmitted_force", "Force transmitted to the foundation"),
+            ("transmitted_torque", "Torque transmitted to the foundation"),
+        );
+        sheet.answer(name, label, transmitted);
         sheet.verify(|| {
             sheet.check(
-                "spring, damper and inertia forces close the force polygon",
+                motion.of(
+                    "spring, damper and inertia forces close the force polygon",
+                    "torques of spring, damper and inertia close the polygon of torques",
+                ),
                 ((spring - mass * acceleration).powi(2) + damper.powi(2)).sqrt(),
                 force,
             );
             sheet.check(
-                "transmitted force from the transmissibility",
+                motion.of(
+                    "transmitted force from the transmissibility",
+                    "transmitted torque from the transmissibility",
+                ),
                 force * sdof::transmissibility(self.at.ratio, self.at.damping_ratio),
                 transmitted,
             );
         });
-        sheet.answer("velocity", "Amplitude of the velocity", velocity);
-        sheet.answer("acceleration", "Amplitude of the acceleration", acceleration);
-        sheet.answer("spring_force", "Force in the spring", spring);
-        sheet.answer("damper_force", "Force in the damper", damper);
-        sheet.answer("transmitted_force", "Force transmitted to the foundation", transmitted);
         (velocity, [spring, damper, mass * acceleration].map(Real::value))
     }
 
     fn power<W: Worksheet<Num = N>>(&self, force: N, amplitude: N, (velocity, phase): (N, N), sheet: W) {
-        let ForcedOscillator { frequency, c, .. } = *self;
+        let ForcedOscillator { motion, frequency, c, .. } = *self;
         let work = sheet.step(
             "E",
             "J",
@@ -256,12 +432,18 @@ impl<N: Real> ForcedOscillator<N> {
         let largest = frequency.value() * amplitude.value() * force.value();
         sheet.verify(|| {
             sheet.check_zero(
-                "mean power from force, velocity and the angle between them",
+                motion.of(
+                    "mean power from force, velocity and the angle between them",
+                    "mean power from torque, angular velocity and the angle between them",
+                ),
                 force * velocity * phase.sin() / 2.0 - power,
                 largest,
             );
             sheet.check_sum(
-                "work of the force in a cycle = energy dissipated by the damper, πF₀X sin φ",
+                motion.of(
+                    "work of the force in a cycle = energy dissipated by the damper, πF₀X sin φ",
+                    "work of the torque in a cycle = energy dissipated by the damper, πT₀Θ sin φ",
+                ),
                 force * amplitude * phase.sin() * PI,
                 work,
                 PI * force.value() * amplitude.value(),
@@ -279,7 +461,8 @@ fn resonances<W: Worksheet>(
     force: W::Num,
     sheet: W,
 ) {
-    let natural = suspension.natural;
+    let Suspension { natural, motion, .. } = *suspension;
+    let (symbol, unit) = (motion.of("Xₘₐₓ", "Θₘₐₓ"), motion.displacement_unit());
     match suspension.loss {
         Loss::Viscous(zeta, Some(c)) if zeta.value() > 0.0 => {
             if zeta.value() >= FRAC_1_SQRT_2 {
@@ -292,7 +475,7 @@ fn resonances<W: Worksheet>(
                 return;
             }
             let displacement = sheet.step(
-                "ω_x",
+                motion.of("ω_x", "ω_θ"),
                 "rad/s",
                 natural * sdof::magnification_peak_ratio(zeta),
                 ("Frequency of maximum displacement; the velocity is maximum at ωₙ", RAO.at("§3.4")),
@@ -304,8 +487,8 @@ fn resonances<W: Worksheet>(
                 ("Frequency of maximum acceleration", RAO.at("§3.4")),
             );
             let largest = sheet.step(
-                "Xₘₐₓ",
-                "mm",
+                symbol,
+                unit,
                 force / body.stiffness * sdof::peak_magnification(zeta),
                 ("Maximum amplitude at any frequency", RAO.at("§3.4")),
             );
@@ -325,7 +508,7 @@ fn resonances<W: Worksheet>(
         }
         Loss::Hysteretic(eta) if eta.value() > 0.0 => {
             let why = "Maximum amplitude, at ωₙ, where only the loss of the spring balances the force";
-            let largest = sheet.step("Xₘₐₓ", "mm", force / (eta * body.stiffness), (why, RAO.at("§3.10")));
+            let largest = sheet.step(symbol, unit, force / (eta * body.stiffness), (why, RAO.at("§3.10")));
             sheet.answer("largest_amplitude", "Maximum amplitude at any frequency", largest);
         }
         _ => {}
@@ -341,23 +524,30 @@ impl HarmonicForce {
         at: AtFrequency<W::Num>,
         sheet: W,
     ) -> Result<(), Refusal> {
-        let ForceStrengthGiven::Force { force } = &given.excitation else {
-            return Err(Refusal::because(
+        let motion = suspension.motion;
+        let (ForceStrengthGiven::Force { force } | ForceStrengthGiven::Torque { torque: force }) =
+            &given.excitation
+        else {
+            return Err(Refusal::because(motion.of(
                 "without damping no force is needed to keep a motion at the natural frequency, and any force makes it \
                  grow without bound: give the force",
-            ));
+                "without damping no torque is needed to keep a rotation at the natural frequency, and any torque makes \
+                 it grow without bound: give the torque",
+            )));
         };
         let body = suspension.body.expect("the mass is given");
-        let deflection =
-            sheet.step("δ", "mm", *force / body.stiffness, "Deflection under a constant force F₀");
+        let deflection = static_deflection(motion, *force, body.stiffness, sheet);
         let growth = sheet.step(
-            "Ẋ",
-            "mm/s",
+            motion.of("Ẋ", "Θ′"),
+            motion.velocity_unit(),
             deflection * suspension.natural / 2.0,
             ("The amplitude is unbounded: it grows with t, per second by", RAO.at("§3.3")),
         );
         sheet.check(
-            "growth rate from the impulse of the force",
+            motion.of(
+                "growth rate from the impulse of the force",
+                "growth rate from the impulse of the torque",
+            ),
             *force / (body.mass * suspension.natural * 2.0),
             growth,
         );
@@ -366,6 +556,7 @@ impl HarmonicForce {
             Text::new("undamped resonance: the amplitude is unbounded, it grows with t and there is no steady state")
         });
         let build_up = |wave| BuildUp {
+            motion,
             deflection,
             frequency: given.frequency,
             natural: suspension.natural,
@@ -378,7 +569,7 @@ impl HarmonicForce {
             (Some(start), Some(StartFromRest { wave, .. })) => {
                 let build_up = build_up(*wave);
                 let x = build_up.displacement(start.time, sheet);
-                sheet.answer("displacement", "Displacement at that time", x);
+                sheet.answer("displacement", motion.of("Displacement at that time", "Angle at that time"), x);
                 build_up.show(start.time.value(), "Motion from rest", x.value(), sheet);
             }
             _ => {
@@ -387,7 +578,7 @@ impl HarmonicForce {
                 build_up(Wave::Sine).show(cycles, "Motion from rest", growth, sheet);
             }
         }
-        sheet.show(|| Exhibit::Drawing(plots::mass_spring_damper("F₀ cos ωt")));
+        sheet.show(|| Exhibit::Drawing(drawing(motion)));
         Ok(())
     }
 }

@@ -114,8 +114,8 @@ impl Analysis for VibrationInstrument {
         title: "Vibrometer and accelerometer",
         topic: "Isolation, absorbers and instruments",
         summary: "Usable frequencies of a seismic instrument for an allowed error, its amplitude and phase error at a frequency, and the true motion for a given reading.",
-        keywords: "seismometer seismograph pickup transducer usable range phase distortion vibrômetro acelerômetro \
-                   sismógrafo sensor faixa de uso erro de fase",
+        keywords: "seismometer seismograph pickup transducer usable range phase distortion torsiograph vibrômetro \
+                   acelerômetro sismógrafo torsiógrafo sensor faixa de uso erro de fase",
         sources: &[&RAO, &THOMSON],
         cases: include_str!("../../cases/vibration_instrument.toml"),
     };

@@ -1,25 +1,20 @@
-//! Several discs on a shaft: the lowest frequency by approximate methods, beside the exact one.
-// Long because four methods stand beside each other, each with its own steps.
+//! Several discs on a shaft: the lowest frequency by approximate methods, beside the exact one, and all critical speeds.
 
 use dalembert_core::{
     About, Analysis, Axis, Cell, Column, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Symbol,
     TableExhibit, Text, Worksheet, register,
 };
-use dalembert_mechanics::{
-    Real,
-    beam::{
-        dynamic_stiffness::{Beam, BeamStation},
-        influence,
-    },
-    vibration::lumped,
-};
+use dalembert_mechanics::{Real, beam::influence};
 use dalembert_numerics::gauss_legendre;
 
+mod exact;
+
+use self::exact::Exact;
 use crate::{
     shared::{
         body_load::MassOrWeight,
-        continuous::{LineMass, line_mass},
-        section::{Profile, profile},
+        continuous::{LineMass, LineMassGiven, line_mass},
+        section::{LightProfile, light_profile},
     },
     sources::{BEER, BLEVINS, RAO, SHIGLEY},
 };
@@ -31,7 +26,7 @@ pub struct ShaftWithDiscs {
     #[input("L", "m", positive)]
     pub length: f64,
     /// Section.
-    pub section: Profile,
+    pub section: LightProfile,
     /// Young's modulus.
     #[input("E", "Pa", positive)]
     pub young: f64,
@@ -84,18 +79,28 @@ impl Analysis for ShaftWithDiscs {
         id: "vibration/shaft-with-discs",
         title: "Shaft with several discs",
         topic: "Shafts and rotors",
-        summary: "Lowest frequency and critical speed of a shaft with several discs by Dunkerley, Rayleigh and matrix iteration, with the exact value and the bound each method gives.",
-        keywords: "critical speed whirling stodola influence coefficients eixo discos velocidade crítica dunkerley \
-                   rayleigh iteração matricial coeficientes de influência",
+        summary: "Critical speeds and mode shapes of a shaft with several discs; the lowest also by Dunkerley, Rayleigh and matrix iteration, with the exact value and the bound each method gives.",
+        keywords: "critical speeds whirling stodola influence coefficients two masses cantilever mode shapes higher \
+                   critical speed eixo discos duas massas em balanço velocidades críticas dunkerley rayleigh iteração \
+                   matricial coeficientes de influência modos",
         sources: &[&RAO, &BEER, &SHIGLEY, &BLEVINS],
         cases: include_str!("../../cases/shaft_with_discs.toml"),
     };
 
     fn solve<W: Worksheet>(&self, given: &ShaftWithDiscsGiven<W>, sheet: W) -> Result<(), Refusal> {
         self.check()?;
-        let (area, second_moment) = profile(&given.section, 0, sheet)?;
+        let by_density = matches!(given.own_mass, Some(LineMassGiven::Density { .. }));
+        let (area, second_moment) = light_profile(&given.section, by_density, sheet)?;
         let bending = sheet.step("EI", "N*m^2", given.young * second_moment, "Bending stiffness");
-        let line = given.own_mass.as_ref().map(|own| line_mass(own, 0, area, sheet));
+        let line = match (&given.own_mass, area) {
+            (None, _) => None,
+            (Some(_), None) if by_density => {
+                return Err(Refusal::because(
+                    "the mass of the shaft by its density needs the area of the section: write the area, or the mass per unit length",
+                ));
+            }
+            (Some(own), area) => Some(line_mass(own, 0, area.unwrap_or_else(|| W::Num::from(0.0)), sheet)),
+        };
         let mass = |(n, disc): (usize, &ShaftDiscGiven<W>)| {
             disc.load.mass(given.gravity, sheet, ("m", n), "Mass of the disc: weight over gravity")
         };
@@ -115,7 +120,7 @@ impl Analysis for ShaftWithDiscs {
             None => shaft.lumped(&influence, [dunkerley, rayleigh], sheet)?,
             Some(line) => shaft.distributed(line, sheet)?,
         };
-        let omega = exact.frequency;
+        let omega = exact.modes[0].frequency;
         let one = |base: &'static str, value: W::Num, label: &'static str| {
             sheet.step(base, "%", (value - omega) / omega, label)
         };
@@ -133,11 +138,16 @@ impl Analysis for ShaftWithDiscs {
         sheet.answer("critical_speed", "Critical speed", critical);
         sheet.answer("dunkerley_error", "Error of Dunkerley's frequency", below);
         sheet.answer("rayleigh_error", "Error of Rayleigh's value", above);
+        for (n, mode) in (1..).zip(&exact.modes) {
+            sheet.answer(("frequency", n), "Natural frequency", mode.frequency);
+        }
         sheet.show(|| methods(dunkerley.value(), rayleigh.value(), omega.value()));
+        sheet.show(|| exact.table());
         if line.is_none() {
             sheet.show(|| shaft.iteration(&influence));
         }
         sheet.show(|| shaft.shapes_plot(&exact, given.gravity.value()));
+        sheet.show(|| shaft.modes_plot(&exact));
         sheet.show(|| Exhibit::Drawing(self.drawing()));
         Ok(())
     }
@@ -151,12 +161,6 @@ struct Shaft<'t, W: Worksheet> {
     places: Vec<W::Num>,
     masses: Vec<W::Num>,
     line: Option<W::Num>,
-}
-
-/// The exact frequency and the deflections of the discs, largest one.
-struct Exact<N> {
-    frequency: N,
-    discs: Vec<f64>,
 }
 
 impl ShaftWithDiscs {
@@ -378,144 +382,6 @@ impl<W: Worksheet> Shaft<'_, W> {
         sums
     }
 
-    /// The exact frequency of the discs on a shaft without mass, held by matrix iteration.
-    fn lumped(
-        &self,
-        influence: &[Vec<W::Num>],
-        [dunkerley, rayleigh]: [W::Num; 2],
-        sheet: W,
-    ) -> Result<Exact<W::Num>, Refusal> {
-        let (rows, masses) = self.numbers(influence);
-        let all = lumped::frequencies(&rows, &masses).map_err(|_| Refusal::because(NOT_FOUND))?;
-        let lowest = all[0];
-        let frequency = sheet.numerical(
-            "ω₁",
-            "Hz",
-            lowest,
-            (
-                "Exact: 1/ω² is the largest eigenvalue of the product of influence coefficients and masses",
-                RAO.at("§6.4"),
-            ),
-        );
-        let rounds = lumped::matrix_iteration(&rows, &masses, 5000);
-        let [Some(first), Some(last)] = [rounds.first(), rounds.last()].map(Option::<&_>::cloned) else {
-            return Err(Refusal::because(NOT_FOUND));
-        };
-        sheet.verify(|| {
-            let squares: f64 = all.iter().map(|frequency| frequency.powi(-2)).sum();
-            sheet.check(
-                "Dunkerley: the sum of the squared periods of all modes gives the same value",
-                W::Num::from(squares.sqrt().recip()),
-                dunkerley,
-            );
-            sheet.check(
-                "Rayleigh: the first step of matrix iteration, from equal deflections",
-                W::Num::from(first.frequency),
-                rayleigh,
-            );
-            sheet.check(
-                "matrix iteration starting from equal deflections converges to the exact frequency",
-                W::Num::from(last.frequency),
-                frequency,
-            );
-        });
-        Ok(Exact { frequency, discs: last.shape })
-    }
-
-    /// The exact frequency of the discs on a shaft with its mass.
-    fn distributed(&self, line: W::Num, sheet: W) -> Result<Exact<W::Num>, Refusal> {
-        let beam = self.beam(Some(line.value()));
-        let root = beam.roots(1).map_err(|_| Refusal::because(NOT_FOUND))?[0];
-        let shape = beam.shape(root).map_err(|_| Refusal::because(NOT_FOUND))?;
-        let beta = sheet.numerical(
-            "β₁",
-            "1",
-            root,
-            (
-                "Exact: lowest root of the dynamic stiffness of the shaft, including its mass and the discs",
-                BLEVINS.at("ch. 8"),
-            ),
-        );
-        let frequency = sheet.step(
-            "ω₁",
-            "Hz",
-            beta.powi(2) * (self.bending / (line * self.length.powi(4))).sqrt(),
-            ("Exact lowest frequency", RAO.at("§8.5")),
-        );
-        sheet.verify(|| {
-            sheet.check(
-                "strain energy over kinetic energy of the exact mode shape reproduces the root",
-                W::Num::from(shape.rayleigh_quotient()),
-                beta.powi(4),
-            );
-        });
-        let length = self.length.value();
-        let discs = self.places.iter().map(|place| shape.state(place.value() / length).deflection).collect();
-        Ok(Exact { frequency, discs })
-    }
-
-    /// The shaft as a beam, with its discs where the mass of the shaft per unit length is given.
-    fn beam(&self, with_discs: Option<f64>) -> Beam {
-        let length = self.length.value();
-        let at = |at: f64| BeamStation { at, ..BeamStation::default() };
-        let mut stations = match self.lengths_value() {
-            Lengths::Span(_) => {
-                vec![BeamStation { held: true, ..at(0.0) }, BeamStation { held: true, ..at(1.0) }]
-            }
-            Lengths::Cantilever(_) => vec![BeamStation { held: true, clamped: true, ..at(0.0) }, at(1.0)],
-            Lengths::Overhang(span, _) => {
-                vec![
-                    BeamStation { held: true, ..at(0.0) },
-                    BeamStation { held: true, ..at(span / length) },
-                    at(1.0),
-                ]
-            }
-        };
-        if let Some(line) = with_discs {
-            for (place, mass) in self.places.iter().zip(&self.masses) {
-                let xi = place.value() / length;
-                let near = stations.iter().position(|station| (station.at - xi).abs() <= 1e-9);
-                let index = near.unwrap_or_else(|| {
-                    let index = stations.partition_point(|station| station.at < xi);
-                    stations.insert(index, at(xi));
-                    index
-                });
-                stations[index].mass += mass.value() / (line * length);
-            }
-        }
-        Beam { shear: 0.0, rotary: 0.0, axial: 0.0, foundation: 0.0, stations }
-    }
-
-    /// Influence coefficients and masses as plain numbers.
-    fn numbers(&self, influence: &[Vec<W::Num>]) -> (Vec<Vec<f64>>, Vec<f64>) {
-        let plain = |row: &Vec<W::Num>| row.iter().map(|a| a.value()).collect();
-        (influence.iter().map(plain).collect(), self.masses.iter().map(|mass| mass.value()).collect())
-    }
-
-    fn iteration(&self, influence: &[Vec<W::Num>]) -> Exhibit {
-        let (rows, masses) = self.numbers(influence);
-        let rounds = lumped::matrix_iteration(&rows, &masses, 6);
-        let mut columns = vec![
-            Column { heading: "round".into(), unit: "1" },
-            Column { heading: "frequency".into(), unit: "Hz" },
-        ];
-        columns.extend(
-            (1..=self.masses.len())
-                .map(|n| Column { heading: Text::new("disc {n}").with("n", n), unit: "1" }),
-        );
-        let row = |(n, round): (usize, lumped::Round)| {
-            let mut row = vec![Cell::Number(n as f64), Cell::Number(round.frequency)];
-            row.extend(round.shape.into_iter().map(Cell::Number));
-            row
-        };
-        Exhibit::Table(TableExhibit {
-            title: "Matrix iteration from equal deflections".into(),
-            columns,
-            rows: (1..).zip(rounds).map(row).collect(),
-            foot: Vec::new(),
-        })
-    }
-
     fn shapes_plot(&self, exact: &Exact<W::Num>, gravity: f64) -> Exhibit {
         let length = self.length.value();
         let line = self.line.map_or(0.0, Real::value);
@@ -524,8 +390,8 @@ impl<W: Worksheet> Shaft<'_, W> {
             .map(|x| (x, self.static_deflection(x, line, gravity)))
             .collect();
         let largest = points.iter().fold(0.0f64, |a, (_, y)| a.max(y.abs()));
-        let sign = exact
-            .discs
+        let discs = &exact.modes[0].discs;
+        let sign = discs
             .iter()
             .zip(&self.places)
             .fold(0.0, |sum, (w, place)| sum + w * self.static_deflection(place.value(), line, gravity));
@@ -533,7 +399,7 @@ impl<W: Worksheet> Shaft<'_, W> {
         let statics =
             self.places.iter().map(|place| self.static_deflection(place.value(), line, gravity).abs());
         let scale = statics.fold(0.0f64, f64::max) / largest;
-        let crest = exact.discs.iter().fold(0.0f64, |a, w| a.max(w.abs()));
+        let crest = discs.iter().fold(0.0f64, |a, w| a.max(w.abs()));
         let disc = |(place, w): (&W::Num, &f64)| (place.value(), sign.signum() * w / crest * scale);
         Exhibit::Plot(Plot::new(
             "Static deflection and exact mode shape",
@@ -546,7 +412,7 @@ impl<W: Worksheet> Shaft<'_, W> {
                 ),
                 Series::dots(
                     "discs in the exact mode shape",
-                    self.places.iter().zip(&exact.discs).map(disc).collect(),
+                    self.places.iter().zip(discs).map(disc).collect(),
                 ),
             ],
         ))

@@ -30,7 +30,7 @@ pub(crate) fn system<W: Worksheet>(
     damping: &DampingGiven<W>,
     sheet: W,
 ) -> Result<DampedOscillator<W::Num>, Refusal> {
-    let Suspension { natural, loss, body } = suspension(mass, elasticity, damping, sheet)?;
+    let Suspension { natural, loss, body, .. } = suspension(mass, elasticity, damping, sheet)?;
     match loss {
         Loss::Viscous(ratio, _) => Ok(DampedOscillator { natural, ratio, body }),
         Loss::Hysteretic(_) => Err(Refusal::because(

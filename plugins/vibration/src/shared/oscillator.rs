@@ -3,9 +3,11 @@
 use dalembert_core::{Inputs, Refusal, Worksheet};
 use dalembert_mechanics::{Real, sdof};
 
+pub(crate) mod motion;
 pub(crate) mod plots;
 pub(crate) mod transient_from_rest;
 
+use self::motion::OscillatorMotion;
 use crate::{
     shared::{
         decay::{Decay, decrement},
@@ -106,6 +108,8 @@ pub enum Damping {
 /// Equivalent stiffness and damping of the springs and dampers.
 #[derive(Clone, Copy)]
 pub(crate) struct Suspension<N> {
+    /// Translation or rotation.
+    pub(crate) motion: OscillatorMotion,
     /// Natural frequency without damping, rad/s.
     pub(crate) natural: N,
     /// Damping mechanism.
@@ -169,6 +173,21 @@ pub(crate) fn suspension<W: Worksheet>(
     damping: &DampingGiven<W>,
     sheet: W,
 ) -> Result<Suspension<W::Num>, Refusal> {
+    suspension_of(OscillatorMotion::Translation, mass, elasticity, damping, sheet)
+}
+
+/// The same of a translation or of a rotation: then `mass` is the moment of inertia, kg·m², and stiffness and damping are
+/// torsional.
+///
+/// # Errors
+/// Those of [`suspension`].
+pub(crate) fn suspension_of<W: Worksheet>(
+    motion: OscillatorMotion,
+    mass: Option<W::Num>,
+    elasticity: &ElasticityGiven<W>,
+    damping: &DampingGiven<W>,
+    sheet: W,
+) -> Result<Suspension<W::Num>, Refusal> {
     let by_decay = match damping {
         DampingGiven::Decay { amplitudes } => Some(decrement(amplitudes, sheet).damping_ratio),
         DampingGiven::Ratio { ratio } => Some(*ratio),
@@ -196,9 +215,14 @@ pub(crate) fn suspension<W: Worksheet>(
         }
     };
     let body = mass.map(|mass| {
-        let why = ("Stiffness that gives the mass this natural frequency", RAO.at("§2.2"));
+        let words = motion.of(
+            "Stiffness that gives the mass this natural frequency",
+            "Torsional stiffness that gives the moment of inertia this natural frequency",
+        );
+        let (symbol, unit) = motion.stiffness();
         let stiffness = known_stiffness.unwrap_or_else(|| {
-            sheet.step("k", "N/m", sdof::stiffness_from_natural_frequency(mass, natural), why)
+            let k = sdof::stiffness_from_natural_frequency(mass, natural);
+            sheet.step(symbol, unit, k, (words, RAO.at("§2.2")))
         });
         MassAndStiffness { mass, stiffness }
     });
@@ -223,12 +247,12 @@ pub(crate) fn suspension<W: Worksheet>(
             let why = ("Damping coefficient", RAO.at("§2.6"));
             let c = body.map(|body| {
                 let c = sdof::damping_from_ratio(zeta, body.stiffness, body.mass);
-                sheet.step("c", "N*s/m", c, why)
+                sheet.step(motion.damping(), motion.damping_unit(), c, why)
             });
             Loss::Viscous(zeta, c)
         }
     };
-    Ok(Suspension { natural, loss, body })
+    Ok(Suspension { motion, natural, loss, body })
 }
 
 impl<N: Real> Suspension<N> {
@@ -241,7 +265,7 @@ impl<N: Real> Suspension<N> {
                 let c = self.body.map(|body| {
                     let c = eta * body.stiffness / frequency;
                     let why = "Viscous damper with the same energy loss per cycle at this frequency";
-                    sheet.step("c_eq", "N*s/m", c, (why, RAO.at("§3.10")))
+                    sheet.step("c_eq", self.motion.damping_unit(), c, (why, RAO.at("§3.10")))
                 });
                 let why = "Damping ratio of the viscous damper with the same energy loss per cycle at this frequency";
                 (sheet.step("ζ_eq", "1", eta / (ratio * 2.0), (why, RAO.at("§3.10"))), c)
@@ -261,14 +285,16 @@ impl<N: Real> Suspension<N> {
     /// The answers that tell of the oscillator itself.
     pub(crate) fn answer<W: Worksheet<Num = N>>(&self, sheet: W) {
         if let Some(body) = self.body {
-            sheet.answer("mass", "Mass", body.mass);
-            sheet.answer("stiffness", "Stiffness", body.stiffness);
+            let (name, label) = self.motion.of(("mass", "Mass"), ("inertia", "Moment of inertia"));
+            sheet.answer(name, label, body.mass);
+            sheet.answer("stiffness", self.motion.of("Stiffness", "Torsional stiffness"), body.stiffness);
         }
         sheet.answer("natural_frequency", "Natural frequency", self.natural);
         if let Loss::Viscous(zeta, c) = self.loss {
             sheet.answer("damping_ratio", "Damping ratio", zeta);
             if let Some(c) = c {
-                sheet.answer("damping", "Damping coefficient", c);
+                let label = self.motion.of("Damping coefficient", "Torsional damping coefficient");
+                sheet.answer("damping", label, c);
             }
         }
     }

@@ -101,6 +101,35 @@ pub enum Profile {
     },
 }
 
+/// The cross-section of a beam whose own mass may be neglected.
+#[derive(Clone, Debug, Inputs)]
+pub enum LightProfile {
+    /// Second moment of area given
+    Given {
+        /// Area of the section.
+        /// Only for the mass of the beam itself, by its density.
+        #[input("A", "m^2", positive)]
+        area: Option<f64>,
+        /// Second moment of area.
+        #[input("I", "m^4", positive)]
+        second_moment: f64,
+    },
+    /// Circular or tube
+    #[input(flatten)]
+    Round(RoundSection),
+    /// Rectangle
+    Rectangle {
+        /// Width.
+        /// Perpendicular to the plane of bending.
+        #[input("b", "m", positive)]
+        breadth: f64,
+        /// Height.
+        /// In the plane of bending.
+        #[input("h", "m", positive)]
+        height: f64,
+    },
+}
+
 /// The cross-section of a shaft.
 #[derive(Clone, Debug, Inputs)]
 pub enum ShaftSection {
@@ -238,6 +267,30 @@ pub(crate) fn profile<W: Worksheet>(
     let why = ("Second moment of area", BEER.at("app. A"));
     let second_moment = sheet.step(("I", row), "cm^4", second_moment, why);
     Ok((area, second_moment))
+}
+
+/// Area, m², where it is needed and known, and second moment of area, m⁴, of a section.
+///
+/// # Errors
+/// A tube whose inner diameter is not below the outer one.
+pub(crate) fn light_profile<W: Worksheet>(
+    given: &LightProfileGiven<W>,
+    needs_area: bool,
+    sheet: W,
+) -> Result<(Option<W::Num>, W::Num), Refusal> {
+    let (area, second_moment) = match given {
+        LightProfileGiven::Given { area, second_moment } => return Ok((*area, *second_moment)),
+        LightProfileGiven::Round(round) => {
+            round.check()?;
+            (round.area(), round.second_moment())
+        }
+        LightProfileGiven::Rectangle { breadth, height } => {
+            (section::rectangle_area(*breadth, *height), section::rectangle_second_moment(*breadth, *height))
+        }
+    };
+    let area = needs_area.then(|| sheet.step("A", "cm^2", area, ("Area of the section", BEER.at("app. A"))));
+    let why = ("Second moment of area", BEER.at("app. A"));
+    Ok((area, sheet.step("I", "cm^4", second_moment, why)))
 }
 
 /// Cowper's shear coefficient of a section; `None` for one that is not known by its shape.

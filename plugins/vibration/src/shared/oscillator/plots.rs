@@ -3,6 +3,8 @@
 use dalembert_core::{Axis, Drawing, Exhibit, Ink, Plot, Series, Sketch, Text, Worksheet};
 use dalembert_mechanics::sdof;
 
+use super::motion::OscillatorMotion;
+
 /// The damping ratios of a family.
 const FAMILY: [f64; 4] = [0.05, 0.2, 0.5, 1.0];
 /// Points of each curve of a family.
@@ -93,18 +95,21 @@ pub(crate) fn below(value: f64, top: f64) -> f64 {
     if value <= top { value } else { f64::INFINITY }
 }
 
-/// The forces as rotating vectors: spring, damper and inertia add up to the applied force.
-pub(crate) fn force_vectors(spring: f64, damper: f64, inertia: f64) -> Drawing {
+/// The forces, or the torques of a rotation, as rotating vectors: spring, damper and inertia add up to what is applied.
+pub(crate) fn force_vectors(motion: OscillatorMotion, spring: f64, damper: f64, inertia: f64) -> Drawing {
     let size = spring.max(damper).max(inertia).max(f64::MIN_POSITIVE);
     let [spring, damper, inertia] = [spring, damper, inertia].map(|force| 4.0 * force / size);
     let (corner, tip, end) = ((spring, 0.0), (spring, damper), (spring - inertia, damper));
-    Sketch::new("Rotating vectors of the forces")
+    let title = motion.of("Rotating vectors of the forces", "Rotating vectors of the torques");
+    let [held, damped, inert, applied] =
+        motion.of(["kX", "cωX", "mω²X", "F₀"], ["k_t Θ", "c_t ωΘ", "Jω²Θ", "T₀"]);
+    Sketch::new(title)
         .circle((0.0, 0.0), end.0.hypot(end.1), Ink::Faint)
         .axis((-4.6, 0.0), (4.6, 0.0))
-        .edge("kX", (0.0, 0.0), corner, Ink::Body)
-        .edge("cωX", corner, tip, Ink::Motion)
-        .edge("mω²X", tip, end, Ink::Danger)
-        .edge("F₀", (0.0, 0.0), end, Ink::Force)
+        .edge(held, (0.0, 0.0), corner, Ink::Body)
+        .edge(damped, corner, tip, Ink::Motion)
+        .edge(inert, tip, end, Ink::Danger)
+        .edge(applied, (0.0, 0.0), end, Ink::Force)
         .finish()
 }
 
@@ -113,6 +118,20 @@ pub(crate) fn mass_spring_damper(force: &'static str) -> Drawing {
     supported("One degree of freedom")
         .ground((-1.0, -1.5), (1.0, -1.5))
         .force(force, (0.0, 0.4), (0.0, 1.2))
+        .finish()
+}
+
+/// The body between a torsional spring and a torsional damper.
+pub(crate) fn inertia_spring_damper(torque: &'static str) -> Drawing {
+    Sketch::new("One degree of freedom in rotation")
+        .ground((1.0, 1.6), (-1.0, 1.6))
+        .spring("k_t", (0.0, 1.6), (0.0, 0.3))
+        .mass("J", (-0.9, -0.3), (0.9, 0.3))
+        .damper("c_t", (0.0, -1.4), (0.0, -0.3))
+        .ground((-1.0, -1.4), (1.0, -1.4))
+        .arc((0.0, 0.0), 1.2, (-0.5, 0.5), Ink::Motion)
+        .label("θ", (1.2, 0.0))
+        .couple(torque, (0.0, 0.0), (2.2, 4.1), Ink::Force)
         .finish()
 }
 

@@ -6,7 +6,7 @@ use dalembert_mechanics::{
     vibration::transient_from_rest::{HarmonicDrive, history},
 };
 
-use super::{AtFrequency, is_one};
+use super::{AtFrequency, is_one, motion::OscillatorMotion};
 use crate::sources::RAO;
 
 /// Waveform of a harmonic from its start: sine or cosine.
@@ -21,7 +21,9 @@ pub enum Wave {
 /// Response that builds up from rest.
 #[derive(Clone, Copy)]
 pub(crate) struct BuildUp<N> {
-    /// Deflection that the harmonic would hold at rest, m.
+    /// Translation or rotation.
+    pub(crate) motion: OscillatorMotion,
+    /// Deflection that the harmonic would hold at rest, m or rad.
     pub(crate) deflection: N,
     /// Frequency of the harmonic, rad/s.
     pub(crate) frequency: N,
@@ -38,7 +40,7 @@ pub(crate) struct BuildUp<N> {
 }
 
 impl<N: Real> BuildUp<N> {
-    /// Writes the displacement at `time`, m.
+    /// Writes the displacement at `time`, m or rad.
     pub(crate) fn displacement<W: Worksheet<Num = N>>(&self, time: N, sheet: W) -> N {
         let (x, scale) = match self.steady {
             None => self.at_resonance(time, sheet),
@@ -70,7 +72,7 @@ impl<N: Real> BuildUp<N> {
     pub(crate) fn show<W: Worksheet<Num = N>>(&self, time: f64, label: &'static str, at: f64, sheet: W) {
         sheet.show(|| {
             let points = self.history(time, 400).unwrap_or_default();
-            let mut series = vec![Series::line("x", points).of("displacement")];
+            let mut series = vec![Series::line(self.motion.displacement(), points).of("displacement")];
             if let Some((amplitude, _)) = self.steady {
                 let level = amplitude.value();
                 series.push(Series::line("steady-state amplitude", vec![(0.0, level), (time, level)]));
@@ -81,7 +83,7 @@ impl<N: Real> BuildUp<N> {
             let plot = Plot::new(
                 Text::new(label),
                 Axis::linear("time", "s"),
-                Axis::linear("displacement", "mm"),
+                Axis::linear(self.motion.of("displacement", "angle"), self.motion.displacement_unit()),
                 series,
             )
             .over("start.time");
@@ -113,7 +115,12 @@ impl<N: Real> BuildUp<N> {
             Wave::Cosine => deflection / 2.0 * angle * angle.sin(),
         };
         let why = "Without damping at the natural frequency the motion grows with the time";
-        let x = sheet.step("x", "mm", growing, (why, RAO.at("§3.3")));
+        let x = sheet.step(
+            self.motion.displacement(),
+            self.motion.displacement_unit(),
+            growing,
+            (why, RAO.at("§3.3")),
+        );
         (x, deflection.value() * (1.0 + angle.value()))
     }
 
@@ -135,21 +142,30 @@ impl<N: Real> BuildUp<N> {
             Wave::Cosine => (-(amplitude * lag.cos()), -(speed * lag.sin())),
         };
         let why = "The initial free displacement cancels that of the steady-state motion";
-        let x = sheet.step("x₀", "mm", x, (why, RAO.at("§3.4")));
+        let x =
+            sheet.step(self.motion.of("x₀", "θ₀"), self.motion.displacement_unit(), x, (why, RAO.at("§3.4")));
         let why = "and the initial free velocity cancels that of the steady-state motion: together, rest";
-        (x, sheet.step("v₀", "mm/s", v, why))
+        (x, sheet.step(self.motion.of("v₀", "Ω₀"), self.motion.velocity_unit(), v, why))
     }
 
     fn oscillating<W: Worksheet<Num = N>>(&self, amplitude: N, lag: N, time: N, sheet: W) -> (N, f64) {
         let (x0, v0) = self.beginning(amplitude, lag, sheet);
         let (wn, zeta) = (self.natural, self.at.damping_ratio);
         let (wd, b) = if zeta.value() == 0.0 {
-            (wn, sheet.step("B", "mm", v0 / wn, "Sine component of the free vibration"))
+            (
+                wn,
+                sheet.step(
+                    "B",
+                    self.motion.displacement_unit(),
+                    v0 / wn,
+                    "Sine component of the free vibration",
+                ),
+            )
         } else {
             let why = ("Frequency of the free vibration", RAO.at("§2.6"));
             let wd = sheet.step("ω_d", "rad/s", sdof::damped_frequency(wn, zeta), why);
             let why = ("Sine component of the free vibration", RAO.at("§2.6"));
-            (wd, sheet.step("B", "mm", (v0 + zeta * wn * x0) / wd, why))
+            (wd, sheet.step("B", self.motion.displacement_unit(), (v0 + zeta * wn * x0) / wd, why))
         };
         let steady = self.steady_motion(amplitude, lag, time);
         let free = x0 * (wd * time).cos() + b * (wd * time).sin();
@@ -163,7 +179,7 @@ impl<N: Real> BuildUp<N> {
         } else {
             ("Displacement: steady-state motion and decaying free vibration", RAO.at("§3.4"))
         };
-        let x = sheet.step("x", "mm", motion, why);
+        let x = sheet.step(self.motion.displacement(), self.motion.displacement_unit(), motion, why);
         (x, amplitude.value() + x0.value().abs() + b.value().abs())
     }
 
@@ -171,10 +187,15 @@ impl<N: Real> BuildUp<N> {
         let (x0, v0) = self.beginning(amplitude, lag, sheet);
         let wn = self.natural;
         let why = ("Growing part of the critically damped free motion", RAO.at("§2.6"));
-        let b = sheet.step("B", "mm/s", v0 + wn * x0, why);
+        let b = sheet.step("B", self.motion.velocity_unit(), v0 + wn * x0, why);
         let steady = self.steady_motion(amplitude, lag, time);
         let why = ("Displacement: steady-state motion and decaying free vibration", RAO.at("§3.4"));
-        let x = sheet.step("x", "mm", steady + (-(wn * time)).exp() * (x0 + b * time), why);
+        let x = sheet.step(
+            self.motion.displacement(),
+            self.motion.displacement_unit(),
+            steady + (-(wn * time)).exp() * (x0 + b * time),
+            why,
+        );
         (x, amplitude.value() + x0.value().abs() + (b / wn).value().abs())
     }
 
@@ -186,17 +207,17 @@ impl<N: Real> BuildUp<N> {
         let slow = sheet.step("s₁", "1/s", -(wn / (zeta + width)), why);
         let fast = sheet.step("s₂", "1/s", -(wn * (zeta + width)), "The faster decay");
         let why = "Coefficient of the slower-decaying term";
-        let c1 = sheet.step("C₁", "mm", (v0 - fast * x0) / (slow - fast), why);
+        let c1 = sheet.step("C₁", self.motion.displacement_unit(), (v0 - fast * x0) / (slow - fast), why);
         let c2 = sheet.step(
             "C₂",
-            "mm",
+            self.motion.displacement_unit(),
             (slow * x0 - v0) / (slow - fast),
             "Coefficient of the faster-decaying term",
         );
         let steady = self.steady_motion(amplitude, lag, time);
         let motion = steady + c1 * (slow * time).exp() + c2 * (fast * time).exp();
         let why = ("Displacement: steady-state motion and decaying free vibration", RAO.at("§3.4"));
-        let x = sheet.step("x", "mm", motion, why);
+        let x = sheet.step(self.motion.displacement(), self.motion.displacement_unit(), motion, why);
         (x, amplitude.value() + c1.value().abs() + c2.value().abs())
     }
 }

@@ -12,20 +12,26 @@ use dalembert_mechanics::{
     },
 };
 
-use super::CoulombDampingGiven;
+use super::{FrictionOscillator, FrictionUnits};
 use crate::sources::{GROVER, RAO};
 
-/// The oscillator and its friction.
-pub(super) struct CoulombSystem<N> {
-    pub(super) mass: N,
-    pub(super) natural: N,
-    pub(super) force: N,
+/// The oscillator and what follows from its friction.
+pub(super) struct FrictionSystem<'t, N> {
+    pub(super) given: &'t FrictionOscillator<N>,
+    pub(super) units: FrictionUnits,
     /// `F/k`
     pub(super) offset: N,
     /// `F_s/k`
     pub(super) hold: N,
     /// Of the viscous part; `None` where there is none.
     pub(super) zeta: Option<N>,
+}
+
+impl<N> FrictionSystem<'_, N> {
+    /// Chooses what belongs to the motion of the body.
+    pub(super) fn of<T>(&self, translation: T, rotation: T) -> T {
+        self.units.motion.of(translation, rotation)
+    }
 }
 
 /// The first turning point.
@@ -45,8 +51,7 @@ pub(super) struct First<N> {
 /// From the start to rest. The result is the position of rest and the first turning point; `None` where viscous
 /// damping leaves no strokes.
 pub(super) fn to_rest<W: Worksheet>(
-    system: &CoulombSystem<W::Num>,
-    given: &CoulombDampingGiven<W>,
+    system: &FrictionSystem<W::Num>,
     decay: &FrictionDecay,
     rest: &Rest,
     sheet: W,
@@ -55,7 +60,7 @@ pub(super) fn to_rest<W: Worksheet>(
         return (creeping(system, decay, rest, sheet), None);
     }
     let (half, viscous) = stroke(system, sheet);
-    let first = first_turning(system, given, decay, half, viscous, sheet);
+    let first = first_turning(system, decay, half, viscous, sheet);
     let more = decay.strokes_from(first.amplitude.value(), decay.hold);
     let one = W::Num::from(1.0);
     let needed = match viscous {
@@ -65,12 +70,26 @@ pub(super) fn to_rest<W: Worksheet>(
         }
     };
     if more > 0.0 {
-        sheet.step(
+        let needed = sheet.step(
             "n′",
             "1",
             needed,
             "Half-cycles until the turning point would reach the edge of the sticking zone",
         );
+        let (outer, inner) = (first.amplitude, system.hold);
+        match viscous {
+            None => sheet.check(
+                "the energy difference down to the edge of the sticking zone is the friction work over the path of those half-cycles",
+                (outer.powi(2) - inner.powi(2)) / 2.0,
+                system.offset * needed * (outer + inner),
+            ),
+            Some([kept, constant]) => sheet.check(
+                "the edge of the sticking zone + C results from the first amplitude + C after those half-cycles",
+                inner + constant,
+                (outer + constant) * (kept.ln() * needed).exp(),
+            ),
+        }
+        sheet.answer("strokes_exact", "Half-cycles to rest, before rounding up", needed);
     }
     let strokes =
         sheet.numerical("n", "1", more, ("Half-cycles to rest: that number rounded up", RAO.at("§2.9")));
@@ -81,14 +100,15 @@ pub(super) fn to_rest<W: Worksheet>(
         }
     };
     let position = if (more % 2.0 == 0.0) == first.positive { distance } else { -distance };
-    let position = sheet.step("x_R", "mm", position, ("Rest position", RAO.at("§2.9")));
+    let position =
+        sheet.step(system.units.rest, system.units.displacement, position, ("Rest position", RAO.at("§2.9")));
     let run = strokes * half;
     let time = match first.time {
         None => sheet.step("t_R", "s", run, "Time to rest"),
         Some(begun) => sheet.step("t_R", "s", begun + run, "Time to rest"),
     };
     sheet.verify(|| {
-        energy(system, given, &first, [strokes, position], sheet);
+        energy(system, &first, [strokes, position], sheet);
         let end = rest.time.unwrap_or(0.0) * 1.01;
         if let Some([there, _]) = decay.step_by_step(end) {
             let off = W::Num::from(there - position.value());
@@ -134,19 +154,25 @@ fn last_stroke<W: Worksheet>(
 }
 
 /// The time of a stroke, what it takes of the amplitude, and what viscous damping leaves.
-fn stroke<W: Worksheet>(system: &CoulombSystem<W::Num>, sheet: W) -> (W::Num, Option<[W::Num; 2]>) {
+fn stroke<W: Worksheet>(system: &FrictionSystem<W::Num>, sheet: W) -> (W::Num, Option<[W::Num; 2]>) {
     let Some(zeta) = system.zeta else {
         let half = sheet.step(
             "T/2",
             "s",
-            W::Num::from(PI) / system.natural,
+            W::Num::from(PI) / system.given.natural,
             "Duration of a half-cycle, from one turning point to the next",
         );
         let loss = sheet.step(
-            "ΔX",
-            "mm",
+            system.units.loss,
+            system.units.displacement,
             system.offset * 4.0,
-            ("Amplitude decrease per cycle, 4F/k: the same in each", RAO.at("§2.9")),
+            (
+                system.of(
+                    "Amplitude decrease per cycle, 4F/k: the same in each",
+                    "Amplitude decrease per cycle, 4 T_f/k_t: the same in each",
+                ),
+                RAO.at("§2.9"),
+            ),
         );
         sheet.answer("loss", "Amplitude decrease per cycle", loss);
         return (half, None);
@@ -154,7 +180,7 @@ fn stroke<W: Worksheet>(system: &CoulombSystem<W::Num>, sheet: W) -> (W::Num, Op
     let damped = sheet.step(
         "ω_d",
         "rad/s",
-        sdof::damped_frequency(system.natural, zeta),
+        sdof::damped_frequency(system.given.natural, zeta),
         ("Frequency of the half-cycles", RAO.at("§2.6")),
     );
     let half = sheet.step(
@@ -172,7 +198,7 @@ fn stroke<W: Worksheet>(system: &CoulombSystem<W::Num>, sheet: W) -> (W::Num, Op
     let one = W::Num::from(1.0);
     let constant = sheet.step(
         "C",
-        "mm",
+        system.units.displacement,
         system.offset * (one + kept) / (one - kept),
         "Turning points satisfy Xₙ₊₁ = q Xₙ − f (1 + q); X + C then decreases by the factor q in each half-cycle",
     );
@@ -182,17 +208,21 @@ fn stroke<W: Worksheet>(system: &CoulombSystem<W::Num>, sheet: W) -> (W::Num, Op
 
 /// The first turning point: the release itself, or the end of the first stroke.
 fn first_turning<W: Worksheet>(
-    system: &CoulombSystem<W::Num>,
-    given: &CoulombDampingGiven<W>,
+    system: &FrictionSystem<W::Num>,
     decay: &FrictionDecay,
     half: W::Num,
     viscous: Option<[W::Num; 2]>,
     sheet: W,
 ) -> First<W::Num> {
-    let (x0, v0) = (given.displacement, given.velocity);
+    let (x0, v0) = (system.given.displacement, system.given.velocity);
     let (time, at) = decay.first_turning().unwrap_or_default();
     if v0.value() == 0.0 {
-        let amplitude = sheet.step("X₁", "mm", x0.abs(), "Released from rest: the start is a turning point");
+        let amplitude = sheet.step(
+            system.units.first,
+            system.units.displacement,
+            x0.abs(),
+            "Released from rest: the start is a turning point",
+        );
         return First { time: None, amplitude, positive: at > 0.0, half, viscous };
     }
     let forward = v0.value() > 0.0;
@@ -201,20 +231,28 @@ fn first_turning<W: Worksheet>(
         let (y0, speed) = if forward { (x0 + system.offset, v0) } else { (system.offset - x0, -v0) };
         let y0 = sheet.step(
             "y₀",
-            "mm",
+            system.units.displacement,
             y0,
             "Start of the first half-cycle, from its shifted equilibrium position, positive forwards",
         );
         let radius = sheet.step(
             "R",
-            "mm",
-            (y0.powi(2) + (speed / system.natural).powi(2)).sqrt(),
+            system.units.displacement,
+            (y0.powi(2) + (speed / system.given.natural).powi(2)).sqrt(),
             ("Amplitude of the first half-cycle about that position", RAO.at("§2.9")),
         );
-        let turned = (speed / system.natural).atan2(y0) / system.natural;
+        let turned = (speed / system.given.natural).atan2(y0) / system.given.natural;
         let turned = sheet.step("t₁", "s", turned, "First turning point after the start");
         let displacement = if forward { radius - system.offset } else { system.offset - radius };
-        (turned, sheet.step("x₁", "mm", displacement, "Displacement at that instant"))
+        (
+            turned,
+            sheet.step(
+                system.units.turned,
+                system.units.displacement,
+                displacement,
+                system.of("Displacement at that instant", "Angle at that instant"),
+            ),
+        )
     } else {
         (
             sheet.numerical(
@@ -223,7 +261,12 @@ fn first_turning<W: Worksheet>(
                 time,
                 "First turning point after the start: zero of the velocity in the first half-cycle",
             ),
-            sheet.numerical("x₁", "mm", at, "Displacement at that instant"),
+            sheet.numerical(
+                system.units.turned,
+                system.units.displacement,
+                at,
+                system.of("Displacement at that instant", "Angle at that instant"),
+            ),
         )
     };
     sheet.verify(|| {
@@ -231,7 +274,10 @@ fn first_turning<W: Worksheet>(
             let size = decay.motion.displacement.abs()
                 + decay.motion.velocity.abs() / decay.motion.natural_frequency;
             sheet.check_zero(
-                "displacement at the first turning point by step-by-step integration",
+                system.of(
+                    "displacement at the first turning point by step-by-step integration",
+                    "angle at the first turning point by step-by-step integration",
+                ),
                 W::Num::from(there - displacement.value()),
                 size,
             );
@@ -243,15 +289,16 @@ fn first_turning<W: Worksheet>(
         }
     });
     sheet.answer("first_turning_time", "First turning point after the start", turned);
-    sheet.answer("first_turning", "Displacement at the first turning point", displacement);
-    let amplitude = sheet.step("X₁", "mm", displacement.abs(), "First amplitude");
+    let label = system.of("Displacement at the first turning point", "Angle at the first turning point");
+    sheet.answer("first_turning", label, displacement);
+    let amplitude =
+        sheet.step(system.units.first, system.units.displacement, displacement.abs(), "First amplitude");
     First { time: Some(turned), amplitude, positive: at > 0.0, half, viscous }
 }
 
 /// Energy at the start = energy at rest + friction times the way, without viscous damping.
 fn energy<W: Worksheet>(
-    system: &CoulombSystem<W::Num>,
-    given: &CoulombDampingGiven<W>,
+    system: &FrictionSystem<W::Num>,
     first: &First<W::Num>,
     [strokes, position]: [W::Num; 2],
     sheet: W,
@@ -259,22 +306,25 @@ fn energy<W: Worksheet>(
     if first.viscous.is_some() {
         return;
     }
-    let (x0, v0) = (given.displacement, given.velocity);
-    let begun = given.stiffness * x0.powi(2) / 2.0 + system.mass * v0.powi(2) / 2.0;
+    let (x0, v0) = (system.given.displacement, system.given.velocity);
+    let begun = system.given.stiffness * x0.powi(2) / 2.0 + system.given.mass * v0.powi(2) / 2.0;
     // The amplitudes fall by 2f a stroke: the ways form an arithmetic series.
     let strokes_way = strokes * (first.amplitude - strokes * system.offset) * 2.0;
     let signed = if first.positive { first.amplitude } else { -first.amplitude };
     let way = (signed - x0).abs() + strokes_way;
     sheet.check(
-        "initial energy = energy at rest + friction force × distance travelled",
+        system.of(
+            "initial energy = energy at rest + friction force × distance travelled",
+            "initial energy = energy at rest + friction torque × angle travelled",
+        ),
         begun,
-        given.stiffness * position.powi(2) / 2.0 + system.force * way,
+        system.given.stiffness * position.powi(2) / 2.0 + system.given.force * way,
     );
 }
 
 /// Viscous damping so strong that the mass approaches, without oscillating, the shifted position of rest.
 fn creeping<W: Worksheet>(
-    system: &CoulombSystem<W::Num>,
+    system: &FrictionSystem<W::Num>,
     decay: &FrictionDecay,
     rest: &Rest,
     sheet: W,
@@ -285,22 +335,23 @@ fn creeping<W: Worksheet>(
             let time = sheet.numerical("t_R", "s", time, "Time to rest: end of the first half-cycle");
             sheet.answer("stop_time", "Time to rest", time);
             sheet.numerical(
-                "x_R",
-                "mm",
+                system.units.rest,
+                system.units.displacement,
                 rest.position,
                 "Rest position: friction holds the mass at the first turning point",
             )
         }
         None => {
             sheet.warn(|| {
-                Text::new(
+                Text::new(system.of(
                     "the viscous damping is critical or higher: the mass does not oscillate, and only approaches the edge of the sticking zone",
-                )
+                    "the viscous damping is critical or higher: the body does not oscillate, and only approaches the edge of the sticking zone",
+                ))
             });
             let signed = if rest.position > 0.0 { system.offset } else { -system.offset };
             sheet.step(
-                "x_R",
-                "mm",
+                system.units.rest,
+                system.units.displacement,
                 signed,
                 "Position approached asymptotically: equilibrium shifted by friction",
             )
@@ -322,7 +373,7 @@ fn creeping<W: Worksheet>(
 
 /// Cycles and time to fall to an amplitude.
 pub(super) fn fall<W: Worksheet>(
-    system: &CoulombSystem<W::Num>,
+    system: &FrictionSystem<W::Num>,
     asked: W::Num,
     first: &First<W::Num>,
     decay: &FrictionDecay,
@@ -335,7 +386,10 @@ pub(super) fn fall<W: Worksheet>(
     }
     if asked.value() < decay.hold {
         return Err(Refusal::because(
-            "friction stops the mass before it decays to the required amplitude: write one above the half-width of the sticking zone",
+            system.of(
+                "friction stops the mass before it decays to the required amplitude: write one above the half-width of the sticking zone",
+                "friction stops the body before it decays to the required amplitude: write one above the half-width of the sticking zone",
+            ),
         ));
     }
     let exact = match first.viscous {
@@ -377,7 +431,7 @@ pub(super) fn fall<W: Worksheet>(
             sheet.check_zero(
                 "zero velocity at that turning point, by step-by-step integration",
                 W::Num::from(speed),
-                system.natural.value() * first.amplitude.value(),
+                system.given.natural.value() * first.amplitude.value(),
             );
         }
     });
@@ -402,26 +456,30 @@ pub(super) fn fall<W: Worksheet>(
 
 /// The motion at the asked time.
 pub(super) fn at_time<W: Worksheet>(
-    system: &CoulombSystem<W::Num>,
-    given: &CoulombDampingGiven<W>,
+    system: &FrictionSystem<W::Num>,
     [time, rest]: [W::Num; 2],
     decay: &FrictionDecay,
     sheet: W,
 ) {
     let stroke = decay.stroke(time.value());
     let Some(motion) = stroke.motion else {
-        let rests = sheet.step("x", "mm", rest, "Already at rest, at its rest position");
-        let still = sheet.numerical("v", "m/s", 0.0, "It is at rest");
-        sheet.answer("displacement", "Displacement at that time", rests);
-        sheet.answer("velocity", "Velocity at that time", still);
+        let rests = sheet.step(
+            system.units.symbol,
+            system.units.displacement,
+            rest,
+            "Already at rest, at its rest position",
+        );
+        let still = sheet.numerical(system.units.speed_symbol, system.units.velocity, 0.0, "It is at rest");
+        sheet.answer("displacement", system.of("Displacement at that time", "Angle at that time"), rests);
+        sheet.answer("velocity", system.of("Velocity at that time", "Angular velocity at that time"), still);
         return;
     };
     let begun =
         sheet.numerical("t_j", "s", stroke.begun, "Start of the half-cycle that contains the requested time");
     let centre = if stroke.centre > 0.0 { system.offset } else { -system.offset };
     let centre = sheet.step(
-        "x_c",
-        "mm",
+        system.units.centre,
+        system.units.displacement,
         centre,
         ("Equilibrium position, shifted by friction against the motion", RAO.at("§2.9")),
     );
@@ -430,56 +488,65 @@ pub(super) fn at_time<W: Worksheet>(
     let from = if first {
         sheet.step(
             "y",
-            "mm",
-            given.displacement - centre,
+            system.units.displacement,
+            system.given.displacement - centre,
             "Start of the half-cycle, from the shifted equilibrium position",
         )
     } else {
         sheet.numerical(
             "y",
-            "mm",
+            system.units.displacement,
             motion.displacement,
             "Start of the half-cycle, from the shifted equilibrium position",
         )
     };
-    let speed = if motion.velocity == 0.0 { None } else { Some(given.velocity) };
-    let why =
-        ("Displacement at that time: free vibration about the shifted equilibrium position", RAO.at("§2.9"));
+    let speed = if motion.velocity == 0.0 { None } else { Some(system.given.velocity) };
+    let words = system.of(
+        "Displacement at that time: free vibration about the shifted equilibrium position",
+        "Angle at that time: free vibration about the shifted equilibrium position",
+    );
+    let why = (words, RAO.at("§2.9"));
+    let derivative =
+        system.of("Velocity at that time: its derivative", "Angular velocity at that time: its derivative");
     let (x, v) = match system.zeta {
         None => {
-            let angle = system.natural * lapse;
-            let (mut x, mut v) = (centre + from * angle.cos(), -(from * system.natural * angle.sin()));
+            let angle = system.given.natural * lapse;
+            let (mut x, mut v) = (centre + from * angle.cos(), -(from * system.given.natural * angle.sin()));
             if let Some(speed) = speed {
-                x = x + speed / system.natural * angle.sin();
+                x = x + speed / system.given.natural * angle.sin();
                 v = v + speed * angle.cos();
             }
             (
-                sheet.step("x", "mm", x, why),
-                sheet.step("v", "m/s", v, "Velocity at that time: its derivative"),
+                sheet.step(system.units.symbol, system.units.displacement, x, why),
+                sheet.step(system.units.speed_symbol, system.units.velocity, v, derivative),
             )
         }
         Some(zeta) if zeta.value() < 1.0 => {
-            let damped = sdof::damped_frequency(system.natural, zeta);
+            let damped = sdof::damped_frequency(system.given.natural, zeta);
             let sine = match speed {
-                Some(speed) => (speed + zeta * system.natural * from) / damped,
-                None => zeta * system.natural * from / damped,
+                Some(speed) => (speed + zeta * system.given.natural * from) / damped,
+                None => zeta * system.given.natural * from / damped,
             };
-            let sine = sheet.step("B", "mm", sine, "Sine coefficient in that half-cycle");
-            let fade = (-(zeta * system.natural * lapse)).exp();
+            let sine =
+                sheet.step("B", system.units.displacement, sine, "Sine coefficient in that half-cycle");
+            let fade = (-(zeta * system.given.natural * lapse)).exp();
             let (c, s) = ((damped * lapse).cos(), (damped * lapse).sin());
             let x = centre + fade * (from * c + sine * s);
             let v = fade
-                * ((damped * sine - zeta * system.natural * from) * c
-                    - (damped * from + zeta * system.natural * sine) * s);
+                * ((damped * sine - zeta * system.given.natural * from) * c
+                    - (damped * from + zeta * system.given.natural * sine) * s);
             (
-                sheet.step("x", "mm", x, why),
-                sheet.step("v", "m/s", v, "Velocity at that time: its derivative"),
+                sheet.step(system.units.symbol, system.units.displacement, x, why),
+                sheet.step(system.units.speed_symbol, system.units.velocity, v, derivative),
             )
         }
         Some(_) => {
             let [x, v] = decay.state(time.value());
             let how = "From the overdamped motion about the shifted equilibrium position";
-            (sheet.numerical("x", "mm", x, how), sheet.numerical("v", "m/s", v, how))
+            (
+                sheet.numerical(system.units.symbol, system.units.displacement, x, how),
+                sheet.numerical(system.units.speed_symbol, system.units.velocity, v, how),
+            )
         }
     };
     sheet.verify(|| {
@@ -488,17 +555,23 @@ pub(super) fn at_time<W: Worksheet>(
         if let Some([there, moving]) = decay.step_by_step(time.value()) {
             let off = [there - x.value(), moving - v.value()].map(W::Num::from);
             sheet.check_zero(
-                "displacement by step-by-step integration of the equation of motion",
+                system.of(
+                    "displacement by step-by-step integration of the equation of motion",
+                    "angle by step-by-step integration of the equation of motion",
+                ),
                 off[0],
                 size,
             );
             sheet.check_zero(
-                "velocity by step-by-step integration of the equation of motion",
+                system.of(
+                    "velocity by step-by-step integration of the equation of motion",
+                    "angular velocity by step-by-step integration of the equation of motion",
+                ),
                 off[1],
                 size * decay.motion.natural_frequency,
             );
         }
     });
-    sheet.answer("displacement", "Displacement at that time", x);
-    sheet.answer("velocity", "Velocity at that time", v);
+    sheet.answer("displacement", system.of("Displacement at that time", "Angle at that time"), x);
+    sheet.answer("velocity", system.of("Velocity at that time", "Angular velocity at that time"), v);
 }
