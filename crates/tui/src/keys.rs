@@ -349,6 +349,13 @@ impl Key {
     }
 }
 
+/// Returns true for Alt with a key of one byte. A terminal writes Alt as an escape before the key: where Alt with it means
+/// nothing, these were two keys that arrived together, as Esc and `:` do over a slow line.
+pub fn is_escape_and(key: KeyEvent) -> bool {
+    key.modifiers.contains(KeyModifiers::ALT)
+        && matches!(key.code, KeyCode::Char(_) | KeyCode::Enter | KeyCode::Tab | KeyCode::Backspace)
+}
+
 /// The place so many further than `at` among `of`, round and round.
 pub(crate) fn turned(at: usize, by: isize, of: usize) -> usize {
     let last = of.saturating_sub(1);

@@ -30,7 +30,7 @@ use crate::{
     effect::Effect,
     form::{self as inputs, Sign},
     intent::Intent,
-    keys::{Action, Key, KeyContext},
+    keys::{self, Action, Key, KeyContext},
     model::{Model, Msg, Notice, Screen, gives_way},
     pane::{Pane, Tab, Ui},
     problem::{Freshness, Problem},
@@ -219,9 +219,7 @@ fn press(model: &mut Model, key: KeyEvent) -> Vec<Intent> {
     match model.keys.action(place, key) {
         Some(action @ Action::Nudge(_)) if place == KeyContext::Form => form::nudge(model, key, action),
         Some(action) => act(model, place, action),
-        // A terminal writes Alt as an escape before the key. Where Alt with a key means nothing, these were two keys
-        // that arrived together, as Esc and `:` do over a slow line.
-        None if key.modifiers.contains(KeyModifiers::ALT) && !place.is_text() => {
+        None if keys::is_escape_and(key) && !place.is_text() => {
             let second = KeyEvent { modifiers: key.modifiers.difference(KeyModifiers::ALT), ..key };
             vec![Intent::Key(KeyCode::Esc.into()), Intent::Key(second)]
         }
