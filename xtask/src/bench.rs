@@ -15,7 +15,7 @@ struct Part {
     package: &'static str,
     /// The target that measures it.
     bench: &'static str,
-    /// The commands of the program that reach what is measured.
+    /// The commands of the program that reach what is measured, or come nearest to it.
     reached_by: &'static str,
 }
 
@@ -32,12 +32,17 @@ const PARTS: [Part; 13] = [
         "dalembert solve, dalembert optimise; a table is read by @FILE",
     ),
     part("tui", "dalembert-tests", "tui", "dalembert"),
-    part("balance", "dalembert-mechanics", "balance", "dalembert study over balancing/two-plane"),
+    part(
+        "balance",
+        "dalembert-mechanics",
+        "balance",
+        "the kernel alone; dalembert study reaches the like through balancing/two-plane",
+    ),
     part(
         "linkages",
         "dalembert-mechanics",
         "linkages",
-        "dalembert solve virtual-work/slider-crank, four-bar, six-bar (plots over a revolution)",
+        "the formulas alone; dalembert study reaches them through virtual-work/slider-crank and four-bar",
     ),
     part(
         "modal",

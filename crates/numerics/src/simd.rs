@@ -9,6 +9,12 @@
 //! *diverge*, and what follows holds for the first lane alone, as it does after a [`Real::value`] of different lanes.
 //! [`converged`] gives the result of a formula only if its lanes did not diverge.
 
+#![expect(
+    clippy::redundant_closure,
+    clippy::redundant_closure_for_method_calls,
+    reason = "a path to a function in place of a closure is called, not inlined"
+)]
+
 mod space;
 
 use std::{

@@ -2738,11 +2738,11 @@ angular-momentum-about-g-after-impact-excluding-the-support-reactions-h-g-r-j-k 
 another-shape = Outra forma
 as-the-road-wheels-roll = Como as rodas do veículo
 at-that-speed-the-centrifugal-force-of-the-frame-has-the-moment-of-the-gyroscopic-couple = nessa velocidade a força centrífuga do quadro tem o momento do binário giroscópico
-below-the-axis-about-which-the-frame-swings = Abaixo do eixo em torno do qual o quadro oscila.
+of-the-frame-below-the-axis-about-which-it-swings = Do quadro, abaixo do eixo em torno do qual ele oscila.
 both-together-outward-a-wheel-that-turns-against-the-road-wheels-drives-the-lower-end-of-the-frame = Os dois juntos, para fora: um volante que gira contra as rodas do veículo empurra a extremidade inferior do quadro para fora
 both-together-outward-a-wheel-that-turns-as-the-road-wheels-pulls-the-lower-end-of-the-frame-inward = Os dois juntos, para fora: um volante que gira como as rodas do veículo puxa a extremidade inferior do quadro para dentro
 by-the-formula-for-fast-tops-the-mass-of-1-kg-is-chosen-here-and-cancels = Pela fórmula dos piões rápidos. A massa de 1 kg é escolhida aqui e se cancela.
-depth-of-the-centre-of-mass-of-the-frame = Profundidade do centro de massa do quadro
+depth-of-its-centre-of-mass = Profundidade do seu centro de massa
 disc-of-0-3-ft-radius-on-a-stem-of-0-5-ft-at-40-to-the-vertical-spinning-at-300-rad-s-g-32-2-ft-s-as = Disco de 0,3 ft de raio numa haste de 0,5 ft, a 40° da vertical, girando a 300 rad/s. g = 32,2 ft/s² como no livro.
 disc-of-0-5-m-radius-5-5-cm-from-its-pivot = Disco de 0,5 m de raio, a 5,5 cm do seu ponto fixo
 fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-14-16 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 14.16

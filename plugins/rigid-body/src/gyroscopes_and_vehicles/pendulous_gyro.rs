@@ -30,8 +30,8 @@ pub struct PendulousGyro {
     /// Mass of the frame.
     #[input("m_f", "kg", positive)]
     pub frame: f64,
-    /// Depth of the centre of mass of the frame.
-    /// Below the axis about which the frame swings.
+    /// Depth of its centre of mass.
+    /// Of the frame, below the axis about which it swings.
     #[input("h", "m", positive)]
     pub depth: f64,
     /// Speed of the vehicle.

@@ -17,8 +17,8 @@ const WRITTEN: usize = 48;
 /// A periodic curve, measured or calculated at equal intervals of its period.
 #[derive(Clone, Debug, Inputs)]
 pub struct HarmonicAnalysis {
-    /// Ordinates of one period.
-    /// At 0, T/N, 2T/N and so on; the ordinate at the end of the period is the first of the next one and is left out.
+    /// Ordinates.
+    /// Of one period, at 0, T/N, 2T/N and so on; the ordinate at the end of the period is the first of the next one and is left out.
     pub ordinates: Ordinates,
     /// Number of harmonics.
     /// At most half the number of ordinates.
