@@ -45,14 +45,4 @@ impl Rows {
             Row { inputs, answers, refusal }
         })
     }
-
-    /// The inputs and the answers, a row after the other.
-    pub(super) fn numbers(&self) -> [&[f64]; 2] {
-        [&self.inputs, &self.answers]
-    }
-
-    /// Returns true if a point has no answer.
-    pub(super) fn has_refusals(&self) -> bool {
-        !self.refused.is_empty()
-    }
 }

@@ -243,18 +243,17 @@ impl Accumulator {
 
     /// Takes the next rows.
     pub fn take(&mut self, rows: &Rows) {
-        if rows.has_refusals() || self.base_sample.is_some() {
+        if !rows.refused.is_empty() || self.base_sample.is_some() {
             rows.iter().for_each(|row| self.push(row.inputs, row.answers, row.refusal));
             return;
         }
-        let [inputs, answers] = rows.numbers();
         let mut from = 0;
         while from < rows.len() {
             let to = rows.len().min(from + BLOCK - self.columns[self.inputs].len());
             let [of_inputs, of_answers] = self.widths().map(|width| from * width..to * width);
             let point = self.first + self.points;
             self.points += (to - from) as u64;
-            self.append(point, false, (&inputs[of_inputs], &answers[of_answers]));
+            self.append(point, false, (&rows.inputs[of_inputs], &rows.answers[of_answers]));
             from = to;
         }
     }

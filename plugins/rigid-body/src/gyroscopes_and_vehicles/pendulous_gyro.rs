@@ -1,8 +1,7 @@
 //! A spinning wheel in a frame that hangs from a fore-and-aft axis, on a vehicle in a turn.
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet,
-    register,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
 };
 use dalembert_mechanics::{Real, rigid::gyroscope};
 use nalgebra::Vector3;
@@ -52,6 +51,16 @@ pub enum WheelSense {
     AsRoadWheels,
     /// Opposite to the road wheels
     Opposite,
+}
+
+impl WheelSense {
+    /// The sign of the outward moment of the gyroscopic couple.
+    fn outward(self) -> f64 {
+        match self {
+            WheelSense::AsRoadWheels => -1.0,
+            WheelSense::Opposite => 1.0,
+        }
+    }
 }
 
 register!(PendulousGyro);
@@ -144,12 +153,11 @@ impl PendulousGyro {
     /// the left: x forward, y to the left, z up.
     fn check_moments<W: Worksheet>(&self, axial: f64, tilt: f64, sheet: W) {
         let up = Vector3::z() * (self.speed / self.radius);
-        let sense = if self.sense == WheelSense::AsRoadWheels { 1.0 } else { -1.0 };
         let axle = Vector3::new(0.0, tilt.cos(), -tilt.sin());
         let arm = Vector3::new(0.0, -tilt.sin(), -tilt.cos()) * self.depth;
         let inward = Vector3::y() * (self.frame * self.speed.powi(2) / self.radius);
         let weight = Vector3::z() * (-self.frame * self.gravity);
-        let spin = up.cross(&(axle * (sense * axial * self.spin))).x;
+        let spin = up.cross(&(axle * (-self.sense.outward() * axial * self.spin))).x;
         let turning = arm.cross(&inward).x;
         let what = "moments about the axis: that of the weight is the rate of change of the angular momentum of wheel and frame";
         let size = spin.abs() + turning.abs();
@@ -158,10 +166,10 @@ impl PendulousGyro {
 
     fn tilt_over_speed(&self, axial: f64, tilt: f64) -> Plot {
         let most = if self.speed > 0.0 { 2.0 * self.speed } else { 20.0 };
-        let sense = if self.sense == WheelSense::AsRoadWheels { -1.0 } else { 1.0 };
         let at = |n: u16| {
             let speed = most * f64::from(n) / 120.0;
-            let moment = (self.frame * self.depth * speed + sense * axial * self.spin) * speed / self.radius;
+            let moment = (self.frame * self.depth * speed + self.sense.outward() * axial * self.spin) * speed
+                / self.radius;
             (speed, (moment / (self.frame * self.gravity * self.depth)).atan())
         };
         Plot::new(
@@ -179,7 +187,7 @@ impl PendulousGyro {
 fn sketch(tilt: f64) -> Drawing {
     let (sin, cos) = tilt.sin_cos();
     let point = |across: f64, up: f64| (across * cos - up * sin, across * sin + up * cos);
-    let mut sketch = Sketch::new(Text::from("The frame from behind, in a turn to the left"));
+    let mut sketch = Sketch::new("The frame from behind, in a turn to the left");
     sketch
         .axis((0.0, -1.5), (0.0, 1.2))
         .edge("", point(-0.08, -0.8), point(-0.08, 0.8), Ink::Body)

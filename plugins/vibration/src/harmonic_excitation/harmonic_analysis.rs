@@ -107,11 +107,10 @@ impl Analysis for HarmonicAnalysis {
             sheet.answer("frequency", "Frequency of the first harmonic", frequency);
         }
         let values: Vec<f64> = ordinates.iter().map(|ordinate| ordinate.value()).collect();
+        let why = ("Mean: the sum of the ordinates over their number", RAO.at("§1.11"));
         let mean = if count <= WRITTEN {
-            let why = ("Mean: the sum of the ordinates over their number", RAO.at("§1.11"));
             sheet.step("y_m", unit, W::Num::sum(ordinates.iter().copied()) / count as f64, why)
         } else {
-            let why = ("Mean: the sum of the ordinates over their number", RAO.at("§1.11"));
             sheet.numerical("y_m", unit, values.iter().sum::<f64>() / count as f64, why)
         };
         sheet.answer("mean", "Mean", mean);
