@@ -6,7 +6,7 @@ use toml_edit::{Item, TableLike};
 use crate::{
     Answer, AnswerValue, Draft, Entry, LinkedProblem, Locale, Number, Record, Refusal, Solution, SolveError,
     Stop, Text,
-    file::{self, FileError, FileNotes, Format},
+    file::{self, FileError, FileNotes},
 };
 
 /// A problem with printed answers.
@@ -157,7 +157,7 @@ fn exam_case(root: &toml_edit::Table) -> Result<Case, String> {
     if let Some((key, _)) = root.iter().find(|(key, _)| !EXAM_KEYS.contains(key)) {
         return Err(format!("{name}: there is no key `{key}` in an exam question"));
     }
-    let mut reading = FileNotes { format: Format::LATEST, errors: Vec::new(), notes: Vec::new(), kind: None };
+    let mut reading = FileNotes::latest();
     let draft = file::exam_of(root, &mut reading);
     if let Some(err) = reading.errors.first() {
         return Err(format!("{name}: {}", err.why.english()));
@@ -308,7 +308,7 @@ fn case(entry: &Entry, table: &toml_edit::Table) -> Result<Case, String> {
     if !table.contains_key("inputs") {
         return Err(format!("{name}: there are no inputs"));
     }
-    let mut reading = FileNotes { format: Format::LATEST, errors: Vec::new(), notes: Vec::new(), kind: None };
+    let mut reading = FileNotes::latest();
     let draft = file::case_of(table, entry, &mut reading);
     if let Some(err) = reading.errors.first() {
         return Err(format!("{name}: {}", err.why.english()));

@@ -15,6 +15,7 @@ mod format;
 mod former;
 mod linked;
 mod rows;
+mod shorthand;
 mod template;
 mod write;
 pub use choice::{NamedInput, named_input};
@@ -25,8 +26,8 @@ use std::ops::Range;
 
 use toml_edit::{Document, DocumentMut, Item, Table, TableLike, Value as Toml};
 
-pub use self::format::Format;
 use self::write::{set_text, write_item};
+pub use self::{format::Format, shorthand::ShortForms};
 use crate::{
     Display, Draft, Entry, Field, FieldError, LinkedProblem, Shape, Text, UnitSetting, describe, draft,
     find_analysis, path, path::Segment, registry, table,
@@ -86,6 +87,13 @@ pub(crate) struct FileNotes {
     pub(crate) notes: Vec<Text>,
     /// The place of the kind that a former alternative stands for, in what it holds.
     pub(crate) kind: Option<usize>,
+}
+
+impl FileNotes {
+    /// Those of a text of the latest format, before it is read.
+    pub(crate) fn latest() -> Self {
+        Self { format: Format::LATEST, errors: Vec::new(), notes: Vec::new(), kind: None }
+    }
 }
 
 /// Error of a problem file, with its position.
@@ -274,9 +282,23 @@ impl<'d> Part<'d> {
     fn row(&self, row: usize) -> Option<Part<'d>> {
         match self {
             Part::Item(Item::ArrayOfTables(tables)) => tables.get(row).map(Part::Table),
-            Part::Item(item) => item.as_array()?.get(row).map(Part::Value),
-            Part::Value(value) => value.as_array()?.get(row).map(Part::Value),
+            Part::Item(item) => item.as_array().and_then(|rows| rows.get(row)).map(Part::Value),
+            Part::Value(value) => value.as_array().and_then(|rows| rows.get(row)).map(Part::Value),
             Part::Table(_) => None,
+        }
+        .or_else(|| self.named_row(row))
+    }
+}
+
+impl<'d> Part<'d> {
+    /// A row of a list whose rows stand under their names.
+    fn named_row(&self, row: usize) -> Option<Part<'d>> {
+        match self {
+            Part::Item(item) => item.as_table_like()?.iter().nth(row).map(|(_, item)| Part::Item(item)),
+            Part::Value(value) => {
+                value.as_inline_table()?.iter().nth(row).map(|(_, value)| Part::Value(value))
+            }
+            Part::Table(table) => table.iter().nth(row).map(|(_, item)| Part::Item(item)),
         }
     }
 }
@@ -374,6 +396,8 @@ pub(crate) fn exam_of(root: &Table, reading: &mut FileNotes) -> Draft {
 
 /// Draft of an item of a file, in the shape of the inputs.
 pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut FileNotes) -> Draft {
+    let full = shorthand::in_full(item, shape);
+    let item = full.as_ref().unwrap_or(item);
     if let Shape::OneOf(variants) = shape
         && let Some((at, field, value)) = choice::value_alone(item, variants(), path, reading)
     {

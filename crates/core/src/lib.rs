@@ -29,6 +29,7 @@ mod kinds;
 pub mod linked;
 mod names;
 mod path;
+mod placed;
 pub mod printer;
 mod reading;
 mod record;
@@ -49,6 +50,7 @@ pub mod uff;
 mod unit_system;
 mod unknowns;
 pub mod vary;
+mod working;
 pub mod worksheet;
 
 pub use dalembert_derive::Inputs;

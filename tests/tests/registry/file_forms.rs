@@ -190,3 +190,75 @@ fn forms_are_well_formed() {
         }
     }
 }
+
+const MECHANISM: &str = "virtual-work/mechanism";
+
+/// A slider-crank in the shorter forms of its lists.
+const SHORT: &str = r#"points = { O = "ground (0; 0)", A = "(30; 20) mm", B = "(150; 0) mm" }
+bodies = { crank = ["O; A", "40 mm"], rod = ["A; B", "(120) mm"] }
+joints = [{ name = "slot", joint.slot = { guide = "O", pin = "rod (120; 0) mm" } }]
+drivers = [{ name = "motor", what.angle = { body = "crank", value = "30 deg", velocity = "10 rad/s" } }]
+watched = ["B"]
+"#;
+
+/// The same with every body, point and pin written out.
+const LONG: &str = r#"bodies = [{ name = "crank", angle = "30 deg" }, { name = "rod", angle = "-10 deg" }]
+points = [
+ { name = "O", on = "ground", at = "(0; 0) mm" },
+ { name = "A", on.body.body = "crank", at = "(40; 0) mm" },
+ { name = "B", on.body.body = "rod", at = "(120; 0) mm" },
+ { name = "O1", on.body.body = "crank", at = "(0; 0) mm" },
+ { name = "A1", on.body.body = "rod", at = "(0; 0) mm" },
+]
+joints = [
+ { name = "slot", joint.slot = { guide = "O", pin = "B" } },
+ { name = "O", joint.pin = { a = "O", b = "O1" } },
+ { name = "A", joint.pin = { a = "A", b = "A1" } },
+]
+drivers = [{ name = "motor", what.angle = { body = "crank", against = "ground", value = "30 deg", velocity = "10 rad/s" } }]
+watched = [{ point = "B" }]
+"#;
+
+#[test]
+fn a_mechanism_in_short_is_the_mechanism_written_out() {
+    let (short, notes) = solved(&of(MECHANISM, SHORT));
+    let (long, _) = solved(&of(MECHANISM, LONG));
+    // Nodes and rounding are those of each file.
+    let values = |text: &str| {
+        let quoted =
+            text.split("Scalar(").skip(1).filter_map(|rest| rest.split(')').next()?.parse::<f64>().ok());
+        quoted.collect::<Vec<f64>>()
+    };
+    assert!(notes.is_empty(), "{notes:?}");
+    let pairs: Vec<(f64, f64)> = zip_eq(values(&short), values(&long)).collect();
+    assert!(
+        pairs.len() > 8 && pairs.iter().all(|(a, b)| (a - b).abs() <= 1e-9 * b.abs().max(1e-3)),
+        "{pairs:?}"
+    );
+}
+
+#[test]
+fn saving_keeps_the_short_forms_of_what_was_not_changed() {
+    let text = of(MECHANISM, SHORT);
+    let problem = file::parse(&text).expect("it can be read");
+    let shape = problem.entry.shape();
+    let mut draft = problem.draft.clone();
+    draft.set(&shape, "bodies[1].sides[1]", "50 mm").expect("there is such an input");
+    let saved = file::write(&file::ProblemFile { draft, ..problem }, &text);
+    for kept in ["O = \"ground (0; 0)\"", "watched = [\"B\"]", "pin = \"rod (120; 0) mm\""] {
+        assert!(saved.contains(kept), "{kept} in\n{saved}");
+    }
+    let again = file::parse(&saved).expect("what is saved can be read");
+    let crank = again.draft.at(&shape, "bodies[1].sides[1]").expect("there is such an input");
+    assert_eq!(format!("{:?}", crank.0), "Leaf(\"50 mm\")");
+}
+
+#[test]
+fn a_point_in_place_on_nothing_is_refused_where_it_stands() {
+    let text = of(MECHANISM, &SHORT.replace("rod (120; 0) mm", "rot (120; 0) mm"));
+    let problem = file::parse(&text).expect("its form is right");
+    let errors = problem.draft.read(&problem.entry.shape()).expect_err("there is no such body");
+    let [error] = &errors[..] else { panic!("{errors:?}") };
+    assert_eq!(error.path, "joints[1].joint.slot.pin");
+    assert!(error.why.english().contains("`rod`"), "{}", error.why.english());
+}

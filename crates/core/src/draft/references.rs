@@ -2,8 +2,12 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::join;
-use crate::{FieldError, Record, Shape, Text, Value, definitions, kinds, path::unknown};
+use super::{join, read_leaf};
+use crate::{
+    FieldError, Record, Shape, Text, Value, definitions, kinds,
+    path::unknown,
+    placed::{self, Carrier, PlacedFields},
+};
 
 /// The most references without a row for which the nearest name is sought.
 const MOST_NEAREST: usize = 100;
@@ -47,7 +51,8 @@ fn lists(record: &Record) -> Vec<List> {
 /// Finds the rows that references name, and compares what is common to the inputs of a problem; of each of several by
 /// itself.
 pub(crate) fn read_references(record: &mut Record, path: &str, errors: &mut Vec<FieldError>) {
-    let lists = lists(record);
+    let known = lists(record);
+    let lists = if place_points(record, &known, path, errors) { lists(record) } else { known };
     let own = definitions::without_linked(record);
     errors.extend(ambiguous(&lists, &own).into_iter().map(|error| within(path, error)));
     if errors.is_empty() {
@@ -81,6 +86,8 @@ fn resolve(value: &mut Value, shape: &Shape, lists: &[List], path: &str, errors:
         (Value::Reference { name, row }, Shape::Reference(list)) => {
             match find_row(lists, list, name, errors.len() < MOST_NEAREST) {
                 Ok(found) => *row = found,
+                // A point described in place has said what is wrong with it.
+                Err(_) if name.contains('(') && errors.iter().any(|error| error.path == path) => {}
                 Err(why) => errors.push(FieldError::new(path, why)),
             }
         }
@@ -96,6 +103,67 @@ fn resolve(value: &mut Value, shape: &Shape, lists: &[List], path: &str, errors:
         }
         _ => {}
     }
+}
+
+/// Makes a row of each point that is described where the name of a row may stand, as `crank (15; 0) mm`; the row has the
+/// description for its name. True if there are such.
+fn place_points(record: &mut Record, lists: &[List], path: &str, errors: &mut Vec<FieldError>) -> bool {
+    let mut found: Vec<(String, &'static str, String)> = Vec::new();
+    record.leaves(&mut |path, field, value| {
+        if let (Some(list), Value::Reference { name, .. }) = (refers_to(&field.shape), value)
+            && name.contains('(')
+            && !found.iter().any(|(_, known, text)| known == &list && text == name)
+            && lists.iter().any(|known| known.field == list && known.row_of(name).is_none())
+        {
+            found.push((path.to_owned(), list, name.clone()));
+        }
+    });
+    let mut placed = false;
+    for (at, list, text) in found {
+        let Some(place) = record.fields.iter().position(|field| field.name == list) else { continue };
+        let Shape::Rows { item, .. } = record.fields[place].shape else { continue };
+        let Some(fields) = PlacedFields::of(item()) else { continue };
+        let row = placed_row(fields, &text, lists, &join(path, &at));
+        match (row, &mut record.values[place]) {
+            (Ok(Some(row)), Value::Rows(rows)) => {
+                rows.push(row);
+                placed = true;
+            }
+            (Err(why), _) => errors.extend(why),
+            _ => {}
+        }
+    }
+    placed
+}
+
+/// The row of a point that is described in place; none where nothing is named that carries it.
+fn placed_row(
+    point: PlacedFields,
+    text: &str,
+    lists: &[List],
+    path: &str,
+) -> Result<Option<Value>, Vec<FieldError>> {
+    let Some((carrier, position)) = placed::split(text) else { return Ok(None) };
+    let variants = point.carriers();
+    let on = match point.carrier(carrier).filter(|_| !carrier.is_empty()) {
+        Some(Carrier::Plain(variant)) => {
+            Value::OneOf { variant, fields: Record::new((variants[variant].fields)(), Vec::new()) }
+        }
+        Some(Carrier::Named(variant, name)) => {
+            let fields = (variants[variant].fields)();
+            let list = fields.first().and_then(placed::referred).unwrap_or_default();
+            find_row(lists, list, name, true).map_err(|why| vec![FieldError::new(path, why)])?;
+            let reference = Value::Reference { name: name.to_owned(), row: usize::MAX };
+            Value::OneOf { variant, fields: Record::new(fields, vec![reference]) }
+        }
+        None => return Ok(None),
+    };
+    let [name, of, at] = point.places;
+    let mut values = vec![Value::Absent; point.fields.len()];
+    values[name] = Value::Text(text.to_owned());
+    values[of] = on;
+    values[at] = read_leaf(position, &point.fields[at].shape, path)?;
+    Ok(Some(Value::Group(Record::new(point.fields, values))))
 }
 
 /// The row of a top-level list by the text of its field `name`, or by its number; `suggest` seeks the nearest name where

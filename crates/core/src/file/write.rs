@@ -2,7 +2,7 @@
 
 use toml_edit::{ArrayOfTables, DocumentMut, InlineTable, Item, Table, TableLike, Value as Toml};
 
-use super::{former, plain, rows};
+use super::{FileNotes, draft_of, former, plain, rows, shorthand};
 use crate::{Draft, Shape, table};
 
 pub(super) fn set_text(table: &mut dyn TableLike, key: &str, text: &str) {
@@ -34,6 +34,13 @@ pub(super) fn text_of_lines(text: &str) -> Toml {
 }
 
 pub(super) fn write_item(item: &mut Item, draft: &Draft, shape: &Shape) {
+    // A shorter form stays where it says the same.
+    if let Some(full) = shorthand::in_full(item, shape) {
+        if draft_of(&full, shape, "", &mut FileNotes::latest()) == *draft {
+            return;
+        }
+        *item = full;
+    }
     match (shape, draft) {
         (Shape::Optional(inner), _) => write_item(item, draft, inner()),
         (Shape::Group(fields), Draft::Group(drafts)) => {

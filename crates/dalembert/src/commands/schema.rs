@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use dalembert_core::{
     ChildList, Entry, Field, FieldLimit, LinkedProblem, Locale, Measure, Shape, Text, UnitSetting, Variant,
-    linked, registry,
+    file::ShortForms, linked, registry,
 };
 use dalembert_report::RESULTS_SCHEMA;
 use serde_json::{Map, Value as Json, json};
@@ -218,8 +218,28 @@ impl Writer<'_> {
             Shape::Group(fields) => self.defined(shape, name, |writer| writer.group(fields())),
             Shape::OneOf(variants) => self.defined(shape, name, |writer| writer.one_of(variants())),
             Shape::Rows { item, min, most } => {
-                let items = self.shape(item(), name);
-                json!({ "type": "array", "minItems": min, "maxItems": most, "items": items })
+                let short = ShortForms::of(item());
+                let row = self.shape(item(), name);
+                let in_order = json!({ "type": "array" });
+                let value = json!({ "type": ["string", "number"] });
+                let of_row = |forms: &[(bool, &Json)]| {
+                    let short = forms.iter().filter(|(applies, _)| *applies).map(|(_, form)| *form);
+                    match std::iter::once(&row).chain(short).cloned().collect::<Vec<_>>().as_slice() {
+                        [only] => only.clone(),
+                        all => json!({ "anyOf": all }),
+                    }
+                };
+                let rows = of_row(&[(short.row_in_order, &in_order), (short.row_of_value, &value)]);
+                let list = json!({ "type": "array", "minItems": min, "maxItems": most, "items": rows });
+                if short.by_name {
+                    let by_name =
+                        json!({ "type": "object", "additionalProperties": true, "maxProperties": most });
+                    json!({ "anyOf": [list, by_name] })
+                } else if short.in_one_text {
+                    json!({ "anyOf": [list, { "type": "string" }] })
+                } else {
+                    list
+                }
             }
             Shape::Optional(inner) => self.shape(inner(), name),
         }

@@ -1,0 +1,135 @@
+//! Shorter forms of lists and of their rows, written in full: rows under their names, `{ A = …, B = … }`; the values of a
+//! list in one text, `"A; B"` or `"(40; 30) mm"`; a row by its first inputs in their order, by the value of its only input,
+//! or as a point in place.
+
+use toml_edit::{Array, InlineTable, Item, TableLike, Value as Toml};
+
+use crate::{
+    Field, Shape,
+    placed::{self, Carrier, PlacedFields},
+};
+
+/// The shorter forms of a list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ShortForms {
+    /// A table of rows under their names.
+    pub by_name: bool,
+    /// One text with all values.
+    pub in_one_text: bool,
+    /// A row as a list of its first inputs.
+    pub row_in_order: bool,
+    /// A row as one value.
+    pub row_of_value: bool,
+}
+
+impl ShortForms {
+    /// Those of a list of such rows.
+    pub fn of(row: &Shape) -> Self {
+        let Shape::Group(fields) = row else {
+            let in_one_text = row.is_leaf();
+            return Self { by_name: false, in_one_text, row_in_order: false, row_of_value: false };
+        };
+        let is_one_value = matches!(fields(), [only] if only.shape.is_leaf());
+        Self {
+            by_name: is_named(fields()),
+            in_one_text: false,
+            row_in_order: true,
+            row_of_value: is_one_value || PlacedFields::of(row).is_some(),
+        }
+    }
+}
+
+/// Returns true if rows of these fields are called by their first one.
+fn is_named(fields: &[Field]) -> bool {
+    fields.first().is_some_and(|field| field.name == "name")
+}
+
+/// An item in full; `None` if it is written so. `shape` is that of the item, which may be a row of a list.
+pub(super) fn in_full(item: &Item, shape: &Shape) -> Option<Item> {
+    match shape {
+        Shape::Rows { item: row, .. } if item.is_table_like() => rows_by_name(item.as_table_like()?, row()),
+        Shape::Rows { item: row, .. } if row().is_leaf() => Some(list(values(item.as_str()?))),
+        Shape::Group(fields) => match item.as_value()? {
+            value if value.is_inline_table() => None,
+            Toml::Array(values) => row_in_order(values, fields()),
+            value => row_of_value(value, fields(), shape),
+        },
+        _ => None,
+    }
+}
+
+/// Rows under their names, as a list of rows with a name.
+fn rows_by_name(table: &dyn TableLike, shape: &Shape) -> Option<Item> {
+    let Shape::Group(fields) = shape else { return None };
+    if !is_named(fields()) {
+        return None;
+    }
+    let mut rows = Array::new();
+    for (name, item) in table.iter() {
+        let full = match item.as_array() {
+            Some(values) => row_in_order(&with_first(name, values), fields()),
+            None => in_full(item, shape),
+        };
+        let mut row = match full.as_ref().unwrap_or(item) {
+            Item::Table(table) => table.clone().into_inline_table(),
+            other => other.as_inline_table()?.clone(),
+        };
+        row.insert("name", name.into());
+        rows.push_formatted(Toml::InlineTable(row));
+    }
+    Some(Item::Value(Toml::Array(rows)))
+}
+
+/// A row by its first inputs in their order; `None` where there are more values than inputs.
+fn row_in_order(values: &Array, fields: &'static [Field]) -> Option<Item> {
+    let named = values.iter().zip(fields).map(|(value, field)| (field.name, value.clone()));
+    (values.len() <= fields.len()).then(|| Item::Value(Toml::InlineTable(named.collect())))
+}
+
+fn with_first(name: &str, values: &Array) -> Array {
+    std::iter::once(name.into()).chain(values.iter().cloned()).collect()
+}
+
+/// The values of a list that are written in one text. A unit behind a bracket is that of each.
+fn values(text: &str) -> Vec<String> {
+    let (inside, unit) = match text.trim().strip_prefix('(').and_then(|rest| rest.rsplit_once(')')) {
+        Some((inside, unit)) => (inside, unit.trim()),
+        None => (text, ""),
+    };
+    let one = |value: &str| format!("{} {unit}", value.trim()).trim_end().to_owned();
+    inside.split(';').map(one).filter(|value| !value.is_empty()).collect()
+}
+
+fn list(values: Vec<String>) -> Item {
+    Item::Value(Toml::Array(values.into_iter().collect()))
+}
+
+/// A row of which a value alone is written: a point in place, or the only input.
+fn row_of_value(value: &Toml, fields: &'static [Field], shape: &Shape) -> Option<Item> {
+    let mut row = InlineTable::new();
+    if let (Some(point), Some(text)) = (PlacedFields::of(shape), value.as_str()) {
+        let (carrier, position) = placed::split(text)?;
+        let [_, on, at] = point.places.map(|place| fields[place].name);
+        match point.carrier(carrier) {
+            _ if carrier.is_empty() => {}
+            Some(Carrier::Plain(_)) => {
+                row.insert(on, carrier.into());
+            }
+            Some(Carrier::Named(place, name)) => {
+                let variant = &point.carriers()[place];
+                let [only] = (variant.fields)() else { return None };
+                let named = |key: &str, value: Toml| Toml::InlineTable([(key, value)].into_iter().collect());
+                row.insert(on, named(variant.name, named(only.name, name.into())));
+            }
+            None => return None,
+        }
+        row.insert(at, position.into());
+    } else {
+        let [only] = fields else { return None };
+        if !only.shape.is_leaf() {
+            return None;
+        }
+        row.insert(only.name, value.clone());
+    }
+    Some(Item::Value(Toml::InlineTable(row)))
+}
