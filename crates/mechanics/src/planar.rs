@@ -63,6 +63,7 @@ mod layout;
 mod load;
 mod measure;
 mod model;
+mod profile;
 mod reactions;
 mod simulation;
 mod sweep;
@@ -72,8 +73,8 @@ mod vectors;
 
 pub use assembly::InitialGuess;
 pub use continuation::{ChangePoint, Continuation};
-pub use equation::{ConstraintTerm, Driver, Equation, PlanarJoint, Profile};
-pub use equilibrium::{Equilibrium, Stability, SweepSample};
+pub use equation::{ConstraintTerm, Driver, Equation, PlanarJoint};
+pub use equilibrium::{Equilibrium, Stability, StopPosition, SweepSample};
 pub use events::Event;
 pub use forward_dynamics::{ForwardDynamics, JointFriction};
 pub use friction::Contact;
@@ -83,6 +84,7 @@ pub use kinematics::Mobility;
 pub use load::{Effort, PlanarLoad};
 pub use measure::{BodyFrame, BodyPoint, Gradient, Pose, RelativeCoordinate};
 pub use model::{Model, PlanarState};
+pub use profile::{GenevaWheel, Profile, TransmissionFunction};
 pub use sweep::{Sweep, SweepResult};
 pub use trajectory::{PlanarRun, Snapshot, Trajectory};
 

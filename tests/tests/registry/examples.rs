@@ -103,6 +103,7 @@ fn every_example_is_tested() {
             "fan_questions.toml",
             // A plan of a study, carried out by the tests of the command line.
             "fan_study.toml",
+            "jansen_leg.toml",
             "mass_from_frequency.toml",
             "mounts_for_a_fan.toml",
             "rotor.toml",
@@ -147,4 +148,16 @@ fn the_fan_on_its_bracket() {
 #[test]
 fn the_fan_with_an_added_weight() {
     answers("added_weight.toml", &[("mass", "25.84265 kg"), ("support.stiffness.stiffness", "68600.06 N/m")]);
+}
+
+#[test]
+fn the_leg_of_a_walking_machine() {
+    answers(
+        "jansen_leg.toml",
+        &[
+            ("angular_velocity[7]", "3.6215 rad/s"),
+            ("effort[1]", "0.075264 N·m"),
+            ("reaction[1]", "13.371 N"),
+        ],
+    );
 }

@@ -1,6 +1,6 @@
 //! Joints and drivers, and the scalar equations that they stand for.
 
-use super::{BodyFrame, BodyPoint, RelativeCoordinate};
+use super::{BodyFrame, BodyPoint, GenevaWheel, Profile, RelativeCoordinate, TransmissionFunction};
 
 /// A joint: a constraint between bodies.
 #[derive(Debug, Clone, PartialEq)]
@@ -102,6 +102,18 @@ pub enum PlanarJoint {
         /// The value of the follower for each value of the leader.
         profile: Profile,
     },
+    /// A Geneva drive: the pin of a driver turns a slotted wheel, which is locked between two engagements. The drawn
+    /// angle of the wheel is kept.
+    Geneva {
+        /// The body with the pin.
+        driver: BodyFrame,
+        /// The slotted wheel.
+        wheel: BodyFrame,
+        /// The body that carries both.
+        carrier: BodyFrame,
+        /// The slots and the place of the pin.
+        geometry: GenevaWheel,
+    },
 }
 
 /// A driver: a measure whose value, velocity and acceleration are given.
@@ -117,17 +129,6 @@ pub struct Driver {
     pub acceleration: f64,
 }
 
-/// A function with two continuous derivatives, as a polynomial on each interval.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Profile {
-    /// The beginnings of the intervals, ascending, and the end of the last one.
-    knots: Vec<f64>,
-    /// The coefficients of each interval, of ascending powers of the distance from its beginning.
-    pieces: Vec<[f64; 4]>,
-    /// The period after which it repeats.
-    period: Option<f64>,
-}
-
 /// A part of an [`Equation`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConstraintTerm {
@@ -136,7 +137,7 @@ pub struct ConstraintTerm {
     /// The relative coordinate.
     pub measure: RelativeCoordinate,
     /// The function that the measure goes through.
-    pub profile: Option<Profile>,
+    pub function: Option<TransmissionFunction>,
 }
 
 /// A scalar constraint equation `Σ weight · f(measure) = constant`.
@@ -151,12 +152,12 @@ pub struct Equation {
 impl Equation {
     /// The equation of a measure that keeps a value.
     pub fn of(measure: RelativeCoordinate, constant: Option<f64>) -> Self {
-        Self { terms: vec![ConstraintTerm { weight: 1.0, measure, profile: None }], constant }
+        Self { terms: vec![ConstraintTerm { weight: 1.0, measure, function: None }], constant }
     }
 
     fn weighted(terms: impl IntoIterator<Item = (f64, RelativeCoordinate)>, constant: Option<f64>) -> Self {
         let terms =
-            terms.into_iter().map(|(weight, measure)| ConstraintTerm { weight, measure, profile: None });
+            terms.into_iter().map(|(weight, measure)| ConstraintTerm { weight, measure, function: None });
         Self { terms: terms.collect(), constant }
     }
 }
@@ -213,105 +214,26 @@ impl PlanarJoint {
             }
             PlanarJoint::Cam { follower, cam, profile } => {
                 let terms = vec![
-                    ConstraintTerm { weight: 1.0, measure: *follower, profile: None },
-                    ConstraintTerm { weight: -1.0, measure: *cam, profile: Some(profile.clone()) },
+                    ConstraintTerm { weight: 1.0, measure: *follower, function: None },
+                    ConstraintTerm {
+                        weight: -1.0,
+                        measure: *cam,
+                        function: Some(TransmissionFunction::Profile(profile.clone())),
+                    },
                 ];
                 vec![Equation { terms, constant: Some(0.0) }]
             }
-        }
-    }
-}
-
-impl Profile {
-    /// The natural cubic spline through points with ascending abscissae; outside of them it goes on as a line.
-    /// With a period it closes on itself, and the points must lie within one period.
-    ///
-    /// None unless there are at least two points (three with a period), finite and ascending.
-    pub fn through(points: &[[f64; 2]], period: Option<f64>) -> Option<Self> {
-        let mut points = points.to_vec();
-        if let Some(period) = period {
-            let [x, y] = *points.first()?;
-            if points.len() < 3 || points.last()?[0] >= x + period {
-                return None;
+            &PlanarJoint::Geneva { driver, wheel, carrier, geometry } => {
+                let terms = vec![
+                    ConstraintTerm { weight: 1.0, measure: angle(wheel, carrier), function: None },
+                    ConstraintTerm {
+                        weight: -1.0,
+                        measure: angle(driver, carrier),
+                        function: Some(TransmissionFunction::Geneva(geometry)),
+                    },
+                ];
+                vec![Equation { terms, constant: None }]
             }
-            points.push([x + period, y]);
-        }
-        let ascending = points.windows(2).all(|pair| pair[0][0] < pair[1][0]);
-        if points.len() < 2 || !ascending || points.iter().flatten().any(|x| !x.is_finite()) {
-            return None;
-        }
-        let second = second_derivatives(&points, period.is_some())?;
-        let piece = |k: usize| {
-            let ([x0, y0], [x1, y1]) = (points[k], points[k + 1]);
-            let (h, s0, s1) = (x1 - x0, second[k], second[k + 1]);
-            [y0, (y1 - y0) / h - h * (2.0 * s0 + s1) / 6.0, s0 / 2.0, (s1 - s0) / (6.0 * h)]
-        };
-        let pieces: Vec<[f64; 4]> = (0..points.len() - 1).map(piece).collect();
-        let finite = pieces.iter().flatten().all(|x| x.is_finite());
-        let knots = points.iter().map(|point| point[0]).collect();
-        finite.then_some(Self { knots, pieces, period })
-    }
-
-    /// Value, first and second derivative.
-    pub fn at(&self, x: f64) -> [f64; 3] {
-        let first = self.knots[0];
-        let x = self.period.map_or(x, |period| first + (x - first).rem_euclid(period));
-        let last = self.knots[self.knots.len() - 1];
-        let held = x.clamp(first, last);
-        let piece = self.knots[1..self.knots.len() - 1].partition_point(|&knot| knot <= held);
-        let [a, b, c, d] = self.pieces[piece];
-        let h = held - self.knots[piece];
-        let slope = b + h * (2.0 * c + h * 3.0 * d);
-        let beyond = x - held;
-        let bend = if beyond == 0.0 { 2.0 * c + 6.0 * d * h } else { 0.0 };
-        [a + h * (b + h * (c + h * d)) + slope * beyond, slope, bend]
-    }
-
-    /// The integral from the first point.
-    pub fn integral(&self, x: f64) -> f64 {
-        let whole = |[a, b, c, d]: [f64; 4], h: f64| h * (a + h * (b / 2.0 + h * (c / 3.0 + h * d / 4.0)));
-        let (first, last) = (self.knots[0], self.knots[self.knots.len() - 1]);
-        let up_to = |x: f64| -> f64 {
-            let held = x.clamp(first, last);
-            let inside: f64 = self
-                .knots
-                .windows(2)
-                .zip(&self.pieces)
-                .map(|(ends, &piece)| whole(piece, held.clamp(ends[0], ends[1]) - ends[0]))
-                .sum();
-            let [value, slope, _] = self.at(held);
-            inside + (x - held) * (value + slope * (x - held) / 2.0)
-        };
-        match self.period {
-            Some(period) => {
-                let turns = ((x - first) / period).floor();
-                turns * up_to(last) + up_to(x - turns * period)
-            }
-            None => up_to(x),
         }
     }
-}
-
-/// The second derivatives of the cubic spline at its points (de Boor, *A Practical Guide to Splines*, ch. IV).
-fn second_derivatives(points: &[[f64; 2]], closed: bool) -> Option<Vec<f64>> {
-    let n = points.len();
-    let width = |k: usize| points[k + 1][0] - points[k][0];
-    let slope = |k: usize| (points[k + 1][1] - points[k][1]) / width(k);
-    let mut a = nalgebra::DMatrix::zeros(n, n);
-    let mut b = nalgebra::DVector::zeros(n);
-    for k in 1..n - 1 {
-        (a[(k, k - 1)], a[(k, k)], a[(k, k + 1)]) = (width(k - 1), 2.0 * (width(k - 1) + width(k)), width(k));
-        b[k] = 6.0 * (slope(k) - slope(k - 1));
-    }
-    if closed {
-        let last = n - 2;
-        a[(0, last)] = width(last);
-        a[(0, 0)] = 2.0 * (width(last) + width(0));
-        a[(0, 1)] += width(0);
-        b[0] = 6.0 * (slope(0) - slope(last));
-        (a[(n - 1, 0)], a[(n - 1, n - 1)]) = (1.0, -1.0);
-    } else {
-        (a[(0, 0)], a[(n - 1, n - 1)]) = (1.0, 1.0);
-    }
-    dalembert_numerics::linalg::solve(&a, &b).ok().map(|solved| solved.x.iter().copied().collect())
 }

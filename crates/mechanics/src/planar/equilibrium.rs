@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::{
-    Model, PlanarError, PlanarLoad, PlanarState,
+    Model, PlanarError, PlanarLoad, PlanarState, RelativeCoordinate,
     inverse_dynamics::virtual_power,
     measure::{bias, gradient, poses, rate},
     tolerances::{
@@ -50,6 +50,17 @@ pub struct SweepSample {
     pub effort: f64,
     /// The potential energy, if there is one, J.
     pub potential: Option<f64>,
+}
+
+/// A position of a mechanism with one driver in which a measure has a value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StopPosition {
+    /// The value of the driver, m or rad.
+    pub value: f64,
+    /// The positions.
+    pub positions: Vec<[f64; 3]>,
+    /// The effort `Q = (dV/dm)/(dc/dm)` along the measure c that holds the mechanism there, N or N m.
+    pub effort: f64,
 }
 
 impl Model {
@@ -194,6 +205,45 @@ impl Model {
             };
             let positions = self.continue_to(&a.positions, &[value])?.positions;
             found.push(self.classified(vec![value], positions, largest)?);
+        }
+        Ok(found)
+    }
+
+    /// The positions between samples of [`samples`](Model::samples) in which a measure has a value, with the effort along
+    /// that measure which holds the mechanism there by itself: by virtual work `Q δc = dV`. Left out where the measure
+    /// does not change with the driver.
+    ///
+    /// # Errors
+    /// As for [`continue_to`](Model::continue_to).
+    pub fn stop_positions(
+        &self,
+        samples: &[SweepSample],
+        measure: &RelativeCoordinate,
+        limit: f64,
+    ) -> Result<Vec<StopPosition>, PlanarError> {
+        let beyond = |positions: &[[f64; 3]]| self.value(measure, positions) - limit;
+        let mut found = Vec::new();
+        for pair in samples.windows(2) {
+            let [a, b] = pair else { continue };
+            let ends = [beyond(&a.positions), beyond(&b.positions)];
+            if ends[0].signum() == ends[1].signum() && ends[1] != 0.0 || ends[0] == 0.0 && !found.is_empty() {
+                continue;
+            }
+            let there = |value: f64| self.continue_to(&a.positions, &[value]);
+            let at = |value: f64| there(value).map_or(f64::NAN, |there| beyond(&there.positions));
+            let between = if a.value < b.value { [a.value, b.value] } else { [b.value, a.value] };
+            let Ok(value) = roots::find(at, between, |_| std::ops::ControlFlow::Continue(())) else {
+                continue;
+            };
+            let positions = there(value)?.positions;
+            let coefficients = self.velocity_coefficients(&self.factored(&positions)?)?;
+            let poses = poses(&positions);
+            let change = rate(measure, &gradient(measure, &poses), &coefficients[0]);
+            let scale = self.length_of(measure) / self.length_of(&self.mechanism.drivers[0].measure);
+            if change.abs() * scale > ZERO_STIFFNESS {
+                let effort = self.holding_efforts(&positions)?[0] / change;
+                found.push(StopPosition { value, positions, effort });
+            }
         }
         Ok(found)
     }

@@ -49,9 +49,9 @@ impl Model {
             let (mut left, mut row) = (0.0, Vec::with_capacity(6));
             for term in &equation.terms {
                 let gradient = gradient(&term.measure, &poses);
-                let [value, rate] = match &term.profile {
-                    Some(profile) => {
-                        let [value, rate, _] = profile.at(gradient.value);
+                let [value, rate] = match &term.function {
+                    Some(function) => {
+                        let [value, rate, _] = function.at(gradient.value);
                         [value, rate]
                     }
                     None => [gradient.value, 1.0],
@@ -81,11 +81,11 @@ impl Model {
         let poses = poses(positions);
         let of_term = |term: &ConstraintTerm| {
             let bias = bias(&term.measure, &poses, velocities);
-            let through = match &term.profile {
-                Some(profile) => {
+            let through = match &term.function {
+                Some(function) => {
                     let gradient = gradient(&term.measure, &poses);
                     let rate = rate(&term.measure, &gradient, velocities);
-                    let [_, first, second] = profile.at(gradient.value);
+                    let [_, first, second] = function.at(gradient.value);
                     first * bias + second * rate * rate
                 }
                 None => bias,

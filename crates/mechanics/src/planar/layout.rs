@@ -206,10 +206,10 @@ impl EquationLayout {
                     let mut left = S::from(0.0);
                     for (term, places) in terms {
                         let gradient = gradient(&term.measure, &position.poses);
-                        let (value, rate) = match &term.profile {
-                            Some(profile) => (
-                                gradient.value.each(|x| profile.at(x)[0]),
-                                gradient.value.each(|x| profile.at(x)[1]),
+                        let (value, rate) = match &term.function {
+                            Some(function) => (
+                                gradient.value.each(|x| function.at(x)[0]),
+                                gradient.value.each(|x| function.at(x)[1]),
                             ),
                             None => (gradient.value, S::from(1.0)),
                         };
@@ -253,11 +253,11 @@ impl EquationLayout {
                         let [from, to] = term.measure.bodies();
                         let velocity = |frame: BodyFrame| velocities[frame.unwrap_or(self.bodies)];
                         let bias = term.measure.bias(poses, [velocity(from), velocity(to)]);
-                        let Some(profile) = &term.profile else { return bias * term.weight };
+                        let Some(function) = &term.function else { return bias * term.weight };
                         let gradient = term.measure.gradient(poses);
                         let rate = rate(&term.measure, &gradient, velocities);
                         let [first, second] =
-                            [1, 2].map(|n: usize| gradient.value.each(|x| profile.at(x)[n]));
+                            [1, 2].map(|n: usize| gradient.value.each(|x| function.at(x)[n]));
                         (first * bias + second * rate * rate) * term.weight
                     };
                     terms_by_row[*row] = -S::sum(terms.iter().map(of_term));
@@ -309,5 +309,5 @@ impl EquationLayout {
 #[inline(always)]
 fn value<S: SimdReal>(term: &ConstraintTerm, poses: &[Pose<S>]) -> S {
     let value = gradient(&term.measure, poses).value;
-    term.profile.as_ref().map_or(value, |profile| value.each(|x| profile.at(x)[0])) * term.weight
+    term.function.as_ref().map_or(value, |function| value.each(|x| function.at(x)[0])) * term.weight
 }

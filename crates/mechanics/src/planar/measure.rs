@@ -66,6 +66,13 @@ pub enum RelativeCoordinate {
         /// B.
         to: BodyPoint,
     },
+    /// The polar angle of a point about another in the axes of the body that carries that one, rad; within one turn.
+    Bearing {
+        /// A.
+        from: BodyPoint,
+        /// B.
+        to: BodyPoint,
+    },
 }
 
 /// The pose of a body: its origin, and its angle with cosine and sine.
@@ -134,13 +141,19 @@ impl RelativeCoordinate {
             RelativeCoordinate::Angle { of, against } => [against, of],
             RelativeCoordinate::Component { from, to, .. }
             | RelativeCoordinate::Along { from, to, .. }
-            | RelativeCoordinate::Distance { from, to } => [from.on, to.on],
+            | RelativeCoordinate::Distance { from, to }
+            | RelativeCoordinate::Bearing { from, to } => [from.on, to.on],
         }
     }
 
     /// True for an angle, in rad, rather than a length, in m.
     pub fn is_angle(&self) -> bool {
-        matches!(self, RelativeCoordinate::Angle { .. })
+        matches!(self, RelativeCoordinate::Angle { .. } | RelativeCoordinate::Bearing { .. })
+    }
+
+    /// True if it changes with the place of its points, so that an effort along it is a force rather than a couple alone.
+    pub fn has_line(&self) -> bool {
+        !matches!(self, RelativeCoordinate::Angle { .. })
     }
 
     /// The value and its derivative, with the poses of the bodies it is taken from and to.
@@ -177,6 +190,18 @@ impl RelativeCoordinate {
                 let length = (d[0].powi(2) + d[1].powi(2)).sqrt();
                 let u = [d[0] / length, d[1] / length];
                 Gradient { value: length, from: opposite(along(u, a)), to: along(u, b) }
+            }
+            RelativeCoordinate::Bearing { from, to } => {
+                let (a, b) = (from_pose.turned(from.at), to_pose.turned(to.at));
+                let d = between(from_pose, a, to_pose, b);
+                let square = d[0].powi(2) + d[1].powi(2);
+                let across = [-d[1] / square, d[0] / square];
+                let [fx, fy, moment] = opposite(along(across, a));
+                Gradient {
+                    value: d[1].atan2(d[0]) - from_pose.angle,
+                    from: [fx, fy, moment - 1.0],
+                    to: along(across, b),
+                }
             }
         }
     }
@@ -218,6 +243,13 @@ impl RelativeCoordinate {
                 let u = [d[0] / length, d[1] / length];
                 let across = u[0] * v[1] - u[1] * v[0];
                 dot(u, inward) + across.powi(2) / length
+            }
+            RelativeCoordinate::Bearing { from, to } => {
+                let (a, b, inward) = points(from, to);
+                let (d, v) = (between(from_pose, a, to_pose, b), relative(a, b));
+                let square = d[0].powi(2) + d[1].powi(2);
+                let across = |x: [S; 2]| (d[0] * x[1] - d[1] * x[0]) / square;
+                across(inward) - across(v) * dot(d, v) / square * 2.0
             }
         }
     }

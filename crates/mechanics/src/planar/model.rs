@@ -223,7 +223,7 @@ impl Model {
 fn left_side(equation: &Equation, poses: &[Pose<f64>]) -> f64 {
     let of_term = |term: &ConstraintTerm| {
         let value = gradient(&term.measure, poses).value;
-        term.weight * term.profile.as_ref().map_or(value, |profile| profile.at(value)[0])
+        term.weight * term.function.as_ref().map_or(value, |function| function.at(value)[0])
     };
     equation.terms.iter().map(of_term).sum()
 }
@@ -235,7 +235,8 @@ fn size(mechanism: &PlanarMechanism, equations: &[Equation], guess: &[[f64; 3]])
         RelativeCoordinate::Angle { .. } => 0.0,
         RelativeCoordinate::Component { from, to, .. }
         | RelativeCoordinate::Along { from, to, .. }
-        | RelativeCoordinate::Distance { from, to } => arm(from).max(arm(to)),
+        | RelativeCoordinate::Distance { from, to }
+        | RelativeCoordinate::Bearing { from, to } => arm(from).max(arm(to)),
     };
     let in_equations = equations.iter().flat_map(|equation| {
         let only_lengths = equation.terms.iter().all(|term| !term.measure.is_angle());

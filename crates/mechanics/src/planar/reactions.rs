@@ -8,7 +8,7 @@ impl Model {
     pub fn connected_parts(&self, owner: usize) -> Vec<BodyFrame> {
         let mut parts = Vec::new();
         for equation in &self.equations[self.equations_of(owner)] {
-            let lengths = equation.terms.iter().filter(|term| !term.measure.is_angle());
+            let lengths = equation.terms.iter().filter(|term| term.measure.has_line());
             for part in lengths.flat_map(|term| term.measure.bodies()) {
                 if !parts.contains(&part) {
                     parts.push(part);
@@ -33,10 +33,10 @@ impl Model {
         for equation in self.equations_of(owner) {
             let multiplier = multipliers[equation];
             let terms = &self.equations[equation].terms;
-            for term in terms.iter().filter(|term| !term.measure.is_angle()) {
+            for term in terms.iter().filter(|term| term.measure.has_line()) {
                 let [from, to] = term.measure.bodies().map(pose);
                 let gradient = term.measure.gradient([&from, &to]);
-                let rate = term.profile.as_ref().map_or(1.0, |profile| profile.at(gradient.value)[1]);
+                let rate = term.function.as_ref().map_or(1.0, |function| function.at(gradient.value)[1]);
                 for (on, [x, y, _]) in term.measure.bodies().into_iter().zip([gradient.from, gradient.to]) {
                     if on == part {
                         let effort = multiplier * term.weight * rate;

@@ -341,7 +341,7 @@ fn zero(
 ) -> Result<Found, RotorError> {
     let highest = ends[1].0;
     let mut latest = None;
-    let [left, right] = narrowed(ends, 1e-10 * highest, |speed| {
+    let [left, right] = working_of(ends, 1e-10 * highest, |speed| {
         let Some(mode) = mode_at(speed)? else { return Ok(f64::NAN) };
         let value = rough(&mode, speed);
         latest = Some((speed, mode));
@@ -376,7 +376,7 @@ fn zero(
             return Ok(Found::Lost(guess));
         }
     };
-    let Ok([left, right]) = narrowed(around, 1e-14 * guess, &mut at) else { return Ok(Found::Lost(guess)) };
+    let Ok([left, right]) = working_of(around, 1e-14 * guess, &mut at) else { return Ok(Found::Lost(guess)) };
     let speed = if left.1.abs() < right.1.abs() { left.0 } else { right.0 };
     Ok(match polished(reduced.rotor, &mode, speed) {
         Ok(polished) => Found::Refined(Critical { speed, mode: polished.mode }),
@@ -386,7 +386,7 @@ fn zero(
 
 /// Narrows a range whose ends differ in sign: by the straight line between them, one end's value halved where it stays
 /// (Illinois), and by bisection where that does not halve the range twice in a row.
-fn narrowed(
+fn working_of(
     mut ends: [(f64, f64); 2],
     width: f64,
     mut function: impl FnMut(f64) -> Result<f64, RotorError>,

@@ -46,6 +46,7 @@ mod spring_closed_forms;
 mod supports;
 mod sweep;
 mod tops;
+mod transmission;
 mod vibration_base_modes;
 mod vibration_crankshaft;
 mod vibration_duffing;

@@ -1,5 +1,7 @@
 //! Equilibrium positions of a plane mechanism of any shape, and their stability.
 
+mod stops;
+
 use dalembert_core::{
     About, Analysis, Axis, Cell, Column, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch,
     TableExhibit, Text, Worksheet, register,
@@ -10,6 +12,7 @@ use dalembert_mechanics::{
 };
 use nalgebra::{DMatrix, Vector3};
 
+use self::stops::{Limited, Stop, StopContact};
 use crate::{
     shared::parts::{Connection, Drive, Driven, NamedLoad, Part, Parts, Spot, verbatim},
     sources::{BEER, HAUG},
@@ -36,6 +39,9 @@ pub struct Equilibrium {
     /// Acceleration of gravity.
     #[input("g", "m/s^2", planar, default = "(0; -9.81) m/s^2")]
     pub gravity: Vector3<f64>,
+    /// Stops.
+    /// Cords, buffers and contacts that limit the motion; found over a range of a single coordinate.
+    pub stops: Vec<Stop>,
     /// Search region.
     pub search: Search,
 }
@@ -82,7 +88,7 @@ impl Analysis for Equilibrium {
     };
 
     fn solve<W: Worksheet>(&self, _: &EquilibriumGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let parts = self.parts();
+        let parts = self.parts()?;
         let (system, rows, positions) = parts.assembled(sheet)?;
         let refuse = |error: PlanarError| parts.refusal(&error, &rows);
         let turns = matches!(self.drivers[0].what, Driven::Angle { .. });
@@ -101,7 +107,9 @@ impl Analysis for Equilibrium {
                 ));
             }
         };
-        let (samples, found) = match range {
+        stops::refuse_several(&self.stops, &self.drivers, range.is_some())?;
+        let limited = Limited::new(&self.stops, &parts);
+        let (samples, mut found) = match range {
             None => (Vec::new(), vec![system.equilibrium_near(&positions).map_err(refuse)?]),
             Some(range) => {
                 let samples = system.samples(&positions, range, STEPS).map_err(refuse)?;
@@ -119,39 +127,40 @@ impl Analysis for Equilibrium {
         if let Some(end) = short {
             sheet.warn(|| {
                 Text::new("the mechanism does not move beyond {end}: nothing was searched beyond it")
-                    .with_quantity("end", end, self.parts().unit(0))
+                    .with_quantity("end", end, self.drivers[0].what.unit())
             });
         }
-        if found.is_empty() {
+        found.retain(|here| limited.permit(&system, &here.positions));
+        let resting = limited.resting(&system, &samples).map_err(refuse)?;
+        if found.is_empty() && resting.is_empty() {
             return Err(Refusal::because(
                 "there is no equilibrium in this range: the holding effort does not change sign; search a wider one",
             ));
         }
         for (number, here) in (1..).zip(&found) {
             sheet.keep_going()?;
-            self.write(&system, here, number, sheet);
+            parts.answer(&system, here, number, sheet);
         }
-        sheet.show(|| Exhibit::Table(self.table(&found)));
+        for (number, here) in (1..).zip(&resting) {
+            here.answer(&system, &parts, number, sheet);
+        }
+        sheet.show(|| Exhibit::Table(parts.table_of_equilibria(&found, &resting)));
         if !samples.is_empty() {
-            self.plots(&system, &samples, &found, sheet);
+            parts.show_energy(&system, &samples, (&found, &resting), sheet);
         }
-        sheet.show(|| Exhibit::Drawing(self.drawing(&parts, &found)));
+        sheet.show(|| Exhibit::Drawing(parts.positions_of_equilibrium(&found, &resting)));
         Ok(())
     }
 }
 
 impl Equilibrium {
-    fn parts(&self) -> Parts<'_> {
-        Parts {
-            gravity: self.gravity,
-            bodies: &self.bodies,
-            points: &self.points,
-            joints: &self.joints,
-            drivers: &self.drivers,
-            loads: &self.loads,
-        }
+    fn parts(&self) -> Result<Parts, Refusal> {
+        let described = (&self.bodies[..], &self.points[..], &self.joints[..]);
+        Parts::new(self.gravity, described, &self.drivers, &self.loads)
     }
+}
 
+impl Parts {
     /// The unit of the stiffness of a coordinate.
     fn of_stiffness(&self, driver: usize) -> &'static str {
         match self.drivers[driver].what {
@@ -160,14 +169,14 @@ impl Equilibrium {
         }
     }
 
-    fn write<W: Worksheet>(&self, system: &Model, here: &Found, number: usize, sheet: W) {
+    fn answer<W: Worksheet>(&self, system: &Model, here: &Found, number: usize, sheet: W) {
         let (mut shown, mut lowest) = (Vec::new(), None);
         for (driver, drive) in self.drivers.iter().enumerate() {
             // One coordinate has many equilibria, many coordinates have one.
             let row = if self.drivers.len() > 1 { driver + 1 } else { number };
             let value = sheet.numerical(
                 ("q", row),
-                self.parts().unit(driver),
+                drive.what.unit(),
                 here.values[driver],
                 (
                     Text::new("Value of {name} where the virtual power of all loads is zero, −Σ Q ∂q/∂m = dV/dm = 0")
@@ -249,10 +258,10 @@ impl Equilibrium {
         }
     }
 
-    fn table(&self, found: &[Found]) -> TableExhibit {
+    fn table_of_equilibria(&self, found: &[Found], resting: &[StopContact<'_>]) -> TableExhibit {
         let mut columns = vec![Column { heading: "Equilibrium".into(), unit: "" }];
-        for (driver, drive) in self.drivers.iter().enumerate() {
-            columns.push(Column { heading: verbatim(&drive.name), unit: self.parts().unit(driver) });
+        for drive in &self.drivers {
+            columns.push(Column { heading: verbatim(&drive.name), unit: drive.what.unit() });
         }
         columns.push(Column { heading: "Stability".into(), unit: "" });
         let row = |(number, here): (usize, &Found)| {
@@ -260,16 +269,26 @@ impl Equilibrium {
             let values = here.values.iter().map(|value| Cell::Number(*value));
             [number].into_iter().chain(values).chain([Cell::Text(named(here.stability))]).collect()
         };
+        let on_stop = |(number, here): (usize, &StopContact<'_>)| {
+            let held = Text::new("held by {name}").with("name", here.name);
+            vec![Cell::Text(verbatim(number)), Cell::Number(here.at.value), Cell::Text(held)]
+        };
         TableExhibit {
             title: "Positions of equilibrium".into(),
             columns,
-            rows: (1..).zip(found).map(row).collect(),
+            rows: (1..).zip(found).map(row).chain((found.len() + 1..).zip(resting).map(on_stop)).collect(),
             foot: Vec::new(),
         }
     }
 
-    fn plots<W: Worksheet>(&self, system: &Model, samples: &[SweepSample], found: &[Found], sheet: W) {
-        let axis = || Axis::linear(verbatim(&self.drivers[0].name), self.parts().unit(0));
+    fn show_energy<W: Worksheet>(
+        &self,
+        system: &Model,
+        samples: &[SweepSample],
+        (found, resting): (&[Found], &[StopContact<'_>]),
+        sheet: W,
+    ) {
+        let axis = || Axis::linear(verbatim(&self.drivers[0].name), self.drivers[0].what.unit());
         let energies: Option<Vec<(f64, f64)>> =
             samples.iter().map(|sample| Some((sample.value, sample.potential?))).collect();
         if let Some(energies) = energies {
@@ -286,7 +305,12 @@ impl Equilibrium {
                         None => plot,
                     },
                 );
-                Exhibit::Plot(marked)
+                Exhibit::Plot(resting.iter().fold(marked, |plot, here| {
+                    match system.potential(&here.at.positions) {
+                        Some(energy) => plot.mark(verbatim(here.name), (here.at.value, energy)),
+                        None => plot,
+                    }
+                }))
             });
         }
         sheet.show(|| {
@@ -309,7 +333,7 @@ impl Equilibrium {
     }
 
     /// The bodies where they come to rest, each equilibrium in its ink.
-    fn drawing(&self, parts: &Parts<'_>, found: &[Found]) -> Drawing {
+    fn positions_of_equilibrium(&self, found: &[Found], resting: &[StopContact<'_>]) -> Drawing {
         let mut sketch = Sketch::new("Positions of equilibrium");
         for here in found {
             let ink = match here.stability {
@@ -317,9 +341,12 @@ impl Equilibrium {
                 Stability::Unstable => Ink::Danger,
                 Stability::Neutral => Ink::Body,
             };
-            parts.outline(&here.positions, ink, &mut sketch);
+            self.outline(&here.positions, ink, &mut sketch);
         }
-        for spot in parts.points.iter().filter(|spot| spot.on.frame().is_none()) {
+        for here in resting {
+            self.outline(&here.at.positions, Ink::Result, &mut sketch);
+        }
+        for spot in self.points.iter().filter(|spot| spot.on.is_none()) {
             sketch.pin("", (spot.at.x, spot.at.y));
         }
         sketch.finish()

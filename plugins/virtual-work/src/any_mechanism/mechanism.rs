@@ -99,7 +99,7 @@ impl Analysis for Mechanism {
     };
 
     fn solve<W: Worksheet>(&self, given: &MechanismGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let parts = self.parts();
+        let parts = self.parts()?;
         let (system, rows, positions) = parts.assembled(sheet)?;
         let refuse = |error: PlanarError| parts.refusal(&error, &rows);
         let mobility = system.mobility(&positions).map_err(refuse)?;
@@ -111,7 +111,7 @@ impl Analysis for Mechanism {
         this.reactions(mobility.redundant.is_empty(), sheet);
         if !mobility.redundant.is_empty() {
             let mut named: Vec<&str> =
-                mobility.redundant.iter().map(|joint| self.joints[rows[*joint]].name.as_str()).collect();
+                mobility.redundant.iter().map(|joint| parts.joints[rows[*joint]].name.as_str()).collect();
             named.dedup();
             sheet.warn(|| {
                 Text::new("redundant constraints at {joints}: the mechanism moves, but statics does not determine how the joints share their forces")
@@ -127,7 +127,7 @@ impl Analysis for Mechanism {
 
 /// A solved position.
 struct Solved<'a> {
-    parts: &'a Parts<'a>,
+    parts: &'a Parts,
     /// The row of each joint.
     rows: &'a [usize],
     system: &'a Model,
@@ -145,15 +145,9 @@ struct Sample {
 }
 
 impl Mechanism {
-    fn parts(&self) -> Parts<'_> {
-        Parts {
-            gravity: self.gravity,
-            bodies: &self.bodies,
-            points: &self.points,
-            joints: &self.joints,
-            drivers: &self.drivers,
-            loads: &self.loads,
-        }
+    fn parts(&self) -> Result<Parts, Refusal> {
+        let described = (&self.bodies[..], &self.points[..], &self.joints[..]);
+        Parts::new(self.gravity, described, &self.drivers, &self.loads)
     }
 
     /// Answers the positions, velocities and accelerations of the bodies; returns their angular accelerations.
@@ -161,7 +155,7 @@ impl Mechanism {
         let mut angular = Vec::with_capacity(self.bodies.len());
         let mut shown = this.state.clone();
         let PlanarState { positions, velocities, accelerations } = this.state;
-        for (body, part) in self.bodies.iter().enumerate() {
+        for (body, part) in this.parts.bodies.iter().enumerate() {
             let row = body + 1;
             let named = |reason: &'static str| Text::new(reason).with("name", &part.name);
             let angle = sheet.numerical(
@@ -262,7 +256,7 @@ impl Mechanism {
                     let reached = swept.reached().checked_sub(1).map_or(from, |last| values[last]);
                     let Refusal::NoAnswer(why) = refuse(error) else { return Text::from("") };
                     Text::new("the plots end at {end}: {why}")
-                        .with_quantity("end", reached, this.parts.unit(0))
+                        .with_quantity("end", reached, first.what.unit())
                         .with_text("why", why)
                 });
             }

@@ -153,8 +153,9 @@ impl Analysis for Motion {
         // The start is assembled as if it were driven there.
         let held: Vec<Drive> =
             self.drivers.iter().cloned().chain(self.starts.iter().map(Start::held)).collect();
-        let (_, rows, positions) = Parts { drivers: &held, ..self.parts() }.assembled(sheet)?;
-        let parts = self.parts();
+        let mut parts = self.parts(&held)?;
+        let (_, rows, positions) = parts.assembled(sheet)?;
+        parts.drivers.truncate(self.drivers.len());
         let refuse = |error: PlanarError| parts.refusal(&error, &rows);
         let (mechanism, _) = parts.mechanism()?;
         let system = Model::new(&mechanism, &positions).map_err(refuse)?;
@@ -193,7 +194,7 @@ impl Analysis for Motion {
         }
         sheet.keep_going()?;
         let moved = moved.map_err(refuse)?;
-        self.end.check_relevance(&moved, &self.bodies)?;
+        self.end.check_relevance(&moved, &parts.bodies)?;
         let this = Solved {
             parts: &parts,
             rows: &rows,
@@ -212,7 +213,7 @@ impl Analysis for Motion {
 
 /// A motion that was followed.
 struct Solved<'a> {
-    parts: &'a Parts<'a>,
+    parts: &'a Parts,
     /// The row of each joint.
     rows: &'a [usize],
     system: &'a Model,
@@ -237,19 +238,13 @@ fn asks_for_a_looser_tolerance(error: &PlanarError, duration: f64) -> bool {
 }
 
 impl Motion {
-    fn parts(&self) -> Parts<'_> {
-        Parts {
-            gravity: self.gravity,
-            bodies: &self.bodies,
-            points: &self.points,
-            joints: &self.joints,
-            drivers: &self.drivers,
-            loads: &self.loads,
-        }
+    fn parts(&self, drivers: &[Drive]) -> Result<Parts, Refusal> {
+        let described = (&self.bodies[..], &self.points[..], &self.joints[..]);
+        Parts::new(self.gravity, described, drivers, &self.loads)
     }
 }
 
-impl Parts<'_> {
+impl Parts {
     fn rate(&self, moving: &InitialCoordinate) -> (RelativeCoordinate, f64) {
         match *moving {
             InitialCoordinate::Angle { body, ref against, velocity, .. } => {
@@ -300,7 +295,7 @@ impl Solved<'_> {
         let PlanarState { accelerations, .. } = &self.dynamics.state;
         let mut shown = self.dynamics.state.clone();
         let largest = accelerations.iter().fold(0.0f64, |most, a| most.max(a[2].abs()));
-        for (row, part) in (1..).zip(self.parts.bodies) {
+        for (row, part) in (1..).zip(&self.parts.bodies) {
             // The method is reported once.
             let reason = if row == 1 {
                 "Angular acceleration of {name} at the start: of all accelerations a + N s̈ allowed by the joints, the one with (Nᵀ M N) s̈ = Nᵀ (Q − M a), virtual power in each free motion N"
@@ -323,7 +318,7 @@ impl Solved<'_> {
             closure::check_pins(self.system, &shown, (errors, driving), sheet);
         });
         let mut carried = vec![None; self.parts.joints.len()];
-        for (row, connection) in (1..).zip(self.parts.joints) {
+        for (row, connection) in (1..).zip(&self.parts.joints) {
             let reason = if row == 1 {
                 "Force that {name} exerts on its second point at the start, from M q̈ = Q + Φ_qᵀ λ"
             } else {
@@ -442,7 +437,7 @@ impl Solved<'_> {
         let turned = most(|moment| &moment.state.positions);
         let (fastest, quickest) =
             (most(|moment| &moment.state.velocities), most(|moment| &moment.state.accelerations));
-        for (row, part) in (1..).zip(self.parts.bodies) {
+        for (row, part) in (1..).zip(&self.parts.bodies) {
             let named = |reason: &'static str| Text::new(reason).with("name", &part.name);
             let body = row - 1;
             let angle = sheet.numerical(

@@ -3,6 +3,7 @@
 mod assembled;
 pub(crate) mod closure;
 pub(crate) mod drawing;
+mod pinned;
 mod refusal;
 
 use dalembert_core::{Inputs, Reference, Text};
@@ -10,12 +11,24 @@ use dalembert_mechanics::planar;
 use nalgebra::Vector3;
 
 pub(crate) use assembled::{Parts, carried, owners};
+pub(crate) use pinned::Point;
 
 /// A rigid body, in axes of its own.
 #[derive(Clone, Debug, Inputs)]
 pub struct Part {
     /// Name.
+    /// Without one, a body is called by its pins, as in A–B.
+    #[input(default = "")]
     pub name: String,
+    /// Pins.
+    /// Points through which the body goes: at each it is pinned to the ground or to the other bodies that list the point.
+    /// The origin of its axes is the first pin, and x points to the second.
+    #[input(rows = "points")]
+    pub pins: Vec<Reference>,
+    /// Distances of the pins.
+    /// AB for two pins; AB, BC and CA for three. Without them the distances are those of the given positions.
+    #[input("L", "mm", positive)]
+    pub sides: Vec<f64>,
     /// Mass.
     /// Zero for a body whose weight and inertia are neglected.
     #[input("m", "kg", nonnegative, default = "0 kg")]
@@ -27,7 +40,7 @@ pub struct Part {
     #[input("G", "mm", planar, default = "(0; 0) mm")]
     pub centre: Vector3<f64>,
     /// Initial guess of the angle.
-    /// Selects the side on which a linkage is assembled; the joints correct the value.
+    /// Selects the side on which a linkage is assembled; the joints correct the value. The positions of two pins replace it.
     #[input("θ_0", "deg", default = "0 deg")]
     pub angle: f64,
     /// Initial guess of the origin of its axes.
@@ -37,16 +50,35 @@ pub struct Part {
     pub place: Option<Vector3<f64>>,
 }
 
-/// A named point of a body or of the ground.
+/// A named point of a body or of the ground, or a pin between bodies.
 #[derive(Clone, Debug, Inputs)]
 pub struct Spot {
     /// Name.
     pub name: String,
-    /// Body that carries it.
-    pub on: PartReference,
-    /// Position, in the axes of its body.
+    /// Carried by.
+    #[input(default = "pins")]
+    pub on: Carrier,
+    /// Position.
+    /// In the axes of what carries it. That of a pin between bodies is a sketch, in the axes of the ground: it selects the side on which the linkage is
+    /// assembled, and the lengths of bodies whose distances are not given.
     #[input("P", "mm", planar)]
     pub at: Vector3<f64>,
+}
+
+/// What carries a point.
+#[derive(Clone, Debug, Inputs)]
+pub enum Carrier {
+    /// Ground
+    Ground,
+    /// Body
+    Body {
+        /// Body.
+        #[input(rows = "bodies")]
+        body: Reference,
+    },
+    /// Pin between bodies
+    /// The bodies that have it among their pins.
+    Pins,
 }
 
 /// A part of a mechanism.
@@ -66,6 +98,8 @@ pub enum PartReference {
 #[derive(Clone, Debug, Inputs)]
 pub struct Connection {
     /// Name.
+    /// Without one, a joint is called by its points.
+    #[input(default = "")]
     pub name: String,
     /// Kind of joint.
     pub joint: Joint,
@@ -144,6 +178,7 @@ pub enum Joint {
         /// Gear that it meshes with.
         b: PartReference,
         /// Body that carries both gears.
+        #[input(default = "ground")]
         carrier: PartReference,
         /// Teeth or pitch radius of the first.
         #[input("z_a", "1", positive)]
@@ -199,6 +234,74 @@ pub enum Joint {
         #[input(table)]
         lift: Vec<LiftPoint>,
     },
+    /// Cam of a given contour, with a roller or a flat face on it
+    Contour {
+        /// Centre of the cam, on the body of the cam.
+        #[input(rows = "points")]
+        centre: Reference,
+        /// Contour: radius against the angle in the axes of the cam, over one revolution.
+        /// Periodic cubic spline through the rows.
+        #[input(table)]
+        contour: Vec<ContourPoint>,
+        /// Follower.
+        follower: Follower,
+    },
+    /// Geneva drive: an indexed wheel with dwell
+    /// The radius of the pin's circle is the distance of the centres times sin(π/n).
+    Geneva {
+        /// Body that carries the pin.
+        #[input(rows = "bodies")]
+        driver: Reference,
+        /// Geneva wheel.
+        #[input(rows = "bodies")]
+        wheel: Reference,
+        /// Body that carries both.
+        #[input(default = "ground")]
+        carrier: PartReference,
+        /// Number of slots.
+        #[input(min = 3, max = 60)]
+        slots: u32,
+        /// Direction from the centre of the driver to that of the wheel, in the axes of the carrier.
+        #[input("φ", "deg", default = "0 deg")]
+        direction: f64,
+        /// Angle of the pin, in the axes of the driver.
+        #[input("β", "deg", default = "0 deg")]
+        pin: f64,
+    },
+}
+
+/// A point of the contour of a cam.
+#[derive(Clone, Copy, Debug, Inputs)]
+pub struct ContourPoint {
+    /// Angle in the axes of the cam.
+    #[input("θ", "deg")]
+    pub angle: f64,
+    /// Radius.
+    #[input("r", "mm", positive)]
+    pub radius: f64,
+}
+
+/// What follows a cam.
+#[derive(Clone, Debug, Inputs)]
+pub enum Follower {
+    /// Roller
+    Roller {
+        /// Centre of the roller.
+        #[input(rows = "points")]
+        centre: Reference,
+        /// Radius of the roller.
+        #[input("r_r", "mm", nonnegative)]
+        radius: f64,
+    },
+    /// Flat face
+    FlatFace {
+        /// Point of the face.
+        #[input(rows = "points")]
+        point: Reference,
+        /// Direction of the normal of the face away from the cam, in the axes of the follower.
+        #[input("φ", "deg", default = "90 deg")]
+        normal: f64,
+    },
 }
 
 /// A point of the lift of a cam.
@@ -229,6 +332,7 @@ pub struct Drum {
     /// Rotating body.
     pub of: PartReference,
     /// Body relative to which it turns.
+    #[input(default = "ground")]
     pub against: PartReference,
     /// Radius.
     /// Positive if a counter-clockwise rotation winds in the cord.
@@ -240,6 +344,8 @@ pub struct Drum {
 #[derive(Clone, Debug, Inputs)]
 pub struct Drive {
     /// Name.
+    /// Without one, a driver is called by its body or its points.
+    #[input(default = "")]
     pub name: String,
     /// Driven coordinate.
     pub what: Driven,
@@ -254,6 +360,7 @@ pub enum Driven {
         #[input(rows = "bodies")]
         body: Reference,
         /// Body relative to which it turns.
+        #[input(default = "ground")]
         against: PartReference,
         /// Angle.
         #[input("θ", "deg", kept_in = "drawn")]
@@ -329,6 +436,14 @@ impl Driven {
         }
     }
 
+    /// The unit of the measure.
+    pub(crate) fn unit(&self) -> &'static str {
+        match self {
+            Driven::Angle { .. } => "deg",
+            Driven::Position { .. } | Driven::Distance { .. } => "mm",
+        }
+    }
+
     /// The path of its value, from the driver on.
     pub(crate) fn path(&self) -> &'static str {
         match self {
@@ -352,6 +467,8 @@ impl Driven {
 #[derive(Clone, Debug, Inputs)]
 pub struct NamedLoad {
     /// Name.
+    /// Without one, a load is called by its point, its body or its points.
+    #[input(default = "")]
     pub name: String,
     /// Kind of load.
     pub load: PartLoad,
@@ -369,6 +486,7 @@ pub enum PartLoad {
         #[input("F", "N", planar)]
         force: Vector3<f64>,
         /// Body in whose axes it is given.
+        #[input(default = "ground")]
         axes: PartReference,
     },
     /// Couple
@@ -376,6 +494,7 @@ pub enum PartLoad {
         /// Body it acts on.
         on: PartReference,
         /// Body that takes the reaction.
+        #[input(default = "ground")]
         against: PartReference,
         /// Moment.
         #[input("M", "N*m")]

@@ -147,7 +147,7 @@ fn pin(equations: &[Equation]) -> Option<[BodyPoint; 2]> {
             ConstraintTerm {
                 weight: 1.0,
                 measure: RelativeCoordinate::Component { direction, from, to },
-                profile: None,
+                function: None,
             },
         ] if direction == along && from.on != to.on && equation.constant == Some(0.0) => Some([from, to]),
         _ => None,
@@ -171,8 +171,8 @@ fn shape(equation: &Equation, length: f64) -> Vec<(usize, Option<f64>)> {
             None => shape.push((column, entry)),
         }
     };
-    for ConstraintTerm { weight, measure, profile } in &equation.terms {
-        let constant = |entry: f64| profile.is_none().then_some(weight * entry);
+    for ConstraintTerm { weight, measure, function } in &equation.terms {
+        let constant = |entry: f64| function.is_none().then_some(weight * entry);
         let arm = |point: BodyPoint| if point.at == [0.0, 0.0] { Some(0.0) } else { None };
         match *measure {
             RelativeCoordinate::Angle { of, against } => {
@@ -200,7 +200,7 @@ fn shape(equation: &Equation, length: f64) -> Vec<(usize, Option<f64>)> {
                 add(from.on, 2, None);
                 add(to.on, 2, if to.on == from.on { None } else { arm(to) });
             }
-            RelativeCoordinate::Distance { from, to } => {
+            RelativeCoordinate::Distance { from, to } | RelativeCoordinate::Bearing { from, to } => {
                 for part in 0..3 {
                     add(from.on, part, None);
                     add(to.on, part, None);

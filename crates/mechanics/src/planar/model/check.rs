@@ -27,7 +27,9 @@ pub(in super::super) fn check(mechanism: &PlanarMechanism, guess: &[[f64; 3]]) -
             | RelativeCoordinate::Along { direction, from, to } => {
                 direction.iter().chain(&from.at).chain(&to.at).all(|x| x.is_finite())
             }
-            RelativeCoordinate::Distance { from, to } => from.at.iter().chain(&to.at).all(|x| x.is_finite()),
+            RelativeCoordinate::Distance { from, to } | RelativeCoordinate::Bearing { from, to } => {
+                from.at.iter().chain(&to.at).all(|x| x.is_finite())
+            }
         };
         if !finite {
             return Err(number(what, index));

@@ -73,7 +73,7 @@ impl Solved<'_> {
         }
         let pin = |reference| self.parts.point(reference);
         let mut links = Vec::new();
-        for connection in self.parts.joints {
+        for connection in &self.parts.joints {
             let Joint::Rod { from, to, .. } = connection.joint else { continue };
             let names = [from, to].map(|end| self.parts.points[end.0].name.as_str());
             let ends = [(names[0], pin(from)), (names[1], pin(to))];

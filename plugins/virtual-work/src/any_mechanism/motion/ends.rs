@@ -50,7 +50,7 @@ pub enum MechanismEvent {
 }
 
 impl MechanismEvent {
-    pub(super) fn end(&self, parts: &Parts<'_>) -> Option<Event> {
+    pub(super) fn end(&self, parts: &Parts) -> Option<Event> {
         let angle = |body: Reference| RelativeCoordinate::Angle { of: Some(body.0), against: None };
         match *self {
             MechanismEvent::Nothing => None,

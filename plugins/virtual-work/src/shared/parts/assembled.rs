@@ -1,28 +1,48 @@
 //! The mechanism that its parts make.
 
-use std::ops::Range;
+use std::{f64::consts::TAU, ops::Range};
 
 use dalembert_core::{Reference, Refusal, Text, Worksheet};
-use dalembert_mechanics::planar::{self, InitialGuess, Model, PlanarError, Profile, RelativeCoordinate};
+use dalembert_mechanics::planar::{
+    self, GenevaWheel, InitialGuess, Model, PlanarError, Profile, RelativeCoordinate,
+};
 use nalgebra::Vector3;
 
-use super::{Connection, Drive, Driven, Joint, NamedLoad, Part, PartLoad, Spot};
+use super::{
+    Connection, ContourPoint, Drive, Driven, Follower, Joint, NamedLoad, Part, PartLoad, Point, Spot,
+    pinned::{WrittenOut, named_drivers, named_loads},
+};
 
-/// The parts of a mechanism together.
-pub(crate) struct Parts<'a> {
+/// The parts of a mechanism together, with the pins of its bodies written out and a name for each part.
+pub(crate) struct Parts {
     pub(crate) gravity: Vector3<f64>,
-    pub(crate) bodies: &'a [Part],
-    pub(crate) points: &'a [Spot],
-    pub(crate) joints: &'a [Connection],
-    pub(crate) drivers: &'a [Drive],
-    pub(crate) loads: &'a [NamedLoad],
+    pub(crate) bodies: Vec<Part>,
+    /// Those of the form, in its order, then the pins of bodies.
+    pub(crate) points: Vec<Point>,
+    /// Those of the form, in its order, then the pins of bodies.
+    pub(crate) joints: Vec<Connection>,
+    pub(crate) drivers: Vec<Drive>,
+    pub(crate) loads: Vec<NamedLoad>,
 }
 
-impl Parts<'_> {
+impl Parts {
+    /// The parts that the rows of a form describe.
+    pub(crate) fn new(
+        gravity: Vector3<f64>,
+        (bodies, spots, joints): (&[Part], &[Spot], &[Connection]),
+        drivers: &[Drive],
+        loads: &[NamedLoad],
+    ) -> Result<Self, Refusal> {
+        let WrittenOut { bodies, points, joints } = WrittenOut::new(bodies, spots, joints)?;
+        let drivers = named_drivers(drivers, &bodies, &points);
+        let loads = named_loads(loads, (&bodies, &points, &joints));
+        Ok(Self { gravity, bodies, points, joints, drivers, loads })
+    }
+
     /// A point, from the centre of mass of its body.
     pub(crate) fn point(&self, reference: Reference) -> planar::BodyPoint {
         let spot = &self.points[reference.0];
-        let on = spot.on.frame();
+        let on = spot.on;
         let origin = on.map_or(Vector3::zeros(), |body| self.bodies[body].centre);
         planar::BodyPoint { on, at: [spot.at.x - origin.x, spot.at.y - origin.y] }
     }
@@ -102,7 +122,7 @@ impl Parts<'_> {
             }],
             Joint::Cam { cam, guide, direction, follower, lift } => {
                 let points: Vec<[f64; 2]> = lift.iter().map(|point| [point.angle, point.lift]).collect();
-                let profile = Profile::through(&points, Some(std::f64::consts::TAU)).ok_or_else(|| {
+                let profile = Profile::through(&points, Some(TAU)).ok_or_else(|| {
                     Refusal::because(
                         Text::new("the lift of the cam {name} needs at least three points with increasing angles within one revolution")
                             .with("name", &connection.name),
@@ -114,7 +134,60 @@ impl Parts<'_> {
                     profile,
                 }]
             }
+            Joint::Contour { centre, contour, follower } => {
+                vec![self.contour(&connection.name, *centre, contour, follower)?]
+            }
+            Joint::Geneva { driver, wheel, carrier, slots, direction, pin } => {
+                let geometry = GenevaWheel::new(*slots, direction - pin)
+                    .ok_or_else(|| Refusal::because("a Geneva wheel has at least three slots"))?;
+                vec![planar::PlanarJoint::Geneva {
+                    driver: Some(driver.0),
+                    wheel: Some(wheel.0),
+                    carrier: carrier.frame(),
+                    geometry,
+                }]
+            }
         })
+    }
+
+    /// A roller or a flat face on the contour of a cam: the pitch curve in polar coordinates of the cam, or the support
+    /// function over the angle between face and cam.
+    fn contour(
+        &self,
+        name: &str,
+        centre: Reference,
+        contour: &[ContourPoint],
+        follower: &Follower,
+    ) -> Result<planar::PlanarJoint, Refusal> {
+        let refuse = |why: &'static str| Refusal::because(Text::new(why).with("name", name));
+        let points: Vec<[f64; 2]> = contour.iter().map(|point| [point.angle, point.radius]).collect();
+        let outline = Profile::through(&points, Some(TAU)).ok_or_else(|| {
+            refuse("the contour of the cam {name} needs at least three points with increasing angles within one revolution")
+        })?;
+        let cam = self.point(centre);
+        let (follower, cam, profile) = match *follower {
+            Follower::Roller { centre: roller, radius } => {
+                let pitch = Profile::pitch_curve(&outline, radius).ok_or_else(|| {
+                    refuse(
+                        "the roller of {name} does not fit into the hollow of the contour: reduce its radius",
+                    )
+                })?;
+                let (from, to) = (cam, self.point(roller));
+                let distance = RelativeCoordinate::Distance { from, to };
+                (distance, RelativeCoordinate::Bearing { from, to }, pitch)
+            }
+            Follower::FlatFace { point, normal } => {
+                let support = Profile::support_function(&outline).ok_or_else(|| {
+                    refuse("the contour of the cam {name} is hollow: a flat face does not touch it everywhere; use a roller")
+                })?;
+                let face = self.point(point);
+                let direction = [-normal.cos(), -normal.sin()];
+                let height = RelativeCoordinate::Along { direction, from: face, to: cam };
+                let turned = RelativeCoordinate::Angle { of: face.on, against: cam.on };
+                (height, turned, support.shifted(normal))
+            }
+        };
+        Ok(planar::PlanarJoint::Cam { follower, cam, profile })
     }
 
     fn driver(&self, what: &Driven) -> planar::Driver {
@@ -186,7 +259,7 @@ impl Parts<'_> {
         }
         let (mut mechanism, rows) = self.mechanism()?;
         let values: Vec<f64> = mechanism.drivers.iter().map(|driver| driver.value).collect();
-        for (driver, drive) in mechanism.drivers.iter_mut().zip(self.drivers) {
+        for (driver, drive) in mechanism.drivers.iter_mut().zip(&self.drivers) {
             driver.value = drive.what.drawn();
         }
         let mut angles: Vec<f64> = self.bodies.iter().map(|body| body.angle).collect();

@@ -1,13 +1,13 @@
 //! The drawing of a mechanism.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use dalembert_core::{Ink, Reference, Sketch};
-use dalembert_mechanics::planar::{BodyPoint, Model, PlanarState, Pose};
+use dalembert_mechanics::planar::{BodyFrame, BodyPoint, GenevaWheel, Model, PlanarState, Pose, Profile};
 
-use super::{Joint, PartLoad, PartReference, Parts, verbatim};
+use super::{Connection, ContourPoint, Follower, Joint, PartLoad, Parts, verbatim};
 
-impl Parts<'_> {
+impl Parts {
     /// The size of the drawing; that of the mechanism where all points are in one place.
     pub(crate) fn size(&self, system: &Model, state: &PlanarState) -> f64 {
         let all: Vec<(f64, f64)> =
@@ -28,7 +28,7 @@ impl Parts<'_> {
             (x, y)
         };
         for body in 0..self.bodies.len() {
-            let carried = self.points.iter().enumerate().filter(|(_, spot)| spot.on.frame() == Some(body));
+            let carried = self.points.iter().enumerate().filter(|(_, spot)| spot.on == Some(body));
             let mut corners: Vec<(f64, f64)> = carried.map(|(row, _)| at(Reference(row))).collect();
             if corners.len() > 2 {
                 corners.push(corners[0]);
@@ -37,7 +37,7 @@ impl Parts<'_> {
                 sketch.curve(corners, ink);
             }
         }
-        for connection in self.joints {
+        for connection in &self.joints {
             match &connection.joint {
                 Joint::Rod { from, to, .. } => {
                     sketch.curve([at(*from), at(*to)], ink);
@@ -48,7 +48,7 @@ impl Parts<'_> {
                 _ => {}
             }
         }
-        for load in self.loads {
+        for load in &self.loads {
             if let PartLoad::Spring { from, to, .. } = &load.load {
                 sketch.spring("", at(*from), at(*to));
             }
@@ -59,29 +59,25 @@ impl Parts<'_> {
     pub(crate) fn draw(&self, system: &Model, state: &PlanarState, size: f64, sketch: &mut Sketch) {
         let at = |reference: Reference| place(system, self.point(reference), state);
         sketch.size(size);
-        for connection in self.joints {
+        for connection in &self.joints {
             match &connection.joint {
                 Joint::Slider { guide, direction, slides, .. }
                 | Joint::Slot { guide, direction, pin: slides, .. }
                 | Joint::Rolling { guide, direction, centre: slides, .. } => {
-                    let turned = self.points[guide.0].on.frame().map_or(0.0, |body| state.positions[body][2]);
+                    let turned = self.points[guide.0].on.map_or(0.0, |body| state.positions[body][2]);
                     let (sin, cos) = (direction + turned).sin_cos();
                     let ((gx, gy), (px, py)) = (at(*guide), at(*slides));
                     let way = (px - gx) * cos + (py - gy) * sin;
                     let (low, high) = (way.min(0.0) - 0.1 * size, way.max(0.0) + 0.1 * size);
                     let along = |s: f64| (gx + s * cos, gy + s * sin);
-                    let ink = if matches!(self.points[guide.0].on, PartReference::Ground) {
-                        Ink::Faint
-                    } else {
-                        Ink::Body
-                    };
+                    let ink = if self.points[guide.0].on.is_none() { Ink::Faint } else { Ink::Body };
                     sketch.curve([along(low), along(high)], ink);
                     match connection.joint {
                         Joint::Slider { .. } => {
                             sketch.slider("", (px, py), direction + turned);
                         }
                         Joint::Rolling { radius, .. } => {
-                            let body = self.points[slides.0].on.frame();
+                            let body = self.points[slides.0].on;
                             let angle = body.map_or(0.0, |body| state.positions[body][2]) - FRAC_PI_2;
                             let rim = (px + radius * angle.cos(), py + radius * angle.sin());
                             sketch.circle((px, py), radius, Ink::Body).axis((px, py), rim);
@@ -89,18 +85,64 @@ impl Parts<'_> {
                         _ => {}
                     }
                 }
+                Joint::Contour { centre, contour, follower } => {
+                    let body = self.points[centre.0].on;
+                    let turned = body.map_or(0.0, |body| state.positions[body][2]);
+                    let (x, y) = at(*centre);
+                    let corner = |[angle, radius]: [f64; 2]| {
+                        (x + radius * (angle + turned).cos(), y + radius * (angle + turned).sin())
+                    };
+                    sketch.curve(outline_of(contour).into_iter().map(corner).collect::<Vec<_>>(), Ink::Body);
+                    if let Follower::Roller { centre, radius } = follower {
+                        sketch.circle(at(*centre), *radius, Ink::Body);
+                    }
+                }
+                Joint::Geneva { driver, wheel, carrier, slots, pin, .. } => {
+                    let centres = [driver, wheel].map(|body| self.bearing(body.0, carrier.frame()));
+                    let [angle, turned] = [driver, wheel].map(|body| state.positions[body.0][2]);
+                    if let [Some(driver), Some(wheel)] = centres {
+                        let assembled = self.slot_angle(connection, state).unwrap_or(turned);
+                        draw_geneva([at(driver), at(wheel)], (*slots, assembled, angle + pin), sketch);
+                    }
+                }
                 _ => {}
             }
         }
         self.outline(&state.positions, Ink::Body, sketch);
         for (row, spot) in self.points.iter().enumerate() {
+            // The pin of a body lies on the point that it is named after.
+            if self.points[..row].iter().any(|before| !spot.name.is_empty() && before.name == spot.name) {
+                continue;
+            }
             let (name, point) = (verbatim(&spot.name), at(Reference(row)));
             match spot.on {
-                PartReference::Ground => sketch.pin(name, point),
-                PartReference::Body { .. } => sketch.joint(name, point),
+                None => sketch.pin(name, point),
+                Some(_) => sketch.joint(name, point),
             };
         }
         self.draw_loads(system, state, size, sketch);
+    }
+
+    /// The pin of a body on its carrier.
+    fn bearing(&self, body: usize, carrier: BodyFrame) -> Option<Reference> {
+        self.joints.iter().find_map(|connection| match connection.joint {
+            Joint::Pin { a, b } => match [a, b].map(|end| self.points[end.0].on) {
+                [on, other] if on == carrier && other == Some(body) => Some(a),
+                [on, other] if on == Some(body) && other == carrier => Some(b),
+                _ => None,
+            },
+            _ => None,
+        })
+    }
+
+    /// The direction of a slot of a Geneva wheel from its centre.
+    fn slot_angle(&self, connection: &Connection, state: &PlanarState) -> Option<f64> {
+        let Joint::Geneva { driver, carrier, slots, direction, pin, .. } = &connection.joint else {
+            return None;
+        };
+        let carried = carrier.frame().map_or(0.0, |body| state.positions[body][2]);
+        let geometry = GenevaWheel::new(*slots, direction - pin)?;
+        Some(direction + carried + PI + geometry.at(state.positions[driver.0][2] - carried)[0])
     }
 
     fn draw_loads(&self, system: &Model, state: &PlanarState, size: f64, sketch: &mut Sketch) {
@@ -109,7 +151,7 @@ impl Parts<'_> {
             PartLoad::Force { force, .. } => most.max(force.norm()),
             _ => most,
         });
-        for load in self.loads {
+        for load in &self.loads {
             match &load.load {
                 PartLoad::Force { at: point, force, axes } if largest > 0.0 => {
                     let turned = axes.frame().map_or(0.0, |body| state.positions[body][2]);
@@ -118,7 +160,10 @@ impl Parts<'_> {
                     let tip = at(*point);
                     let scale = 0.25 * size / largest;
                     let tail = (tip.0 - scale * x, tip.1 - scale * y);
-                    sketch.force("", tail, tip).label(verbatim(&load.name), tail);
+                    sketch.force("", tail, tip);
+                    if load.name != self.points[point.0].name {
+                        sketch.label(verbatim(&load.name), tail);
+                    }
                 }
                 PartLoad::Damper { from, to, .. } | PartLoad::Gas { from, to, .. } => {
                     sketch.damper("", at(*from), at(*to));
@@ -129,6 +174,36 @@ impl Parts<'_> {
                 _ => {}
             }
         }
+    }
+}
+
+/// A Geneva wheel with its slots and the arm of its driver, from the centres of driver and wheel, the number of slots, the
+/// direction of one of them and that of the arm.
+fn draw_geneva([driver, wheel]: [(f64, f64); 2], (slots, slot, arm): (u32, f64, f64), sketch: &mut Sketch) {
+    let distance = (wheel.0 - driver.0).hypot(wheel.1 - driver.1);
+    let half = PI / f64::from(slots);
+    let (rim, inner, crank) = (distance * half.cos(), distance * (1.0 - half.sin()), distance * half.sin());
+    let away =
+        |(x, y): (f64, f64), radius: f64, angle: f64| (x + radius * angle.cos(), y + radius * angle.sin());
+    sketch.circle(wheel, rim, Ink::Body);
+    for n in 0..slots {
+        let angle = slot + 2.0 * half * f64::from(n);
+        sketch.line("", away(wheel, inner, angle), away(wheel, rim, angle), Ink::Faint);
+    }
+    let pin = away(driver, crank, arm);
+    sketch.curve([driver, pin], Ink::Body).joint("", pin);
+}
+
+/// The contour of a cam at equal angles, closed; its table where no curve goes through it.
+fn outline_of(contour: &[ContourPoint]) -> Vec<[f64; 2]> {
+    const PARTS: usize = 72;
+    let points: Vec<[f64; 2]> = contour.iter().map(|point| [point.angle, point.radius]).collect();
+    match Profile::through(&points, Some(TAU)) {
+        Some(outline) => (0..=PARTS)
+            .map(|n| TAU * n as f64 / PARTS as f64)
+            .map(|angle| [angle, outline.at(angle)[0]])
+            .collect(),
+        None => points,
     }
 }
 

@@ -4,22 +4,14 @@ use dalembert_core::{Refusal, Text};
 use dalembert_mechanics::planar::PlanarError;
 use dalembert_numerics::ode::OdeError;
 
-use super::{Driven, Parts};
+use super::Parts;
 
-impl Parts<'_> {
-    /// The unit of what a driver drives.
-    pub(crate) fn unit(&self, driver: usize) -> &'static str {
-        match self.drivers[driver].what {
-            Driven::Angle { .. } => "deg",
-            Driven::Position { .. } | Driven::Distance { .. } => "mm",
-        }
-    }
-
+impl Parts {
     /// Message for an error, in the names of the form.
     pub(crate) fn refusal(&self, error: &PlanarError, rows: &[usize]) -> Refusal {
         let drive = |driver: usize| self.drivers[driver].name.as_str();
         let joint = |joint: usize| rows.get(joint).map_or("", |row| self.joints[*row].name.as_str());
-        let unit = |driver: usize| self.unit(driver);
+        let unit = |driver: usize| self.drivers[driver].what.unit();
         Refusal::because(match error {
             PlanarError::DoesNotClose { joint: at, residual } if *at < rows.len() => Text::new(
                 "the mechanism cannot be assembled: {joint} remains open by {gap}; check the lengths, the driver values and the angles of the bodies",
