@@ -722,7 +722,6 @@ eigenvalue-root-of-det-k-m-0-found-numerically = Autovalor, λ = ω²: raiz de d
 entries = Elementos
 matrix-entries = Elementos das matrizes
 stiffness-matrix-entry-force-on-the-mass-for-its-own-unit-displacement = Elemento da matriz de rigidez: força na massa para o seu próprio deslocamento unitário
-exact-motion-of-a-chain-or-of-given-matrices-from-initial-conditions-and-under-steps-pulses-ramps = Movimento exato de uma cadeia ou de matrizes dadas, a partir de condições iniciais e sob degraus, pulsos, rampas, forças harmônicas ou tabelas de força, com qualquer amortecimento.
 excitation-by-uniform-motion-of-the-ground-at-all-springs-m1 = Excitação por movimento uniforme do solo em todas as molas: φᵀM1
 first = primeira
 first-entry-is-1 = Primeiro elemento igual a 1
@@ -6118,3 +6117,19 @@ harmonic-n-sine-coefficient-from-amplitude-and-phase = harmônico { $n }: coefic
 s-h-2-1-cos-mean-h-2-cosine-coefficient-h-2-nothing-else = s = h/2 (1 − cos θ): média h/2, coeficiente do cosseno −h/2, nada mais
 pressure-that-pulsates-once-in-a-period = Pressão que pulsa uma vez por período
 p-5-bar-2-bar-cos = p = 5 bar + 2 bar cos θ
+acceleration-at-its-end = Aceleração no fim
+accelerations-of-the-base = Acelerações da base
+all-coordinates-are-displacements-in-its-direction-and-are-then-relative-to-it = Todas as coordenadas são deslocamentos na direção dela e passam a ser relativas a ela.
+exact-motion-of-a-chain-or-of-given-matrices-from-initial-conditions-under-steps-pulses-ramps = Movimento exato de uma cadeia ou de matrizes dadas a partir de condições iniciais, sob degraus, pulsos, rampas, forças harmônicas ou tabelas de forças, ou sobre uma base móvel, com qualquer amortecimento.
+harmonic-a-cos-t = Harmônica: a cos(Ωt − φ)
+x-a-sin-t-d-over-the-modes-with = xᵢ = −Σ φᵢ Γ ∫ a(τ) sen ω(t − τ) dτ/ω sobre os modos, com Γ = Σ φ
+two-storeys-on-a-base-that-accelerates-suddenly = Dois pavimentos sobre uma base que acelera de repente
+two-equal-storeys-2000-kg-and-800-kn-m-each-the-displacements-are-those-relative-to-the-base = Dois pavimentos iguais, 2000 kg e 800 kN/m cada um; os deslocamentos são relativos à base.
+two-storeys-on-a-base-under-a-harmonic-acceleration = Dois pavimentos sobre uma base sob aceleração harmônica
+from-rest-1-5-m-s-cos-10-t = Do repouso, 1,5 m/s² cos 10 t.
+two-storeys-on-a-base-under-a-pulse-of-acceleration = Dois pavimentos sobre uma base sob um pulso de aceleração
+_1-5-m-s-for-0-15-s = 1,5 m/s² por 0,15 s.
+two-storeys-on-a-base-whose-acceleration-rises-to-a-constant = Dois pavimentos sobre uma base cuja aceleração cresce até uma constante
+_1-5-m-s-is-reached-in-0-1-s = 1,5 m/s² é alcançado em 0,1 s.
+two-storeys-on-a-base-under-a-table-of-accelerations = Dois pavimentos sobre uma base sob uma tabela de acelerações
+a-triangle-of-1-5-m-s-that-lasts-0-2-s = Um triângulo de 1,5 m/s² que dura 0,2 s.

@@ -1,5 +1,7 @@
 //! Motion in time of systems with many degrees of freedom.
 
+mod histories;
+
 use dalembert_core::{
     About, Analysis, Axis, Exhibit, Inputs, Name, Plot, Refusal, Series, Symbol, Text, Worksheet, register,
 };
@@ -7,11 +9,12 @@ use dalembert_mechanics::{
     Real,
     vibration::{
         poles::Poles,
-        response::{ForceSegment, HarmonicLoad, Push, TimeExcitation, TimeResponse, state_by_series},
+        response::{HarmonicLoad, Push, TimeExcitation, TimeResponse, state_by_series},
     },
 };
 use nalgebra::{Complex, DMatrix, DVector};
 
+use self::histories::{AccelerationHistory, ForceHistory, History};
 use crate::{
     shared::system::{
         Assembled, System, assemble,
@@ -41,6 +44,9 @@ pub struct MultiDegreeResponse {
     pub start: Vec<InitialCondition>,
     /// Forces.
     pub forces: Vec<Force>,
+    /// Accelerations of the base.
+    /// All coordinates are displacements in its direction, and are then relative to it.
+    pub base: Vec<BaseAcceleration>,
     /// Times.
     /// At which the motion is requested.
     #[input(table)]
@@ -77,68 +83,11 @@ pub struct Force {
     pub course: ForceHistory,
 }
 
-/// Time history of a force.
+/// Motion of the base.
 #[derive(Clone, Debug, Inputs)]
-pub enum ForceHistory {
-    /// Step: constant from its start
-    Step {
-        /// Force.
-        #[input("F", "N")]
-        force: f64,
-        /// Its start.
-        #[input("t_s", "s", nonnegative, default = "0 s")]
-        start: f64,
-    },
-    /// Rectangular pulse
-    Pulse {
-        /// Force.
-        #[input("F", "N")]
-        force: f64,
-        /// Its start.
-        #[input("t_s", "s", nonnegative, default = "0 s")]
-        start: f64,
-        /// Its duration.
-        #[input("t_d", "s", positive)]
-        duration: f64,
-    },
-    /// Ramp to a constant force
-    Ramp {
-        /// Force at its end.
-        #[input("F", "N")]
-        force: f64,
-        /// Rise time.
-        #[input("t_r", "s", positive)]
-        rise: f64,
-    },
-    /// Harmonic: F cos(Ωt − φ)
-    Harmonic {
-        /// Amplitude.
-        #[input("F", "N")]
-        force: f64,
-        /// Frequency.
-        #[input("Ω", "rad/s", positive)]
-        frequency: f64,
-        /// Phase lag; 90° for a sine.
-        #[input("φ", "rad", default = "0 deg")]
-        lag: f64,
-    },
-    /// Table: linear between its points, zero before and after
-    Table {
-        /// Points.
-        #[input(table)]
-        points: Vec<ForcePoint>,
-    },
-}
-
-/// A point of the table of a force.
-#[derive(Clone, Debug, Inputs)]
-pub struct ForcePoint {
-    /// Time.
-    #[input("t", "s", nonnegative)]
-    pub time: f64,
-    /// Force.
-    #[input("F", "N")]
-    pub force: f64,
+pub struct BaseAcceleration {
+    /// Time history.
+    pub course: AccelerationHistory,
 }
 
 /// A time that is asked for.
@@ -164,7 +113,7 @@ impl Analysis for MultiDegreeResponse {
         id: "vibration/multi-degree-response",
         title: "Motion of many degrees of freedom in time",
         topic: "Several degrees of freedom",
-        summary: "Exact motion of a chain or of given matrices from initial conditions and under steps, pulses, ramps, harmonic forces or force tables, with any damping.",
+        summary: "Exact motion of a chain or of given matrices from initial conditions, under steps, pulses, ramps, harmonic forces or tables of forces, or on a moving base, with any damping.",
         keywords: "transient time response mdof pulse step initial conditions modal superposition state space \
                    transitório resposta no tempo condições iniciais pulso degrau superposição modal vários graus \
                    de liberdade",
@@ -174,7 +123,7 @@ impl Analysis for MultiDegreeResponse {
 
     fn solve<W: Worksheet>(&self, given: &MultiDegreeResponseGiven<W>, sheet: W) -> Result<(), Refusal> {
         let system = assemble(&self.system, &given.system, sheet)?;
-        let excitation = self.excitation(system.size())?;
+        let excitation = self.excitation(&system.mass)?;
         let found = find(&system, sheet)?;
         let damped =
             in_modes(&self.damping, &given.damping, &system.damping, &system.mass, &found.modes, sheet)?;
@@ -200,7 +149,8 @@ impl Analysis for MultiDegreeResponse {
 
 impl MultiDegreeResponse {
     /// The start and the forces, as vectors over all coordinates.
-    fn excitation(&self, n: usize) -> Result<TimeExcitation, Refusal> {
+    fn excitation(&self, mass: &DMatrix<f64>) -> Result<TimeExcitation, Refusal> {
+        let n = mass.nrows();
         let all =
             self.start.iter().map(|row| row.coordinate).chain(self.forces.iter().map(|row| row.coordinate));
         if let Some(wrong) = all.chain(self.observed.iter().map(|row| row.coordinate)).find(|&at| at > n) {
@@ -223,35 +173,26 @@ impl MultiDegreeResponse {
         for row in &self.forces {
             let on =
                 |size: f64| DVector::from_fn(n, |at, _| if at + 1 == row.coordinate { size } else { 0.0 });
-            let (force, pieces) = match &row.course {
-                ForceHistory::Harmonic { force, frequency, lag } => {
-                    excitation.harmonics.push(HarmonicLoad {
-                        force: on(*force),
-                        frequency: *frequency,
-                        lag: *lag,
-                    });
-                    continue;
+            match row.course.history()? {
+                History::Pieces(force, pieces) => {
+                    excitation.pushes.push(Push { force: on(force), pieces });
                 }
-                ForceHistory::Step { force, start } => {
-                    (*force, vec![ForceSegment { start: *start, value: 1.0, slope: 0.0 }])
+                History::Harmonic([force, frequency, lag]) => {
+                    excitation.harmonics.push(HarmonicLoad { force: on(force), frequency, lag });
                 }
-                ForceHistory::Pulse { force, start, duration } => (
-                    *force,
-                    vec![
-                        ForceSegment { start: *start, value: 1.0, slope: 0.0 },
-                        ForceSegment { start: start + duration, value: 0.0, slope: 0.0 },
-                    ],
-                ),
-                ForceHistory::Ramp { force, rise } => (
-                    *force,
-                    vec![
-                        ForceSegment { start: 0.0, value: 0.0, slope: 1.0 / rise },
-                        ForceSegment { start: *rise, value: 1.0, slope: 0.0 },
-                    ],
-                ),
-                ForceHistory::Table { points } => (1.0, table(points)?),
-            };
-            excitation.pushes.push(Push { force: on(force), pieces });
+            }
+        }
+        // In coordinates relative to the base the inertia forces of its motion act: −M 1 a.
+        let inertia = -(mass * DVector::from_element(n, 1.0));
+        for row in &self.base {
+            match row.course.history()? {
+                History::Pieces(size, pieces) => {
+                    excitation.pushes.push(Push { force: &inertia * size, pieces });
+                }
+                History::Harmonic([size, frequency, lag]) => {
+                    excitation.harmonics.push(HarmonicLoad { force: &inertia * size, frequency, lag });
+                }
+            }
         }
         Ok(excitation)
     }
@@ -264,13 +205,9 @@ impl MultiDegreeResponse {
             .iter()
             .find(|square| **square > 0.0)
             .map_or(0.0, |square| std::f64::consts::TAU / square.sqrt());
-        let forced = self.forces.iter().map(|row| match &row.course {
-            ForceHistory::Step { start, .. } => *start,
-            ForceHistory::Pulse { start, duration, .. } => start + duration,
-            ForceHistory::Ramp { rise, .. } => *rise,
-            ForceHistory::Harmonic { frequency, .. } => 6.0 * std::f64::consts::TAU / frequency,
-            ForceHistory::Table { points } => points.iter().map(|point| point.time).fold(0.0, f64::max),
-        });
+        let forces = self.forces.iter().map(|row| row.course.history());
+        let base = self.base.iter().map(|row| row.course.history());
+        let forced = forces.chain(base).flatten().map(|history| history.end());
         let forced = forced.fold(0.0, f64::max);
         (1.2 * last_asked).max(forced + 3.0 * period).max(1e-9)
     }
@@ -332,8 +269,9 @@ impl MultiDegreeResponse {
 
     /// A harmonic force at a natural frequency without damping: the motion is right, and grows.
     fn resonance<W: Worksheet>(&self, found: &WorkedModes<W::Num>, damped: &ModalDamping, sheet: W) {
-        for row in &self.forces {
-            let ForceHistory::Harmonic { frequency, .. } = &row.course else { continue };
+        let histories = self.forces.iter().map(|row| row.course.history());
+        for history in histories.chain(self.base.iter().map(|row| row.course.history())).flatten() {
+            let History::Harmonic([_, frequency, _]) = history else { continue };
             let square = frequency * frequency;
             let near = (0..found.modes.squares.len()).find(|&mode| {
                 (found.modes.squares[mode] - square).abs() <= 1e-9 * square
@@ -436,26 +374,6 @@ impl MultiDegreeResponse {
 /// The fastest root, rad/s.
 fn fastest(poles: &Poles) -> f64 {
     poles.roots.iter().map(|root| root.norm()).fold(0.0, f64::max)
-}
-
-/// The pieces of a table of force.
-fn table(points: &[ForcePoint]) -> Result<Vec<ForceSegment>, Refusal> {
-    if points.windows(2).any(|pair| pair[0].time > pair[1].time) {
-        return Err(Refusal::because("the times of a force table must not decrease: sort its rows"));
-    }
-    let mut pieces: Vec<ForceSegment> = points
-        .windows(2)
-        .filter(|pair| pair[1].time > pair[0].time)
-        .map(|pair| ForceSegment {
-            start: pair[0].time,
-            value: pair[0].force,
-            slope: (pair[1].force - pair[0].force) / (pair[1].time - pair[0].time),
-        })
-        .collect();
-    if let Some(last) = points.last() {
-        pieces.push(ForceSegment { start: last.time, value: 0.0, slope: 0.0 });
-    }
-    Ok(pieces)
 }
 
 fn finite(number: f64) -> Result<f64, Refusal> {
