@@ -50,11 +50,14 @@ const LONGEST_SUM: usize = 4;
 /// A step as it is read.
 pub fn step(solution: &Solution, step: &Step, locale: &Locale) -> WrittenStep {
     let writer = |values| Writer { solution, values, general: false, radians: false, style: locale.style };
+    let in_cycles = is_in_cycles(solution, step);
+    let written =
+        |writer: Writer<'_>, id| if in_cycles { writer.over_a_turn(id) } else { writer.expression(id) };
     let (formula, mut substitution, mut terms) = (
-        step.formula.map_or_else(String::new, |id| writer(false).expression(id)),
+        step.formula.map_or_else(String::new, |id| written(writer(false), id)),
         step.formula.map_or_else(String::new, |id| {
-            let radians = writer(true).needs_radians(id, &step.unit);
-            Writer { radians, ..writer(true) }.expression(id)
+            let radians = in_cycles || writer(true).needs_radians(id, &step.unit);
+            written(Writer { radians, ..writer(true) }, id)
         }),
         Vec::new(),
     );
@@ -76,6 +79,13 @@ pub fn step(solution: &Solution, step: &Step, locale: &Locale) -> WrittenStep {
         source: step.cite.map_or_else(String::new, |cite| cite.to_string()),
         terms,
     }
+}
+
+/// Returns true if a step is a frequency f in cycles and its formula one of the angular frequency: it is written
+/// `f = ω/(2π)`, though the number of the trace is that of ω.
+pub fn is_in_cycles(solution: &Solution, step: &Step) -> bool {
+    let writer = Writer { solution, values: false, general: false, radians: false, style: Style::default() };
+    step.formula.is_some_and(|id| writer.is_in_cycles(step, id))
 }
 
 /// A number of the trace as a formula of symbols.
@@ -250,11 +260,57 @@ impl<'s> Writer<'s> {
         }
     }
 
+    /// Returns true if a step is a frequency f in cycles of which the formula gives the angular frequency: `f = ω/(2π)`.
+    /// A formula over other frequencies in cycles needs no 2π.
+    fn is_in_cycles(&self, step: &Step, id: Id) -> bool {
+        let is_cyclic = |symbol: &Symbol, unit: &units::Unit| {
+            let hertz = units::unit("Hz").unwrap_or(units::Unit::ONE);
+            symbol.base.starts_with(['f', 'ν']) && unit.dim == hertz.dim && unit.si(1.0) != 1.0
+        };
+        let is_over_cycles = |operand: Id| match self.op(operand) {
+            Op::Given { symbol, unit, .. } => is_cyclic(symbol, unit),
+            Op::Step(step) => {
+                let step = &self.solution.steps[*step];
+                is_cyclic(&step.symbol, &step.unit)
+            }
+            _ => false,
+        };
+        is_cyclic(&step.symbol, &step.unit) && !self.any_below(id, &is_over_cycles)
+    }
+
+    /// Returns true if a formula has such an operand.
+    fn any_below(&self, id: Id, is: &dyn Fn(Id) -> bool) -> bool {
+        is(id) || self.solution.trace.operands(id).into_iter().any(|operand| self.any_below(operand, is))
+    }
+
+    /// A formula over 2π.
+    fn over_a_turn(&self, id: Id) -> String {
+        if matches!(self.op(id), Op::Add(..) | Op::Sub(..) | Op::Sum(_)) {
+            return format!("{} / ({})", self.factor(id), self.bare(std::f64::consts::TAU));
+        }
+        let (product, negative) = self.product(id, false, true);
+        format!("{}{product}", self.sign(true, negative))
+    }
+
     /// A product without its sign, and whether it is negative.
     fn signed_product(&self, id: Id, negative: bool) -> (String, bool) {
+        self.product(id, negative, false)
+    }
+
+    /// The same, over 2π if it is to be in turns.
+    fn product(&self, id: Id, negative: bool, in_turns: bool) -> (String, bool) {
+        use std::f64::consts::TAU;
         let (mut over, mut under) = (Vec::new(), Vec::new());
         let mut negative = negative;
         self.factors(id, false, &mut negative, &mut over, &mut under);
+        let turn = over
+            .iter()
+            .position(|id| matches!((self.op(*id), self.value(*id)), (Op::Literal, Number::Scalar(TAU))));
+        let mut over_turn = in_turns;
+        if let (true, Some(place)) = (in_turns, turn) {
+            over.remove(place);
+            over_turn = false;
+        }
         // Bare numbers come first; their signs are drawn out in front.
         let mut arranged = |ids: Vec<Id>| -> Vec<Id> {
             let (mut numbers, others): (Vec<Id>, Vec<Id>) = ids
@@ -270,7 +326,11 @@ impl<'s> Writer<'s> {
         let alone = over.len() == 1 && under.is_empty();
         let top: Vec<String> =
             over.iter().map(|id| if alone { self.alone(*id) } else { self.factor(*id) }).collect();
-        let bottom: Vec<String> = under.iter().map(|id| self.factor(*id)).collect();
+        let mut bottom: Vec<String> = under.iter().map(|id| self.factor(*id)).collect();
+        if over_turn {
+            let turn = self.bare(TAU);
+            bottom.insert(0, if bottom.is_empty() { format!("({turn})") } else { turn });
+        }
         let top = if top.is_empty() { "1".to_owned() } else { self.joined(&top) };
         let text = match &bottom[..] {
             [] => top,
@@ -379,8 +439,13 @@ impl<'s> Writer<'s> {
             pi.into()
         } else if value == TAU {
             if self.style.ascii { "2 pi".into() } else { "2π".into() }
-        } else if value == TAU * TAU {
-            if self.style.ascii { "4 pi^2".into() } else { "4π²".into() }
+        } else if let Some((factor, power)) = multiple_of_a_power_of_pi(value) {
+            let factor = if factor == 1.0 { String::new() } else { units::write_number(factor, self.style) };
+            if self.style.ascii {
+                format!("{factor} pi^{power}").trim_start().to_owned()
+            } else {
+                format!("{factor}π{}", units::superscript(power.into()))
+            }
         } else {
             // The numbers of a formula are exact: as many digits as it takes.
             units::write_number(value, Style { digits: 15, ..self.style })
@@ -583,6 +648,17 @@ impl<'s> Writer<'s> {
             self.long_sums(operand, unit, out);
         }
     }
+}
+
+/// The whole factor and the power, from the second to the fourth, of which a number is the multiple of π.
+fn multiple_of_a_power_of_pi(value: f64) -> Option<(f64, i8)> {
+    use std::f64::consts::PI;
+    (2..=4).find_map(|power| {
+        let factor = (value / PI.powi(power.into())).round();
+        let known =
+            (1.0..=64.0).contains(&factor) && (factor * PI.powi(power.into()) / value - 1.0).abs() < 1e-15;
+        known.then_some((factor, power))
+    })
 }
 
 /// The SI unit of a dimension, as the field writes it.

@@ -228,3 +228,5 @@ requests-stand-on-standard-input-send-the-text-of-a-file-as-problem-file = a ent
 this-line-is-no-json-object-why = esta linha não é um objeto JSON: { $why }
 this-request-is-longer-than-most-mib-send-less-in-one-line = esta requisição tem mais de { $most } MiB; envie menos em uma linha
 write-an-object-behind-solve-and-an-id-behind-show-and-schema = escreva um objeto depois de `solve`, e um id depois de `show` e de `schema`
+there-is-no-answer-name-did-you-mean-near = não há a resposta `{ $name }`; você quis dizer `{ $near }`?
+there-is-no-answer-name-write-one-of-known = não há a resposta `{ $name }`; escreva uma de { $known }

@@ -147,6 +147,9 @@ pub(crate) struct Solve {
     /// Solve the same problem with an input changed beside it: 'weighted.mass=m + 2 kg'
     #[arg(long, value_name = "NAME.INPUT=FORMULA")]
     pub(crate) configuration: Vec<String>,
+    /// Print the working of this answer alone: the steps that lead to it; of one of several by its row: 'frequency[2]'
+    #[arg(long, value_name = "ANSWER", add = completion::answers(""))]
+    pub(crate) answer: Vec<String>,
     #[command(flatten)]
     pub(crate) form: OutputForm,
     /// Write to a new file; Markdown and Typst write their figures beside it

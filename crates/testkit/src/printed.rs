@@ -1,5 +1,7 @@
 //! Printed working and answers: what is printed is true.
 
+use std::f64::consts::TAU;
+
 use dalembert_core::{
     AnswerValue, Entry, Language, Locale, Number,
     check::{self, Verdict},
@@ -50,7 +52,11 @@ pub fn printed_steps_give_their_results(entries: &[&'static Entry]) -> usize {
                 let node = solution.trace.node(step.result);
                 // Where large numbers cancel, what is left may be rounding alone: that of the terms and that of their sum.
                 let noise = 2.0 * ROUNDING * node.scale;
-                if let Err(why) = hold(&written, node.number, step.unit.dim, digits, noise) {
+                let number = match node.number {
+                    Number::Scalar(x) if printer::is_in_cycles(&solution, step) => Number::Scalar(x / TAU),
+                    number => number,
+                };
+                if let Err(why) = hold(&written, number, step.unit.dim, digits, noise) {
                     let (symbol, text) = (&written.symbol, &written.substitution);
                     faults.push(format!(
                         "{name} ({digits} digits, ascii {ascii}): {symbol} = {text} = {}: {why}",

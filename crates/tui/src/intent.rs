@@ -68,6 +68,8 @@ pub enum Intent {
 
     /// A pane is shown.
     Turn(Tab),
+    /// The pane of a name is shown from its first line.
+    TurnTo(&'static str),
     /// The text of a cell is complete.
     EndEdit,
     /// The cursor of the shown pane goes to a part of its page.

@@ -111,6 +111,8 @@ pub struct ProblemResults {
     pub pinned: Option<Solution>,
     /// The number of steps that are revealed, with the answers they lead to; `None` where nothing is covered.
     pub revealed: Option<usize>,
+    /// The answer whose steps alone are shown in the working; `None` for all steps.
+    pub working_of: Option<String>,
     /// The result of a study, or of its points that are solved; `None` while there is none.
     pub studied: Option<Result<StudyResult, SolveError>>,
 }

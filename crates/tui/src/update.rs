@@ -110,6 +110,7 @@ fn carry_out(model: &mut Model, intents: Vec<Intent>) -> Vec<Effect> {
             Intent::LinkProblem(name, entry) => parts::link_problem(model, &name, entry),
             Intent::BeginConfiguration(name) => parts::begin_configuration(model, &name),
             Intent::Turn(tab) => bench::show_tab(model, tab),
+            Intent::TurnTo(name) => bench::show_named(model, name),
             Intent::EndEdit => cells::end_edit(model),
             Intent::GoToPart(part) => pane::go_to_part(model, part),
             Intent::BringIn(part) => pane::bring_in(model, part),

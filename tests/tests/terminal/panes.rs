@@ -274,3 +274,24 @@ fn a_pane_is_named_in_its_own_file_alone() {
         assert_eq!(lines, [format!("pub mod {pane};")], "a line for each pane");
     }
 }
+
+#[test]
+fn enter_on_an_answer_shows_the_steps_that_lead_to_it_alone() {
+    let mut person = Person::at(100, 45).opens("vibration/rotating-unbalance");
+    person.turns_to("Working");
+    let all = person.sees();
+    assert!(all.contains("Damping coefficient") && all.contains("Frequency ratio"), "{all}");
+    person.turns_to("Results").types("<tab>v");
+    let chosen = person.sees();
+    let down = chosen.lines().position(|line| line.contains("Natural frequency"));
+    let first = chosen.lines().position(|line| line.contains("ratio") || line.contains("Amplitude"));
+    assert!(down.is_some() && first.is_some(), "{chosen}");
+    for _ in 0..20 {
+        person.types("<down>");
+    }
+    let seen = person.types("<enter>").sees();
+    assert!(seen.contains("Steps that lead to"), "{seen}");
+    assert!(!seen.contains("of 11 steps hidden") && seen.contains("Stiffness of a cantilever"), "{seen}");
+    let again = person.types("<esc>").sees();
+    assert!(!again.contains("Steps that lead to") && again.contains("Frequency ratio"), "{again}");
+}

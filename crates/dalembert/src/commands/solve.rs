@@ -2,7 +2,7 @@
 
 use std::{ffi::OsStr, path::Path, process::ExitCode};
 
-use dalembert_core::{Locale, Solution, Text, UnitSetting};
+use dalembert_core::{Answer, Locale, Solution, Text, UnitSetting, nearest};
 use dalembert_report::{
     DocumentFormat, WorkedProblem, csv, csv_tables, document, document_without_figures, json, json_text,
     show_answers_in, text,
@@ -51,7 +51,31 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
         force: solve.force,
         digits: solve.digits,
     };
-    write(&problem, &outcome(&problem, &asked_for)?, &destination, console)
+    let outcome = outcome(&problem, &asked_for)?;
+    let outcome = match outcome {
+        Ok(solution) if !solve.answer.is_empty() => Ok(working_of(&solution, &solve.answer)?),
+        other => other,
+    };
+    write(&problem, &outcome, &destination, console)
+}
+
+/// The solution with the working of these answers alone; a name without a row is that of all its rows.
+fn working_of(solution: &Solution, names: &[String]) -> Result<Solution, Failure> {
+    let is_named = |answer: &Answer, name: &str| answer.name.is(name) || answer.name.base == name;
+    for name in names {
+        if !solution.answers.iter().any(|answer| is_named(answer, name)) {
+            let known: Vec<String> = solution.answers.iter().map(|answer| answer.name.to_string()).collect();
+            let why = match nearest(name, known.iter().map(String::as_str)) {
+                Some(near) => {
+                    Text::new("there is no answer `{name}`; did you mean `{near}`?").with("near", near)
+                }
+                None => Text::new("there is no answer `{name}`; write one of {known}")
+                    .with("known", known.join(", ")),
+            };
+            return Err(Failure::input(why.with("name", name)));
+        }
+    }
+    Ok(solution.working_of(|answer| names.iter().any(|name| is_named(answer, name))))
 }
 
 /// Destination of a worked solution.

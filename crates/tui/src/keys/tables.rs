@@ -123,7 +123,7 @@ pub(super) const EDIT: BindingTable = &[&[
 /// Keys of a pane that has no table of its own.
 pub(super) const RESULTS: BindingTable = &[
     &[
-        bind(Action::Enter, ENTER, "load the case", ""),
+        bind(Action::Enter, ENTER, "working of the chosen answer alone; load the case", ""),
         bind(Action::NextDisplayUnit, &[typed('v')], "change the unit of an answer", ""),
         bind(Action::NextDigits, &[typed('D')], "change the digits of an answer", ""),
         bind(Action::UsualQuestions, &[typed('a')], "ask a usual question, or one of your own", ""),

@@ -76,8 +76,9 @@ impl Pane for Results {
     fn about(&self, _: &Problem, ui: &Ui<'_>) -> Vec<Text> {
         let text = match self.chosen {
             Some(_) => {
-                Text::new("{keys} select the answer; {unit} unit, {digits} digits, {give} give its value")
+                Text::new("{keys} select the answer; {working} its working, {unit} unit, {digits} digits, {give} give its value")
                     .with("keys", ui.pair(KeyContext::Pane, Action::Up, Action::Down))
+                    .with("working", ui.key(KeyContext::Pane, Action::Enter))
                     .with("give", ui.key(KeyContext::Pane, Action::Give))
             }
             None => Text::new("{unit} unit of an answer, {digits} digits, {ask} ask a question")
@@ -90,6 +91,12 @@ impl Pane for Results {
     fn act(&mut self, problem: &mut Problem, ui: &Ui<'_>, action: Action) -> Option<Vec<Intent>> {
         match (action, self.chosen) {
             (Action::Give, Some(at)) => Some(give(problem, at)),
+            (Action::Enter, Some(at)) => {
+                let found = &mut problem.found;
+                let answer = found.solution.as_ref()?.answers.get(at)?;
+                found.working_of = Some(answer.name.to_string());
+                Some(vec![Intent::TurnTo("Working")])
+            }
             (Action::UsualQuestions, _) => Some(vec![Intent::Show(questions::dialog(problem, ui))]),
             (Action::NextDisplayUnit | Action::NextDigits | Action::Give, _) => {
                 Some(self.display(problem, ui, action))
@@ -122,8 +129,9 @@ impl Results {
             self.chosen = Some(0);
             let key = |action| ui.key(KeyContext::Pane, action);
             let said = Text::new(
-                "{keys} select the answer; {unit} unit, {digits} digits, {give} give its value; {back} back",
+                "{keys} select the answer; {working} its working, {unit} unit, {digits} digits, {give} give its value; {back} back",
             )
+            .with("working", key(Action::Enter))
             .with("keys", ui.pair(KeyContext::Pane, Action::Up, Action::Down))
             .with("unit", key(Action::NextDisplayUnit))
             .with("digits", key(Action::NextDigits))

@@ -1,7 +1,9 @@
 //! The worked solution: why, formula, substitution, result of every step.
 
+use std::borrow::Cow;
+
 use dalembert_core::{
-    Locale, Solution, Text,
+    Answer, Locale, Solution, Text,
     printer::{self, WrittenStep},
     trace::Op,
 };
@@ -78,13 +80,26 @@ impl Pane for Working {
     }
 
     fn page(&self, problem: &Problem, ui: &Ui<'_>, width: u16) -> Page {
-        let Some(solution) = &problem.found.solution else { return reasons::nothing(problem, ui, width) };
+        let Some(solution) = working(problem) else { return reasons::nothing(problem, ui, width) };
         if problem.hides_numbers() {
             return Page::of(reasons::why_not(problem, ui, width));
         }
         let reveal = ui.key(self.place(), Action::Reveal);
         let reading = (problem.found.revealed, self.symbol);
-        let page = read(solution, reading, &reveal, ui.look, ui.locale, width);
+        let page = read(&solution, reading, &reveal, ui.look, ui.locale, width);
+        let page = match answer_of(problem) {
+            Some(answer) => {
+                let head = Text::new("Steps that lead to: {answer}; {back} shows all")
+                    .with_text("answer", answer.title())
+                    .with("back", ui.key(KeyContext::Pane, Action::Back))
+                    .render(ui.locale);
+                let head = wrap::words(&head, usize::from(width).max(1)).into_iter();
+                let head = head.map(|line| Line::styled(line, ui.look.dim())).chain([Line::default()]);
+                let lines = head.chain(page.lines.iter().cloned()).collect();
+                page.behind(lines)
+            }
+            None => page,
+        };
         if !problem.is_stale() {
             return page;
         }
@@ -93,9 +108,9 @@ impl Pane for Working {
     }
 
     fn first_part_of(&self, problem: &Problem, name: &str) -> Option<usize> {
-        let solution = problem.found.solution.as_ref().filter(|_| !problem.hides_numbers())?;
+        let solution = working(problem).filter(|_| !problem.hides_numbers())?;
         let of = solution.problems.iter().find(|of| of.name == name)?;
-        Some(of.steps.start.min(steps::shown(problem.found.revealed, solution)))
+        Some(of.steps.start.min(steps::shown(problem.found.revealed, &solution)))
     }
 
     fn serves(&self, problem: &Problem, action: Action) -> bool {
@@ -108,33 +123,35 @@ impl Pane for Working {
 
     fn act(&mut self, problem: &mut Problem, ui: &Ui<'_>, action: Action) -> Option<Vec<Intent>> {
         if action == Action::Back {
-            // Back to the symbol that was followed here; from the first one, to no symbol at all.
-            self.symbol?;
+            // Back to the symbol that was followed here; from the first one, to no symbol at all; then to all steps.
+            if self.symbol.is_none() {
+                return problem.found.working_of.take().map(|_| vec![Intent::BringIn(0)]);
+            }
             let before = self.visited.pop();
             return Some(self.put(before));
         }
+        let solution = working(problem)?.into_owned();
         let found = &mut problem.found;
-        let solution = found.solution.as_ref()?;
         Some(match (action, self.symbol) {
             (Action::Reveal, _) if found.revealed.is_some() => {
-                let step = steps::shown(found.revealed, solution);
+                let step = steps::shown(found.revealed, &solution);
                 found.revealed = Some(step + 1).filter(|next| *next < solution.steps.len());
                 let last = found.revealed.is_none().then(|| Intent::Say("every step is revealed".into()));
                 last.into_iter().chain([Intent::BringIn(step)]).collect()
             }
             (Action::Left | Action::Right, _) | (Action::Enter, None) => {
-                let (solution, revealed) = (problem.found.solution.as_ref()?, problem.found.revealed);
+                let revealed = problem.found.revealed;
                 let first = self.first_seen(problem, ui);
-                match self.beside(solution, revealed, first, action != Action::Left) {
+                match self.beside(&solution, revealed, first, action != Action::Left) {
                     Some(symbol) => self.put(Some(symbol)),
                     None => Intent::say("no further symbol"),
                 }
             }
             (Action::Enter, Some(symbol)) => {
-                let Some(id) = symbols(solution, symbol.0).get(symbol.1).copied() else {
+                let Some(id) = symbols(&solution, symbol.0).get(symbol.1).copied() else {
                     return Some(Intent::say("this step depends on no other symbol"));
                 };
-                if let Some(step) = step_of(solution, id) {
+                if let Some(step) = step_of(&solution, id) {
                     self.visited.push(symbol);
                     self.put(Some((step, 0)))
                 } else if let Op::Given { path, .. } = &solution.trace.node(id).op {
@@ -154,6 +171,21 @@ impl Pane for Working {
     fn led_to_input(&self) -> bool {
         self.symbol.is_some()
     }
+}
+
+/// The answer whose steps alone are shown; none while steps are hidden.
+fn answer_of(problem: &Problem) -> Option<&Answer> {
+    let name = problem.found.working_of.as_ref().filter(|_| problem.found.revealed.is_none())?;
+    problem.found.solution.as_ref()?.answer(name)
+}
+
+/// The solution whose steps are shown: of one answer alone, or of all.
+fn working(problem: &Problem) -> Option<Cow<'_, Solution>> {
+    let solution = problem.found.solution.as_ref()?;
+    Some(match answer_of(problem) {
+        Some(chosen) => Cow::Owned(solution.working_of(|answer| answer.name == chosen.name)),
+        None => Cow::Borrowed(solution),
+    })
 }
 
 impl Working {

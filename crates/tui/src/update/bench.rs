@@ -184,6 +184,14 @@ fn turn(model: &mut Model, by: isize) -> Vec<Intent> {
     vec![Intent::Turn(tabs[(at as isize + by).rem_euclid(tabs.len() as isize) as usize])]
 }
 
+/// Shows the pane of a name from its first line.
+pub(super) fn show_named(model: &mut Model, name: &str) -> Vec<Intent> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let Some(tab) = bench.tab_named(name) else { return Vec::new() };
+    bench.scroll[tab.0] = 0;
+    vec![Intent::Turn(tab)]
+}
+
 /// Shows a pane, and asks what it needs to be found out first.
 pub(super) fn show_tab(model: &mut Model, tab: Tab) -> Vec<Intent> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
