@@ -6210,7 +6210,6 @@ first-joint = Primeiro nó
 flat-ground-or-vertical-cord = Piso plano ou cabo vertical
 follower-on-an-eccentric-cam = Seguidor sobre um came excêntrico
 follower-that-nothing-presses-on-the-cam = Seguidor que nada pressiona contra o came
-force-of-the-spring-in-the-middle-of-the-stroke = Força da mola no meio do curso
 frequencies-and-mode-shapes-of-a-beam-whose-width-height-or-diameter-varies-linearly-exponentially-or = Frequências e formas modais de uma viga cuja largura, altura ou diâmetro varia linearmente, exponencialmente ou por uma tabela, incluindo cunhas e cones, por Rayleigh–Ritz com sua convergência.
 frequency-at-which-contact-is-lost = Frequência em que se perde o contato
 frequency-at-which-the-contact-force-is-required = Frequência em que se pede a força de contato
@@ -6266,7 +6265,6 @@ masses-on-cords = Massas em cabos
 masses-on-springs-in-mode = Massas sobre molas no modo
 masses-on-the-lever = Massas na alavanca
 mean-contact-force-the-weight-of-both-masses = Força de contato média: o peso das duas massas
-mean-contact-force-weight-and-preload-of-the-spring = Força de contato média: peso e pré-carga da mola
 member-clamped-at-one-end-and-hinged-at-the-other = Barra engastada em uma extremidade e rotulada na outra
 member-hinged-at-both-ends = Barra rotulada nas duas extremidades
 members-end-at-joints-of-the-list = As barras terminam em nós da lista
@@ -6419,7 +6417,7 @@ the-damping-is-not-below-the-critical-one-the-body-returns-without-oscillating =
 the-distances-in-the-table-do-not-ascend-write-each-place-once-from-the-left-end-to-the-right-one = as distâncias na tabela não são crescentes: escreva cada posição uma vez, da extremidade esquerda à direita
 the-frame-can-move-without-deformation-n-such-motions-at-frequency-zero-precede-the-first-frequency = o pórtico pode mover-se sem deformação: { $n } desses movimentos de frequência zero precedem a primeira frequência
 the-frequencies-of-the-frame-cannot-be-found-members-masses-and-springs-differ-too-much-in-magnitude = as frequências do pórtico não podem ser encontradas: barras, massas e molas diferem demais em ordem de grandeza
-the-guide-gives-the-values-of-finite-elements-with-other-masses = o guia dá os valores de elementos finitos com outras massas
+the-manual-that-quotes-the-guide-finds-our-values-for-this-density = o manual que cita o guia encontra nossos valores para esta densidade
 the-last-digit-of-the-target-is-rounded-up = o último algarismo do valor de referência é arredondado para cima
 the-load-has-the-natural-frequency-and-nothing-damps-the-motion-it-grows-without-limit-write-another = o carregamento tem a frequência natural e nada amortece o movimento: ele cresce sem limite; escreva outra frequência ou um amortecedor
 the-loss-factor-at-resonance-is-twice-the-damping-ratio = o fator de perda na ressonância é o dobro do fator de amortecimento
@@ -6475,3 +6473,12 @@ the-natural-frequencies-are-500-and-2000-rad-s-two-thirds-and-one-third-of-their
 three-equal-masses-between-walls-two-springs-of-other-material = Três massas iguais entre paredes, duas molas de outro material
 three-masses-without-a-wall-on-the-right-have-three-springs = Três massas sem parede à direita têm três molas
 two-masses-the-first-spring-of-rubber = Duas massas, a primeira mola de borracha
+
+# Half-power points, equivalent-system, plane-frame, sprung masses, loss-of-contact, tables of tapered beams, loss factors
+contact-force-at-the-lowest-position-at-rest-weight-and-preload-of-the-spring = Força de contato na posição mais baixa, em repouso: peso e pré-carga da mola
+contact-force-in-the-middle-of-the-stroke-the-spring-is-compressed-by-a = Força de contato no meio do curso: a mola é comprimida de A
+force-of-the-spring-at-the-lowest-position-of-the-body = Força da mola na posição mais baixa do corpo.
+preload = Pré-carga
+sums-over-the-parts-j-m-l-12-d-m-l-k-k-a-c-c-b-k-j-c-2-jk = Somas sobre as partes: J = m(L²/12 + d²) + m₁l₁², K = k a², C = c b², ωₙ = √(K/J), ζ = C/(2√(JK))
+least-contact-force-with-that-amplitude = mínima força de contato com essa amplitude
+the-tip-is-a-thousandth-of-the-base-and-not-a-point = a ponta é um milésimo da base e não um ponto

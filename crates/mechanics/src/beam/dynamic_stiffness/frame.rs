@@ -201,7 +201,9 @@ impl Frame {
             let crest = shape.crest();
             for member in &mut shape.members {
                 for (along, state) in &mut member.starts {
-                    along.iter_mut().for_each(|u| *u /= crest);
+                    for u in along {
+                        *u /= crest;
+                    }
                     *state /= crest;
                 }
             }
@@ -368,7 +370,9 @@ impl Frame {
                 x.iter_mut().zip(&other.unknowns).for_each(|(x, own)| *x -= shared * own);
             }
             let size = x.iter().map(|x| x * x).sum::<f64>().sqrt();
-            x.iter_mut().for_each(|x| *x /= size);
+            for x in &mut x {
+                *x /= size;
+            }
         }
         let members = self.members.iter().zip(&layout.ends).map(|(member, ends)| {
             let length = self.span(member).0 / (ends.len() - 1) as f64;

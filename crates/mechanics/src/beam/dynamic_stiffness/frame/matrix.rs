@@ -22,7 +22,9 @@ impl Envelope {
         let mut starts: Vec<usize> = (0..size).collect();
         for group in groups {
             if let Some(first) = group.iter().min() {
-                group.iter().for_each(|row| starts[*row] = starts[*row].min(*first));
+                for row in &group {
+                    starts[*row] = starts[*row].min(*first);
+                }
             }
         }
         let rows = starts.iter().enumerate().map(|(row, start)| vec![0.0; row + 1 - start]).collect();
