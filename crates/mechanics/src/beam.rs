@@ -12,6 +12,7 @@ pub mod influence;
 pub mod rotating;
 pub mod tapered;
 pub mod tip_body;
+pub mod varying;
 
 /// Cantilever, force at the distance `a` from the clamp: `k = 3EI/a³`; at the tip `a` is the length. What lies
 /// beyond the force bends nothing.

@@ -6133,3 +6133,367 @@ two-storeys-on-a-base-whose-acceleration-rises-to-a-constant = Dois pavimentos s
 _1-5-m-s-is-reached-in-0-1-s = 1,5 m/s² é alcançado em 0,1 s.
 two-storeys-on-a-base-under-a-table-of-accelerations = Dois pavimentos sobre uma base sob uma tabela de acelerações
 a-triangle-of-1-5-m-s-that-lasts-0-2-s = Um triângulo de 1,5 m/s² que dura 0,2 s.
+
+# Half-power points, equivalent-system, plane-frame, sprung masses, loss-of-contact, tables of tapered beams, loss factors
+n-1-cos-cosh-m-cos-sinh-sin-cosh-m-l-0-m-1-kg = 1 + cos β cosh β + M β(cos β sinh β − sin β cosh β)/(m̄L) = 0, M = 1 kg
+n-1-k-e-l-tan-2-tanh-2-4ei-0-with-k-e-k-m-m-k-and-sin-0 = 1 + k_e L³(tan β/2 − tanh β/2)/(4EIβ³) = 0 com k_e = k m ω²/(m ω² − k), e sen β = 0
+a-bar-of-3-kg-and-1-2-m-on-a-pivot-0-3-m-from-its-end-j-0-63-1-62-2-25-kg-m-k-1620-n-m-rad-c-10-n-m-s = Uma barra de 3 kg e 1,2 m sobre um pivô a 0,3 m de sua extremidade: J = 0,63 + 1,62 = 2,25 kg·m², K = 1620 N·m/rad, C = 10 N·m·s/rad; a força de 30 N a 15 rad/s tem o braço 0,9 m.
+a-beam-of-2-kg-and-ei-2000-n-m-with-1-kg-on-5-kn-m-the-spring-mass-system-alone-vibrates-at-11-25-hz = Uma viga de 2 kg e EI = 2000 N·m² com 1 kg sobre 5 kN/m: o sistema massa-mola sozinho vibra a 11,25 Hz, a viga a 17,70 Hz.
+a-frustum-with-a-tip-of-a-thousandth-of-its-base-has-nearly-the-frequency-of-the-cone-8-7193 = Um tronco de cone com a ponta de um milésimo da base tem quase a frequência do cone, 8,7193.
+a-joint-without-members = Um nó sem barras
+a-light-lever-on-a-frictionless-pivot-is-at-rest-in-every-position = Uma alavanca leve sobre um pivô sem atrito fica em repouso em qualquer posição
+a-mass-on-a-spring-above-a-support = Uma massa sobre uma mola acima de um apoio
+a-member-has-a-length = Uma barra tem um comprimento
+a-member-to-a-joint-that-does-not-exist = Uma barra até um nó que não existe
+a-natural-frequency-outside-of-the-bandwidth = Uma frequência natural fora da largura de banda
+a-round-section-of-20-mm-f-2-e-d-4l = Uma seção circular de 20 mm: f₁ = π/2·√(E/ρ)·d/(4L²).
+a-section-of-100-200-mm-over-2-m-bending-at-115-709-hz-117-642-hz-without-shear-and-rotary-inertia = Uma seção de 100 × 200 mm sobre 2 m: flexão a 115,709 Hz, 117,642 Hz sem cisalhamento e inércia rotativa; o rolete deixa a viga vibrar também ao longo de seu eixo.
+a-strip-of-10-mm-whose-width-falls-from-30-mm-by-e-2x-with-x-in-metres-0-6-m-long-bending-about-the = Uma tira de 10 mm cuja largura diminui a partir de 30 mm segundo e^(−2x) com x em metros, de 0,6 m; flexão em torno do lado largo.
+a-table-that-ends-before-the-beam = Uma tabela que termina antes da viga
+afnor-guide-de-validation-des-progiciels-de-calcul-de-structures-test-sdll10-89-quoted-in-the = AFNOR, Guide de validation des progiciels de calcul de structures, teste SDLL10/89; citado no manual de verificação do SCIA Engineer
+afnor-guide-de-validation-des-progiciels-de-calcul-de-structures-test-sdlx01-89-quoted-in-the = AFNOR, Guide de validation des progiciels de calcul de structures, teste SDLX01/89; citado no manual de verificação do SCIA Engineer
+amplitude-at-which-contact-is-lost = Amplitude em que se perde o contato
+amplitude-at-which-contact-is-lost-at-this-frequency = Amplitude em que se perde o contato nesta frequência
+amplitude-of-the-contact-force = Amplitude da força de contato
+amplitude-of-the-contact-force-for-each-metre-of-the-road-m-m-k-ic-k-m-ic = Amplitude da força de contato por metro da estrada: ω²|m + M(k + icω)/(k − Mω² + icω)|
+amplitude-of-the-contact-force-for-each-metre-of-the-surface-inertia-less-stiffness-m-k = Amplitude da força de contato por metro da superfície: inércia menos rigidez, m ω² − k
+amplitude-of-the-moment = Amplitude do momento
+amplitude-of-the-moment-of-the-force = Amplitude do momento da força
+amplitude-of-the-point = Amplitude do ponto
+amplitude-of-the-reference-point = Amplitude do ponto de referência
+amplitude-of-the-surface = Amplitude da superfície
+angle-to-the-motion-of-its-end = Ângulo com o movimento de sua extremidade
+angular-amplitude = Amplitude angular
+angular-amplitude-against-the-frequency-of-the-load = Amplitude angular em função da frequência do carregamento
+angular-amplitude-of-the-steady-motion = Amplitude angular do movimento em regime permanente
+arm-of-the-cord = Braço do cabo
+arm-of-the-force = Braço da força
+at-the-top-the-surface-accelerates-downwards-with-a-the-contact-force-n-k-a-m-a-is-zero-there = No topo a superfície acelera para baixo com A ω²; a força de contato N₀ + k A − m A ω² é zero ali
+axial-stiffness-of-the-member = Rigidez axial da barra
+bandwidth-of-16-8-to-23-2-hz-about-20-hz = Largura de banda de 16,8 a 23,2 Hz em torno de 20 Hz
+below-the-peak-where-the-amplitude-is-1-2-of-its-peak-3-db-down = Abaixo do pico, onde a amplitude é 1/√2 do pico: 3 dB a menos.
+bending-stiffness-of-the-member = Rigidez à flexão da barra
+block-on-a-piston-with-a-period-of-2-68-s = Bloco sobre um pistão com período de 2,68 s
+block-on-a-piston-amplitude-6-05-cm = Bloco sobre um pistão, amplitude de 6,05 cm
+body-in-contact = Corpo em contato
+body-or-follower = Corpo ou seguidor
+cantilever-on-a-spring = Viga em balanço sobre uma mola
+cantilever-with-a-mass-at-its-tip = Viga em balanço com uma massa na ponta
+cantilever-with-a-mass-on-a-spring-at-its-tip = Viga em balanço com uma massa sobre uma mola na ponta
+coefficient-for-critical-damping = Coeficiente para amortecimento crítico
+coefficient-of-damper-n-for-critical-damping-the-others-unchanged = Coeficiente do amortecedor { $n } para o amortecimento crítico, os outros inalterados
+columns-of-810-mm-clamped-at-their-feet-beams-at-360-and-810-mm-all-of-one-section-of-29-4-8-mm-steel = Colunas de 810 mm engastadas na base, vigas a 360 e 810 mm, todas de uma seção de 29 × 4,8 mm; aço de 210 GPa e 7800 kg/m³.
+cone-by-a-table = Cone por uma tabela
+coordinate-x = Coordenada x
+coordinate-y = Coordenada y
+cubic-finite-elements-with-the-varying-section-integrated-in-each-extrapolated-from-40-and-80 = Elementos finitos cúbicos com a seção variável integrada em cada um, extrapolados de 40 e 80 elementos, à parte do programa
+cylinder-in-a-cylindrical-trough = Cilindro em uma calha cilíndrica
+cylinder-in-a-looped-cord = Cilindro em um laço de cabo
+dampers = Amortecedores
+damping-ratio-from-the-bandwidth-for-light-damping = Fator de amortecimento pela largura de banda, para amortecimento leve
+deep-beam-on-a-pin-and-a-roller = Viga alta sobre um pino e um rolete
+diameter-at-the-left-end-of-the-table = Diâmetro na extremidade esquerda, da tabela
+disc-pulley-with-a-block-and-a-spring = Polia em disco com um bloco e uma mola
+displacements-of-the-joints-over-the-largest-of-the-mode = Deslocamentos dos nós sobre o maior do modo
+distance-of-a-reference-point = Distância de um ponto de referência
+distance-of-the-centre-of-mass-from-the-pivot = Distância do centro de massa ao pivô
+distance-of-the-centre-of-the-bar-from-the-pivot = Distância do centro da barra ao pivô
+distance-of-the-pivot-from-one-end = Distância do pivô a uma extremidade
+double-cross-with-pinned-ends = Cruz dupla com extremidades apoiadas
+each-joint-belongs-to-a-member = Cada nó pertence a uma barra
+eight-arms-of-5-m-from-one-joint-of-the-seven-vibrations-with-the-joint-at-rest-two-push-it-along-the = Oito braços de 5 m a partir de um nó. Das sete vibrações com o nó em repouso, duas o empurram ao longo dos braços, que se alongam: ficam um pouco abaixo do valor de referência.
+ends-of-the-member = Extremidades da barra
+equivalent-damping-at-the-point = Amortecimento equivalente no ponto
+equivalent-damping-at-the-reference-point-the-same-power = Amortecimento equivalente no ponto de referência: a mesma potência
+equivalent-inertia-stiffness-and-damping-of-a-lever-a-rolling-body-or-a-pulley-with-masses-springs = Inércia, rigidez e amortecimento equivalentes de uma alavanca, de um corpo que rola ou de uma polia com massas, molas e amortecedores; frequência natural, fator de amortecimento, estabilidade, amplitude sob um carregamento harmônico.
+equivalent-mass-at-the-point = Massa equivalente no ponto
+equivalent-moment-of-inertia = Momento de inércia equivalente
+equivalent-moment-of-inertia-about-the-pivot = Momento de inércia equivalente em relação ao pivô
+equivalent-moment-of-inertia-the-kinetic-energies-add-up = Momento de inércia equivalente: as energias cinéticas se somam
+equivalent-stiffness-at-the-point = Rigidez equivalente no ponto
+equivalent-stiffness-at-the-reference-point-the-same-potential-energy = Rigidez equivalente no ponto de referência: a mesma energia potencial
+equivalent-torsional-damping = Amortecimento torcional equivalente
+equivalent-torsional-damping-moment-of-the-dampers-at-one-radian-per-second = Amortecimento torcional equivalente: momento dos amortecedores a um radiano por segundo
+equivalent-torsional-stiffness-moment-that-brings-the-body-back-for-each-radian = Rigidez torcional equivalente: momento que traz o corpo de volta, por radiano
+exact-damping-ratio-and-are-1-2-2-1-and-with-sin-tan-2 = Fator de amortecimento exato: ω₁² e ω₂² são ωₙ²(1 − 2ζ² ∓ 2ζ√(1 − ζ²)), e com ζ = sen α, tan 2α = (ω₂² − ω₁²)/(ω₂² + ω₁²)
+exact-loss-factor-with-hysteretic-damping-and-are-1 = Fator de perda exato com amortecimento histerético: ω₁² e ω₂² são ωₙ²(1 ∓ η)
+exact-natural-frequencies-and-mode-shapes-of-a-plane-frame-of-straight-members-in-bending-and-axial = Frequências naturais e formas modais exatas de um pórtico plano de barras retas em flexão e vibração axial, com rótulas, massas e apoios nos nós; comparadas com elementos finitos.
+exponential-taper-between-clamps = Afilamento exponencial entre engastes
+exponential-taper-between-clamps-closed-form = Afilamento exponencial entre engastes, forma fechada
+f-p-beer-and-e-r-johnston-vector-mechanics-for-engineers-dynamics-sample-problem-19-2-8k-3m = F. P. Beer e E. R. Johnston, Vector Mechanics for Engineers: Dynamics, problema resolvido 19.2: ωₙ² = 8k/(3m)
+first-joint = Primeiro nó
+flat-ground-or-vertical-cord = Piso plano ou cabo vertical
+follower-on-an-eccentric-cam = Seguidor sobre um came excêntrico
+follower-that-nothing-presses-on-the-cam = Seguidor que nada pressiona contra o came
+frequencies-and-mode-shapes-of-a-beam-whose-width-height-or-diameter-varies-linearly-exponentially-or = Frequências e formas modais de uma viga cuja largura, altura ou diâmetro varia linearmente, exponencialmente ou por uma tabela, incluindo cunhas e cones, por Rayleigh–Ritz com sua convergência.
+frequency-at-which-contact-is-lost = Frequência em que se perde o contato
+frequency-at-which-the-contact-force-is-required = Frequência em que se pede a força de contato
+frequency-of-the-load = Frequência do carregamento
+frequency-of-the-peak-between-them-is-the-mean-of-and = Frequência do pico entre elas: ωₚ² é a média de ω₁² e ω₂²
+frequency-speed-and-amplitude-at-which-a-body-on-a-vibrating-table-a-cam-follower-with-a-spring-or-a = Frequência, velocidade e amplitude em que um corpo sobre uma mesa vibratória, um seguidor de came com mola ou uma roda com suspensão em uma estrada ondulada perde o contato; força de contato em um ciclo.
+from-the-left-end-to-the-right-one-distance-diameter = Da extremidade esquerda à direita: distância, diâmetro.
+from-the-left-end-to-the-right-one-distance-width-height = Da extremidade esquerda à direita: distância, largura, altura.
+from-the-pivot-radius-on-the-pulley-height-above-the-ground-on-a-rolling-body = A partir do pivô; raio na polia; altura acima do piso em um corpo que rola.
+half-power-bandwidth = Largura de banda de meia potência
+half-power-bandwidth-between-the-frequencies-at-which-the-amplitude-is-1-2-of-its-peak = Largura de banda de meia potência: entre as frequências em que a amplitude é 1/√2 do pico
+half-power-frequencies = Frequências de meia potência
+half-power-frequencies-in-the-wrong-order = Frequências de meia potência na ordem errada
+half-power-frequencies-of-a-mode-with-0-05-and-10-hz = Frequências de meia potência de um modo com ζ = 0,05 e 10 Hz
+hanging-lever-with-a-counterweight-and-a-dashpot = Alavanca pendente com um contrapeso e um amortecedor
+hanging-vertically = Pendente na vertical
+harmonic-load = Carregamento harmônico
+height-at-the-left-end-of-the-table = Altura na extremidade esquerda, da tabela
+hinged-at-both-joints = Rotulada nos dois nós
+hinged-at-the-first-joint = Rotulada no primeiro nó
+hinged-at-the-second-joint = Rotulada no segundo nó
+if-given-mass-stiffness-and-damping-are-also-reduced-to-that-point-from-the-pivot-the-ground-or-the = Se dada, massa, rigidez e amortecimento também são reduzidos a esse ponto. A partir do pivô, do piso ou do eixo.
+if-given-speeds-along-it-are-also-answered = Se dado, também se respondem as velocidades ao longo dela.
+inside-of-a-cylinder = Interior de um cilindro
+inverted-pendulum-held-by-a-spring = Pêndulo invertido mantido por uma mola
+inverted-pendulum-on-a-spring-that-is-too-soft = Pêndulo invertido com uma mola macia demais
+it-does-not-slip-on-the-ground-or-on-a-vertical-cord = Não desliza sobre o piso, nem sobre um cabo vertical.
+it-vibrates-on-the-beam-across-it = Vibra sobre a viga, transversalmente a ela.
+j-0-03-0-0675-0-03375-0-13125-kg-m-k-18-n-m-rad-c-1-08-n-m-s-rad = J = 0,03 + 0,0675 + 0,03375 = 0,13125 kg·m², K = 18 N·m/rad, C = 1,08 N·m·s/rad.
+j-0-09-0-1152-0-2052-kg-m-k-56-25-n-m-rad-c-3-75-n-m-s-rad = J = 0,09 + 0,1152 = 0,2052 kg·m², K = 56,25 N·m/rad, C = 3,75 N·m·s/rad.
+j-0-8-0-02-0-01-0-83-kg-m-k-9-81-1-4-0-1-12-753-n-m-rad-c-0-54-n-m-s-rad = J = 0,8 + 0,02 + 0,01 = 0,83 kg·m², K = 9,81 (1,4 − 0,1) = 12,753 N·m/rad, C = 0,54 N·m·s/rad.
+j-wr-g-0-2-kg-m-k-k-a-20-n-m-rad = J = WR²/g = 0,2 kg·m², K = k a² = 20 N·m/rad
+l-frame-clamped-at-both-ends = Pórtico em L engastado nas duas extremidades
+largest-contact-force = Máxima força de contato
+largest-contact-force-while-contact-lasts = Máxima força de contato enquanto há contato
+least-contact-force = Mínima força de contato
+least-contact-force-against-frequency = Mínima força de contato em função da frequência
+least-contact-force-below-zero-contact-is-lost = Mínima força de contato; abaixo de zero, perde-se o contato
+least-stiffness-for-stability = Rigidez mínima para a estabilidade
+least-stiffness-of-spring-n-for-stability-the-equivalent-stiffness-is-then-zero = Rigidez mínima da mola { $n } para a estabilidade: a rigidez equivalente é então zero
+length-of-the-member = Comprimento da barra
+lever-on-a-pivot = Alavanca sobre um pivô
+lever-that-nothing-brings-back = Alavanca que nada traz de volta
+lever-rolling-body-or-pulley = Alavanca, corpo que rola ou polia
+loss-factor-for-light-damping = Fator de perda, para amortecimento leve
+loss-factor-half-power-points = Fator de perda, pontos de meia potência
+loss-of-contact = Perda de contato
+lower-half-power-frequency = Frequência inferior de meia potência
+lowest-frequency-at-which-the-amplitude-of-the-contact-force-a-m-m-k-ic-k-m-ic-is-n = Menor frequência em que a amplitude da força de contato, ω² A|m + M(k + icω)/(k − Mω² + icω)|, é N₀
+mass-of-the-member = Massa da barra
+mass-of-the-wheel = Massa da roda
+masses-on-cords = Massas em cabos
+masses-on-springs-in-mode = Massas sobre molas no modo
+masses-on-the-lever = Massas na alavanca
+mean-contact-force-the-weight-of-both-masses = Força de contato média: o peso das duas massas
+member-clamped-at-one-end-and-hinged-at-the-other = Barra engastada em uma extremidade e rotulada na outra
+member-hinged-at-both-ends = Barra rotulada nas duas extremidades
+members-end-at-joints-of-the-list = As barras terminam em nós da lista
+modal-loss-factor = Fator de perda modal
+modal-loss-factor-loss-factor-of-each-spring-times-its-share-of-the-strain-energy-of-the-mode = Fator de perda modal: fator de perda de cada mola vezes sua parte na energia de deformação do modo
+moment-of-inertia-about-the-centre = Momento de inércia em relação ao centro
+moment-of-inertia-about-the-pivot = Momento de inércia em relação ao pivô
+moment-of-inertia-about-the-point-of-contact-which-is-at-rest-j-g-m-r = Momento de inércia em relação ao ponto de contato, que está em repouso: J_G + m r²
+moment-of-inertia-of-a-solid-cylinder-about-its-centre = Momento de inércia de um cilindro maciço em relação ao centro
+moment-of-inertia-of-a-solid-sphere-about-its-centre = Momento de inércia de uma esfera maciça em relação ao centro
+moment-of-inertia-of-a-thin-ring-about-its-centre = Momento de inércia de um anel fino em relação ao centro
+moment-of-inertia-of-mass-n-about-the-pivot = Momento de inércia da massa { $n } em relação ao pivô
+moment-of-inertia-of-the-bar-about-the-pivot-m-l-12-m-d = Momento de inércia da barra em relação ao pivô: m L²/12 + m d²
+moment-of-the-weights-for-each-radian-they-bring-the-lever-back = Momento dos pesos por radiano: trazem a alavanca de volta
+moment-of-the-weights-for-each-radian-they-upset-the-lever = Momento dos pesos por radiano: tombam a alavanca
+nafems-test-fv2-target-in-the-verification-problem-vmp09-t2-of-ansys-mechanical-apdl = NAFEMS, teste FV2; valor de referência no problema de verificação VMP09-T2 do Ansys Mechanical APDL
+n-min = N_min
+natural-frequency-against-the-stiffness-of-the-first-spring = Frequência natural em função da rigidez da primeira mola
+natural-frequency-of-the-mass-on-the-spring = Frequência natural da massa sobre a mola
+negative-on-the-other-side-of-the-pivot = Negativa do outro lado do pivô.
+numbered-in-this-order = Numerados nesta ordem.
+of-the-peak-if-omitted-it-follows-from-the-two-half-power-frequencies = Do pico. Se omitida, decorre das duas frequências de meia potência.
+of-the-table-the-follower-or-the-road-zero-to-peak-unless-the-unit-says-otherwise = Da mesa, do seguidor ou da estrada: de zero a pico, salvo se a unidade disser outra coisa.
+omitted-for-a-point-mass = Omitido para uma massa pontual.
+omitted-for-a-spring-along-the-motion = Omitido para uma mola ao longo do movimento.
+phase-by-which-the-motion-lags = Fase com que o movimento se atrasa
+pinned-beam-with-a-mass-on-a-spring-at-midspan = Viga biapoiada com uma massa sobre uma mola no meio do vão
+pivoted-bar-with-a-mass-a-spring-and-a-dashpot = Barra pivotada com uma massa, uma mola e um amortecedor
+plane-frame = Pórtico plano
+position-of-equilibrium = Posição de equilíbrio
+pulley-by-its-wr = Polia por seu WR²
+pulley-on-a-fixed-axle = Polia sobre um eixo fixo
+radius-of-the-surface = Raio da superfície
+radius-on-the-pulley-height-above-the-ground-on-a-rolling-body = Raio na polia; altura acima do piso em um corpo que rola.
+rigid-at-both-joints = Rígida nos dois nós
+rigid-body-motions-of-an-unsupported-frame-are-not-included = Os movimentos de corpo rígido de um pórtico sem apoios não são incluídos.
+rim-with-a-spring-at-30-to-its-motion = Aro com uma mola a 30° de seu movimento
+ring-held-by-a-spring-at-its-top = Anel mantido por uma mola em seu topo
+roller-that-moves-along-x = Rolete que se move ao longo de x
+roller-that-moves-along-y = Rolete que se move ao longo de y
+roller-with-a-block-on-a-cord-spring-and-dashpot = Rolo com um bloco em um cabo, mola e amortecedor
+rolling-body = Corpo que rola
+rolling-cylinder-held-by-a-spring-at-its-centre = Cilindro que rola, mantido por uma mola em seu centro
+root-of-the-determinant-of-the-exact-dynamic-stiffness-of-all-members-with-the-frequencies-below-it = Raiz do determinante da rigidez dinâmica exata de todas as barras, com as frequências abaixo dela contadas
+rotary-inertia-of-the-sections-radius-of-gyration-squared = Inércia rotativa das seções: raio de giração ao quadrado
+second-joint = Segundo nó
+shear-flexibility-ei-ga-of-the-member-g-e-2-1 = Flexibilidade ao cisalhamento EI/(κGA) da barra, G = E/(2(1 + ν))
+solid-cylinder-or-disc = Cilindro maciço ou disco
+solid-sphere = Esfera maciça
+speed-along-the-road-one-wavelength-in-each-cycle = Velocidade ao longo da estrada: um comprimento de onda em cada ciclo
+speed-at-which-contact-is-lost = Velocidade em que se perde o contato
+sphere-in-a-cylindrical-trough = Esfera em uma calha cilíndrica
+spring-that-presses-it-on-the-surface = Mola que o pressiona contra a superfície
+spring-n-it-stretches-by-a-cos-and-its-force-has-the-arm-a-cos = Mola { $n }: alonga-se a θ cos α, e sua força tem o braço a cos α
+spring-n-its-end-moves-by-a-and-its-force-k-a-has-the-arm-a = Mola { $n }: sua extremidade se move a θ, e sua força k a θ tem o braço a
+sprung-wheel = Roda com suspensão
+sprung-wheel-on-a-wavy-road = Roda com suspensão em uma estrada ondulada
+stable-for-k-m-g-l-a-109-n-m = Estável para k > m g l/a² = 109 N/m
+standing-vertically = De pé na vertical
+stepped-pulley-with-a-block-a-spring-and-a-dashpot = Polia escalonada com um bloco, uma mola e um amortecedor
+strip-that-swells-and-tapers = Tira que engrossa e afila
+sum-of-the-masses-times-their-distances-from-the-pivot = Soma das massas vezes suas distâncias ao pivô
+surface = Superfície
+symmetric-portal-frame-with-two-beams = Pórtico simétrico com duas vigas
+table-of-a-circular-section = Tabela de uma seção circular
+table-of-a-rectangle = Tabela de um retângulo
+the-approximation-of-the-bandwidth-0-05025-about-the-peak-is-a-little-above-the-exact-ratio = A aproximação da largura de banda, 0,05025 em torno do pico, fica um pouco acima do fator exato.
+the-body-on-the-moving-surface = O corpo sobre a superfície móvel
+the-centre-moves-by-r-on-a-circle-of-radius-r-r-moment-of-the-weight-for-each-radian = O centro se move r θ em um círculo de raio R − r: momento do peso por radiano
+the-cord-is-fixed-on-one-side-where-the-cylinder-is-at-rest-and-held-by-the-spring-on-the-other-which = O cabo é fixo de um lado, onde o cilindro está em repouso, e mantido pela mola do outro, que se move 2rθ.
+the-corner-does-not-move-turning-it-pins-both-members-at-rest-it-clamps-them-ei-2000-n-m-2-kg-m-1-m = O canto não se desloca: girando, apoia as duas barras; em repouso, engasta-as. EI = 2000 N·m², 2 kg/m, 1 m.
+the-frame = O pórtico
+the-frequencies-are-written-as-multiples-of-ei-m-l-of-the-first-member = As frequências são escritas como múltiplos de √(EI₁/(m̄₁L₁⁴)), da primeira barra
+the-hinge-moves-cos-cosh-1-or-rests-tan-tanh = A rótula se move, cos β cosh β = −1, ou fica em repouso, tan β = tanh β
+the-lever = A alavanca
+the-lower-frequency-lies-below-the-peak = A frequência inferior fica abaixo do pico
+the-modes-with-a-node-at-midspan-leave-the-mass-at-rest = Os modos com um nó no meio do vão deixam a massa em repouso.
+the-other-end-lies-on-the-side-of-the-positive-distances = A outra extremidade fica do lado das distâncias positivas.
+the-page-prints-the-formula-with-4-kg-and-4000-n-m-it-gives-25-82-rad-s = A página traz a fórmula; com 4 kg e 4000 N/m ela dá 25,82 rad/s.
+the-peak-lies-between-its-half-power-frequencies = O pico fica entre suas frequências de meia potência
+the-positive-distances-are-above-the-pivot = As distâncias positivas ficam acima do pivô.
+the-positive-distances-are-below-the-pivot = As distâncias positivas ficam abaixo do pivô.
+the-printed-values-are-those-of-2-y-in-place-of-2-y-w-e-x-y-leads-to-y-2-y-y-0-as-of-a-beam-in = Os valores impressos são os de + 2α²y'' em lugar de − 2α²y'': w = e^(αx)y leva a y'''' − 2α²y'' + (α⁴ − β⁴)y = 0, como de uma viga sob tração, de modo que o afilamento eleva a primeira frequência acima dos 144,59 Hz da tira uniforme. Elementos finitos dão 145,877 Hz, e o manual que cita o guia encontra 145,57 Hz com cisalhamento.
+the-pulley = A polia
+the-rolling-body = O corpo que rola
+the-springs-balance-the-weights-which-have-no-other-effect = As molas equilibram os pesos, que não têm outro efeito.
+the-support-does-not-move-nor-does-the-beam-there = O apoio não se move, nem a viga ali
+the-table-leads-from-one-end-to-the-other = A tabela vai de uma extremidade à outra
+the-tip-is-free-along-y-alone = A ponta é livre apenas ao longo de y.
+the-tip-of-a-cone-clamped-at-its-base-8-719-kirchhoff = A ponta de um cone engastado na base: Λ = 8,719 (Kirchhoff)
+thin-ring-or-tube = Anel fino ou tubo
+torsional-damper = Amortecedor torcional
+tube-between-clamps = Tubo entre engastes
+two-cantilevers-joined-by-a-hinge = Duas vigas em balanço unidas por uma rótula
+two-equal-members-that-do-not-stretch-the-corner-turns-or-rests-cos-sinh-sin-cosh-and-cos-cosh-1 = Duas barras iguais que não se alongam: o canto gira ou fica em repouso, cos β sinh β = sen β cosh β e cos β cosh β = 1
+two-joints-at-one-place = Dois nós em um lugar
+undamped-lever-at-resonance = Alavanca sem amortecimento na ressonância
+uniform-bar = Barra uniforme
+upper-half-power-frequency = Frequência superior de meia potência
+variation-between-the-points = Variação entre os pontos
+vibrations-illustrated-course-online-flipbuilder-com-yeqn-fayu-p-20 = Vibrations (curso ilustrado, online.flipbuilder.com/yeqn/fayu), p. 20
+wavelength-of-the-road = Comprimento de onda da estrada
+wheel-on-a-torsional-spring-under-a-harmonic-moment = Roda sobre uma mola torcional sob um momento harmônico
+width-at-the-left-end-of-the-table = Largura na extremidade esquerda, da tabela
+with-a-period-of-2-65-s-the-page-finds-1-747-m-as-the-amplitude-of-separation-from-rounded-to-2-37 = Com um período de 2,65 s a página encontra 1,747 m como amplitude de separação, com ω arredondado para 2,37 rad/s; é 1,745 m.
+without-weight-and-spring-there-is-no-contact-force = Sem peso e mola não há força de contato
+zero-for-a-follower-that-moves-horizontally = Zero para um seguidor que se move na horizontal.
+a-mass-on-a-spring-stands-on-a-support-of-the-beam-and-vibrates-alone-remove-it = uma massa sobre uma mola está sobre um apoio da viga e vibra sozinha: retire-a
+a-member-is-so-slender-or-the-frequencies-are-so-high-that-its-waves-cannot-be-resolved-ask-for-fewer = uma barra é tão esbelta, ou as frequências são tão altas, que suas ondas não podem ser resolvidas: peça menos frequências
+a-wheel-without-weight-does-not-press-on-the-road-write-the-gravity = uma roda sem peso não pressiona a estrada: escreva a gravidade
+amplitude-at-the-lower-half-power-frequency-1-2-of-the-peak = amplitude na frequência inferior de meia potência: 1/√2 do pico
+amplitude-at-the-upper-half-power-frequency-1-2-of-the-peak = amplitude na frequência superior de meia potência: 1/√2 do pico
+amplitude-of-the-contact-force-from-spring-damper-and-inertia-of-the-wheel = amplitude da força de contato por mola, amortecedor e inércia da roda
+amplitude-of-the-point-from-the-equivalent-mass-stiffness-and-damping-there = amplitude do ponto por massa, rigidez e amortecimento equivalentes ali
+at-this-frequency-contact-is-lost-in-each-cycle-the-forces-are-those-of-a-surface-that-would-hold-the = nesta frequência perde-se o contato em cada ciclo: as forças são as de uma superfície que prendesse o corpo
+bandwidth-of-a-mode-with-the-exact-damping-ratio-from-its-half-power-frequencies-in-closed-form = largura de banda de um modo com o fator de amortecimento exato, por suas frequências de meia potência em forma fechada
+bandwidth-over-twice-the-damping-ratio-the-frequency-between = largura de banda sobre o dobro do fator de amortecimento: a frequência entre elas
+both-joints-of-member-n-have-the-same-coordinates-correct-one-of-them = os dois nós da barra { $n } têm as mesmas coordenadas: corrija um deles
+contact-is-lost = perde-se o contato
+cos-cosh-1 = cos β cosh β = 1
+doubtnut-com-qqkdweke3t-2k-3m-numbers-of-askfilo-com-3430393239313731 = doubtnut.com, QQkdWeke3T: ωₙ = √(2k/3m); números de askfilo.com 3430393239313731
+elements-in-each-member = elementos em cada barra
+force-amplitude-at-that-amplitude-the-mean-contact-force = amplitude da força nessa amplitude: a força de contato média
+hysteretic-damping-half-the-power-of-the-peak-where-1-is-the-loss-factor = amortecimento histerético: metade da potência do pico onde 1 − (ω/ωₙ)² é o fator de perda
+inertia-force-at-the-top-at-that-frequency-all-that-presses-the-body-down = força de inércia no topo nessa frequência: tudo o que pressiona o corpo para baixo
+joint-n = nó { $n }
+kinetic-energy-at-a-unit-speed-of-the-reference-point = energia cinética com velocidade unitária do ponto de referência
+largest-contact-force-of-a-cycle = máxima força de contato de um ciclo
+least-contact-force-of-a-cycle = mínima força de contato de um ciclo
+loss-factors-are-those-of-the-springs-of-a-chain-choose-a-chain-or-leave-the-loss-factors-out = os fatores de perda são os das molas de uma cadeia: escolha uma cadeia, ou deixe-os de fora
+member-n-begins-and-ends-at-the-same-joint-write-two-joints = a barra { $n } começa e termina no mesmo nó: escreva dois nós
+member-n-ends-at-a-joint-that-does-not-exist-there-are-count-joints = a barra { $n } termina em um nó que não existe: há { $count } nós
+member-n-is-less-than-ten-times-as-long-as-deep-shear-and-rotary-inertia-lower-the-frequencies-choose = o comprimento da barra { $n } é menor que dez vezes sua altura: cisalhamento e inércia rotativa reduzem as frequências; escolha a teoria de Timoshenko
+mode-mode-energy-lost-in-the-springs-over-2-times-the-strain-energy = modo { $mode }: energia perdida nas molas, sobre 2π vezes a energia de deformação
+moment-a-quarter-of-a-cycle-ahead-of-the-motion-that-of-the-dampers = momento um quarto de ciclo à frente do movimento: o dos amortecedores
+moment-in-phase-with-the-motion-springs-less-inertia = momento em fase com o movimento: molas menos inércia
+no-equivalent-stiffness-is-left-with-the-least-stiffness-of-spring-n = não resta rigidez equivalente com a rigidez mínima da mola { $n }
+no-member-ends-at-joint-n-remove-it-or-write-a-member-to-it = nenhuma barra termina no nó { $n }: retire-o, ou escreva uma barra até ele
+nothing-brings-the-body-back-to-its-position-write-a-spring-or-the-weight-of-a-hanging-lever = nada traz o corpo de volta à sua posição: escreva uma mola, ou o peso de uma alavanca pendente
+nothing-on-the-light-lever-has-mass-at-a-distance-from-the-pivot-write-a-mass-or-the-mass-of-the-bar = nada na alavanca leve tem massa a uma distância do pivô: escreva uma massa, ou a massa da barra
+nothing-presses-the-body-on-the-surface-write-a-preload-of-the-spring-or-the-gravity = nada pressiona o corpo contra a superfície: escreva uma pré-carga da mola, ou a gravidade
+physicsforums-com-thread-635713-simple-harmonic-motion-find-amplitude-given-period = physicsforums.com, tópico 635713, Simple harmonic motion: find amplitude given period
+potential-energy-at-a-unit-displacement-of-the-reference-point = energia potencial com deslocamento unitário do ponto de referência
+power-of-the-dampers-at-a-unit-speed-of-the-reference-point = potência dos amortecedores com velocidade unitária do ponto de referência
+qammunity-org-question-11428478 = qammunity.org, questão 11428478
+some-frequencies-coincide-any-linear-combination-of-their-mode-shapes-is-also-a-mode-shape = algumas frequências coincidem: qualquer combinação linear de suas formas modais também é uma forma modal
+tan-tanh = tan β = tanh β
+the-chain-has-no-spring-n-springs-count-from-the-left-that-before-mass-1-is-the-first = a cadeia não tem a mola { $n }: as molas se contam da esquerda, a que precede a massa 1 é a primeira
+the-damping-is-not-below-the-critical-one-the-body-returns-without-oscillating = o amortecimento não está abaixo do crítico: o corpo retorna sem oscilar
+the-distances-in-the-table-do-not-ascend-write-each-place-once-from-the-left-end-to-the-right-one = as distâncias na tabela não são crescentes: escreva cada posição uma vez, da extremidade esquerda à direita
+the-frame-can-move-without-deformation-n-such-motions-at-frequency-zero-precede-the-first-frequency = o pórtico pode mover-se sem deformação: { $n } desses movimentos de frequência zero precedem a primeira frequência
+the-frequencies-of-the-frame-cannot-be-found-members-masses-and-springs-differ-too-much-in-magnitude = as frequências do pórtico não podem ser encontradas: barras, massas e molas diferem demais em ordem de grandeza
+the-manual-that-quotes-the-guide-finds-our-values-for-this-density = o manual que cita o guia encontra nossos valores para esta densidade
+the-last-digit-of-the-target-is-rounded-up = o último algarismo do valor de referência é arredondado para cima
+the-load-has-the-natural-frequency-and-nothing-damps-the-motion-it-grows-without-limit-write-another = o carregamento tem a frequência natural e nada amortece o movimento: ele cresce sem limite; escreva outra frequência ou um amortecedor
+the-loss-factor-at-resonance-is-twice-the-damping-ratio = o fator de perda na ressonância é o dobro do fator de amortecimento
+the-lower-half-power-frequency-is-not-below-the-upper-one-exchange-the-two-frequencies = a frequência inferior de meia potência não está abaixo da superior: troque as duas frequências
+the-natural-frequency-does-not-lie-between-the-two-half-power-frequencies-write-the-frequency-of-the = a frequência natural não fica entre as duas frequências de meia potência: escreva a frequência do pico entre elas
+the-natural-frequency-lies-away-from-the-middle-of-the-two-half-power-frequencies-where-one-mode = a frequência natural fica longe do meio das duas frequências de meia potência, onde um só modo tem seu pico ({ $peak }): há outro modo ou um erro de leitura nesses números
+the-page-prints-one-digit = a página traz um algarismo
+the-page-rounds-to-2-37-rad-s = a página arredonda ω para 2,37 rad/s
+the-position-is-unstable-the-springs-give-held-and-the-weights-take-taken-from-it-write-stiffer = a posição é instável: as molas dão { $held }, e os pesos tiram { $taken }; escreva molas mais rígidas ou braços maiores
+the-response-from-twice-as-many-real-equations-in-phase-and-a-quarter-of-a-cycle-ahead = a resposta por um sistema com o dobro de equações reais, em fase e um quarto de ciclo à frente
+the-surface-is-not-wider-than-the-body-that-rolls-in-it-write-a-radius-of-the-surface-above-that-of = a superfície não é mais larga que o corpo que rola nela: escreva um raio da superfície maior que o do corpo
+the-table-does-not-lead-from-the-left-end-to-the-right-one-its-first-distance-is-0-its-last-one-the = a tabela não vai da extremidade esquerda à direita: sua primeira distância é 0, a última o comprimento da viga
+the-table-has-fewer-than-two-points-write-at-least-those-of-both-ends = a tabela tem menos de dois pontos: escreva ao menos os das duas extremidades
+the-table-has-more-than-30-points-leave-some-of-them-out = a tabela tem mais de 30 pontos: deixe alguns de fora
+the-target-is-that-of-arms-that-do-not-stretch = o valor de referência é o de braços que não se alongam
+the-wheel-keeps-contact-at-all-frequencies-that-can-be-examined-check-masses-stiffness-and-amplitude = a roda mantém o contato em todas as frequências que podem ser examinadas: verifique massas, rigidez e amplitude
+there-are-more-than-60-joints-or-members-join-members-that-continue-each-other-or-use-a-finite = há mais de 60 nós ou barras: una barras que se prolongam, ou use um programa de elementos finitos
+time-of-a-wavelength-at-that-speed-a-period = tempo de um comprimento de onda nessa velocidade: um período
+u-mode-n = u, modo { $n }
+v-mode-n = v, modo { $n }
+w-e-x-y-y-2-y-y-0-with-y-y-0-at-both-ends-1-m = w = e^(αx)y, y'''' − 2α²y'' + (α⁴ − β⁴)y = 0 com y = y' = 0 nas duas extremidades, α = 1/m
+with-that-coefficient-of-damper-n-the-damping-is-critical = com esse coeficiente do amortecedor { $n } o amortecimento é crítico
+m-k-t-j-with-j-m = Θ = M₀/(k_t − J ω²) com J = m κ²
+ei-1-cos-cosh-k-l-cos-sinh-sin-cosh-k-5-kn-m = β³EI(1 + cos β cosh β) = k L³(cos β sinh β − sin β cosh β), k = 5 kN/m
+ei-1-cos-cosh-k-e-l-cos-sinh-sin-cosh-with-k-e-k-m-m-k = β³EI(1 + cos β cosh β) = k_e L³(cos β sinh β − sin β cosh β) com k_e = k m ω²/(m ω² − k)
+i-g-a-i-1-e-g-k-ei-k-0-k-l-5-6-rod-e-4l = ρ²I ω⁴/(κG) − (ρA + ρI(1 + E/κG)k²) ω² + EI k⁴ = 0, k = π/L, κ = 5/6; barra √(E/ρ)/(4L)
+a-m-m-k-ic-k-m-ic-m-m-g-solved-by-bisection-apart-from-the-program = ω² A|m + M(k + icω)/(k − Mω² + icω)| = (m + M)g, resolvida por bisseção à parte do programa
+and-are-1-2-2-1 = ω₁² e ω₂² são ωₙ²(1 − 2ζ² ∓ 2ζ√(1 − ζ²))
+k-a-m-g-l-m-l-stable-for-k-m-g-l-a = ωₙ² = (k a² − m g l)/(m l²); estável para k > m g l/a²
+k-j-10-rad-s = √(K/J) = 10 rad/s
+
+# Half-power points, equivalent-system, plane-frame, sprung masses, loss-of-contact, tables of tapered beams, loss factors
+k-m-ih-x-f-solved-apart-from-the-program-r-k-k = (K − ω²M + iH)X = F resolvida à parte do programa; η_r = Σηⱼkⱼ(Δφⱼ)²/Σkⱼ(Δφⱼ)²
+k-m-ih-x-f-with-h-0-3-2000-n-m-solved-apart-from-the-program-r-k-k = (K − ω²M + iH)X = F com H₁₁ = 0,3·2000 N/m, resolvida à parte do programa; η_r = Σηⱼkⱼ(Δφⱼ)²/Σkⱼ(Δφⱼ)²
+a-loss-factor-of-a-spring-that-does-not-exist = Um fator de perda de uma mola que não existe
+counted-from-the-left-the-spring-before-mass-1-is-the-first-that-to-the-wall-on-the-right-the-last = Contada da esquerda: a mola antes da massa 1 é a primeira, a que vai à parede da direita a última.
+critical-torsional-damping-2-k-eq-j-eq = Amortecimento torcional crítico: 2√(K_eq J_eq)
+damper-n-its-end-moves-at-b-and-its-force-c-b-has-the-arm-b = Amortecedor { $n }: sua extremidade se move a b θ′, e sua força c b θ′ tem o braço b
+dynamic-stiffness-of-springs-and-inertia-k-eq-j-eq = Rigidez dinâmica, de molas e inércia: K_eq − J_eq ω²
+equivalent-mass-at-the-reference-point-the-same-kinetic-energy-x-p = Massa equivalente no ponto de referência: a mesma energia cinética, x = p θ
+mass-n-moves-by-l-its-part-in-the-moment-of-inertia = A massa { $n } se move l θ: sua parte no momento de inércia
+critical-damping-leaves-one-root-c-c-4-k-eq-j-eq = o amortecimento crítico deixa uma raiz: C_c² = 4 K_eq J_eq
+energy-in-the-springs-and-of-the-lifted-weights-in-one-displacement-k-eq = energia nas molas e dos pesos elevados em um deslocamento: ½ K_eq θ²
+kinetic-energy-of-all-parts-at-the-speeds-of-one-motion-j-eq = energia cinética de todas as partes com as velocidades de um movimento: ½ J_eq θ′²
+power-of-the-dampers-at-one-speed-c-eq = potência dos amortecedores com uma velocidade: C_eq θ′²
+product-of-the-roots-i-d-of-the-characteristic-equation-k-eq-j-eq = produto das raízes −ζωₙ ± iω_d da equação característica: K_eq/J_eq
+twice-the-rate-of-decay-2-is-c-eq-j-eq = o dobro da taxa de decaimento, 2ζωₙ, é C_eq/J_eq
+
+# Half-power points, equivalent-system, plane-frame, sprung masses, loss-of-contact, tables of tapered beams, loss factors
+hysteretic-damping-beside-any-other-the-stiffness-of-such-a-spring-is-k-1-i = Amortecimento histerético, além de qualquer outro: a rigidez de tal mola é k(1 + iη).
+loss-factors-of-springs = Fatores de perda de molas
+the-natural-frequencies-are-500-and-2000-rad-s-two-thirds-and-one-third-of-their-strain-energies-are = As frequências naturais são √500 e √2000 rad/s; dois terços e um terço de suas energias de deformação estão na primeira mola.
+three-equal-masses-between-walls-two-springs-of-other-material = Três massas iguais entre paredes, duas molas de outro material
+three-masses-without-a-wall-on-the-right-have-three-springs = Três massas sem parede à direita têm três molas
+two-masses-the-first-spring-of-rubber = Duas massas, a primeira mola de borracha
+
+# Half-power points, equivalent-system, plane-frame, sprung masses, loss-of-contact, tables of tapered beams, loss factors
+contact-force-at-the-lowest-position-at-rest-weight-and-preload-of-the-spring = Força de contato na posição mais baixa, em repouso: peso e pré-carga da mola
+contact-force-in-the-middle-of-the-stroke-the-spring-is-compressed-by-a = Força de contato no meio do curso: a mola é comprimida de A
+force-of-the-spring-at-the-lowest-position-of-the-body = Força da mola na posição mais baixa do corpo.
+preload = Pré-carga
+sums-over-the-parts-j-m-l-12-d-m-l-k-k-a-c-c-b-k-j-c-2-jk = Somas sobre as partes: J = m(L²/12 + d²) + m₁l₁², K = k a², C = c b², ωₙ = √(K/J), ζ = C/(2√(JK))
+least-contact-force-with-that-amplitude = mínima força de contato com essa amplitude
+the-tip-is-a-thousandth-of-the-base-and-not-a-point = a ponta é um milésimo da base e não um ponto

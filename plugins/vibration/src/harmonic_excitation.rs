@@ -7,5 +7,6 @@ pub mod frequency_response_identification;
 pub mod harmonic_analysis;
 pub mod harmonic_force;
 pub mod harmonic_sum;
+pub mod loss_of_contact;
 pub mod periodic_excitation;
 pub mod rotating_unbalance;

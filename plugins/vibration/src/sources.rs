@@ -184,3 +184,7 @@ pub(crate) static KER_WILSON: Source = Source {
     short: "Ker Wilson",
     full: "W. Ker Wilson, Practical Solution of Torsional Vibration Problems, 3rd ed., vol. 1, Chapman & Hall, 1956",
 };
+
+/// R. L. Norton, Design of Machinery.
+pub(crate) static NORTON: Source =
+    Source { short: "Norton", full: "R. L. Norton, Design of Machinery, 5th ed., McGraw-Hill, 2012" };

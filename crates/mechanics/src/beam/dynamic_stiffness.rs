@@ -14,6 +14,7 @@ use nalgebra::{Matrix2, Matrix4, Vector2, Vector4};
 use self::search::Search;
 use dalembert_numerics::{gauss_legendre, roots};
 
+pub mod frame;
 pub mod spans;
 
 mod search;

@@ -8,6 +8,7 @@ use dalembert_mechanics::{Real, identification, sdof};
 mod circle;
 mod complex;
 mod few_points;
+mod half_power;
 mod mode;
 mod normal_equations;
 mod plots;
@@ -85,6 +86,20 @@ pub enum Measurement {
         #[input("ωₚ", "Hz", positive)]
         peak_frequency: f64,
     },
+    /// Half-power frequencies
+    HalfPower {
+        /// Lower half-power frequency.
+        /// Below the peak, where the amplitude is 1/√2 of its peak: 3 dB down.
+        #[input("ω₁", "Hz", positive)]
+        lower_frequency: f64,
+        /// Upper half-power frequency.
+        #[input("ω₂", "Hz", positive)]
+        upper_frequency: f64,
+        /// Natural frequency.
+        /// Of the peak. If omitted, it follows from the two half-power frequencies.
+        #[input("ωₙ", "Hz", positive)]
+        natural_frequency: Option<f64>,
+    },
     /// Unbalance: amplitudes at resonance and far above it
     ResonanceAndFar {
         /// Amplitude at resonance.
@@ -148,7 +163,7 @@ impl Analysis for FrequencyResponseIdentification {
         title: "Identification from a frequency response",
         topic: "Harmonic excitation",
         summary: "Stiffness, mass and damping of one degree of freedom from a measured frequency response, real or complex, or from a few points of it.",
-        keywords: "frf receptance sweep modal half-power bandwidth peak suspension ensaio resposta em frequência \
+        keywords: "frf receptance sweep modal half-power bandwidth quality factor loss factor 3 dB peak suspension ensaio resposta em frequência \
                    suspensão identificação ressonância receptância \
                    mobility accelerance nyquist circle fit modal testing uff mobilidade acelerância ajuste de círculo 06/1",
         sources: &[&RAO, &EWINS, &LISTS],
@@ -181,6 +196,9 @@ impl Analysis for FrequencyResponseIdentification {
             (Measurement::Complex { response, damping, residuals, lowest, highest }, _) => {
                 let range = [*lowest, *highest];
                 return complex::identify(response, *damping, *residuals, range, given.force, sheet);
+            }
+            (_, MeasurementGiven::HalfPower { lower_frequency, upper_frequency, natural_frequency }) => {
+                return half_power::identify(*lower_frequency, *upper_frequency, *natural_frequency, sheet);
             }
             (measured, given) => return few_points::identify(measured, given, sheet),
         };

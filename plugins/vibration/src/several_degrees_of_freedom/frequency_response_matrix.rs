@@ -4,21 +4,25 @@ use dalembert_core::{
     About, Analysis, Axis, Cell, Column, Exhibit, Inputs, Name, Plot, Refusal, Series, Symbol, TableExhibit,
     Text, Worksheet, register,
 };
-use dalembert_mechanics::{
-    Real,
-    vibration::{poles::Poles, receptance},
-};
-use dalembert_numerics::linalg::{ComplexLu, LinalgError};
-use nalgebra::{Complex, DMatrix, DVector};
+use dalembert_mechanics::Real;
+use nalgebra::{Complex, DVector};
 
 use crate::{
     shared::system::{
-        Assembled, System, assemble,
-        damping::{ModalDamping, SystemDamping, in_modes},
-        modes::{WorkedModes, find},
+        System, assemble,
+        damping::{SystemDamping, in_modes},
+        modes::find,
         picture,
     },
     sources::{EWINS, RAO},
+};
+
+mod losses;
+mod response;
+
+use self::{
+    losses::Losses,
+    response::{SteadyResponse, by_modes, matrix},
 };
 
 /// Points of a curve.
@@ -31,6 +35,9 @@ pub struct FrequencyResponseMatrix {
     pub system: System,
     /// Damping.
     pub damping: SystemDamping,
+    /// Loss factors of springs.
+    /// Hysteretic damping, beside any other: the stiffness of such a spring is k(1 + iη).
+    pub losses: Vec<SpringLoss>,
     /// Forces.
     /// All at the same frequency. A single force of 1 N gives a column of the frequency response matrix.
     #[input(min = 1)]
@@ -48,6 +55,18 @@ pub struct FrequencyResponseMatrix {
     /// If omitted, slightly above the highest natural frequency.
     #[input("ω_e", "rad/s", positive)]
     pub highest: Option<f64>,
+}
+
+/// A spring of a chain whose material loses energy.
+#[derive(Clone, Debug, Inputs)]
+pub struct SpringLoss {
+    /// Spring.
+    /// Counted from the left: the spring before mass 1 is the first, that to the wall on the right the last.
+    #[input(min = 1, max = 501)]
+    pub spring: usize,
+    /// Loss factor.
+    #[input("η", "1", nonnegative)]
+    pub loss_factor: f64,
 }
 
 /// A harmonic force F cos(ωt + φ).
@@ -129,7 +148,7 @@ impl Analysis for FrequencyResponseMatrix {
         title: "Frequency response of multi-degree-of-freedom systems",
         topic: "Several degrees of freedom",
         summary: "Receptance, mobility or accelerance of a chain or of given matrices: steady-state amplitudes and phases under harmonic forces on any masses.",
-        keywords: "frf receptance mobility accelerance harmonic forced steady state mdof matrix reciprocity Nyquist \
+        keywords: "frf receptance mobility accelerance harmonic forced steady state mdof matrix reciprocity Nyquist loss factor complex stiffness hysteretic rubber mount \
                    receptância mobilidade acelerância resposta em frequência harmônica regime permanente vários \
                    graus de liberdade matriz",
         sources: &[&RAO, &EWINS],
@@ -153,17 +172,24 @@ impl Analysis for FrequencyResponseMatrix {
         for (mode, frequency) in found.frequencies.iter().enumerate() {
             sheet.answer(("frequency", mode + 1), "Natural frequency", *frequency);
         }
-        let force = self.force(n);
+        let listed: Vec<(usize, f64)> =
+            self.losses.iter().map(|loss| (loss.spring, loss.loss_factor)).collect();
+        let losses = Losses::of(&self.system, &listed)?;
+        if let Some(losses) = &losses {
+            losses.modal(&system.stiffness, &found, sheet);
+        }
+        let response =
+            SteadyResponse { system: &system, damped: &damped, losses, force: self.force(n), found: &found };
         let mut table = Vec::new();
         for (place, asked) in self.frequencies.iter().enumerate() {
             sheet.keep_going()?;
-            let motion = Self::at(asked.frequency, &system, &damped, &force, &found)?;
-            let written = self.closed_form(place, asked.frequency, &system, &damped, given, sheet);
+            let motion = response.at(asked.frequency)?;
+            let written = self.closed_form(place, asked.frequency, &response, given, sheet);
             let answered = self.write(place, asked.frequency, &motion, written, sheet);
-            self.check(asked.frequency, &damped, &force, &found, &answered, sheet);
+            self.check(asked.frequency, &response, &answered, sheet);
             table.push((asked.frequency, motion));
         }
-        self.exhibits(&system, &damped, &force, &found, &table, sheet);
+        self.exhibits(&response, &table, sheet);
         Ok(())
     }
 }
@@ -184,58 +210,18 @@ impl FrequencyResponseMatrix {
         force
     }
 
-    /// The displacements by the dynamic stiffness.
-    fn at<N>(
-        frequency: f64,
-        system: &Assembled<N>,
-        damped: &ModalDamping,
-        force: &DVector<Complex<f64>>,
-        found: &WorkedModes<N>,
-    ) -> Result<DVector<Complex<f64>>, Refusal> {
-        let square = frequency * frequency;
-        let largest = found.modes.squares.last().copied().unwrap_or(0.0);
-        let resonant = (0..found.modes.squares.len()).find(|&mode| {
-            (found.modes.squares[mode] - square).abs() <= 1e-12 * largest.max(square)
-                && damped.matrix.column(mode).amax() * frequency <= 1e-14 * square
-        });
-        if let Some(mode) = resonant {
-            let why = if frequency == 0.0 {
-                Text::new(
-                    "rigid-body mode {mode} is unrestrained: under a constant force the motion is unbounded, it grows with t²",
-                )
-            } else {
-                Text::new(
-                    "at the natural frequency {mode}, without damping, the motion is unbounded: it grows with t and \
-                     there is no steady state",
-                )
-            };
-            return Err(Refusal::because(why.with("mode", mode + 1)));
-        }
-        receptance::direct(&system.mass, &damped.physical, &system.stiffness, force, frequency).map_err(
-            |error| match error {
-                LinalgError::Singular { .. } => Refusal::because(
-                    "so close to an undamped resonance the response is unbounded and has no significant digits",
-                ),
-                _ => Refusal::because(
-                    "masses, springs and dampers differ so much in magnitude that numbers overflow",
-                ),
-            },
-        )
-    }
-
     /// Two masses without damping under forces in phase, as a textbook writes them: Cramer's rule.
     fn closed_form<W: Worksheet>(
         &self,
         place: usize,
         frequency: f64,
-        system: &Assembled<W::Num>,
-        damped: &ModalDamping,
+        response: &SteadyResponse<'_, W::Num>,
         given: &FrequencyResponseMatrixGiven<W>,
         sheet: W,
     ) -> Option<[W::Num; 2]> {
-        let ([m1, m2], [k11, k12, k22]) = system.two?;
+        let ([m1, m2], [k11, k12, k22]) = response.system.two?;
         let in_phase = self.forces.iter().all(|force| force.phase == 0.0);
-        if damped.any() || !in_phase || self.quantity != Quantity::Displacement {
+        if response.is_damped() || !in_phase || self.quantity != Quantity::Displacement {
             return None;
         }
         let row = |base: &'static str, at: usize| Symbol::from(base).row(place + 1).row(at);
@@ -332,12 +318,27 @@ impl FrequencyResponseMatrix {
     fn check<W: Worksheet>(
         &self,
         frequency: f64,
-        damped: &ModalDamping,
-        force: &DVector<Complex<f64>>,
-        found: &WorkedModes<W::Num>,
+        response: &SteadyResponse<'_, W::Num>,
         answered: &[Answered],
         sheet: W,
     ) {
+        let SteadyResponse { damped, force, found, losses, .. } = response;
+        if let Some(losses) = losses {
+            let matrices = response.matrices();
+            sheet.verify(|| {
+                let Ok((motion, error)) = losses.real_response(matrices, force, frequency) else { return };
+                let factor = self.quantity.factor(frequency);
+                let off = answered.iter().flat_map(|one| {
+                    let other = motion[one.coordinate - 1] * factor;
+                    [(one.parts - other).norm(), (one.polar - other).norm()]
+                });
+                let size = motion.iter().map(|x| x.norm()).fold(0.0, f64::max) * factor.norm();
+                let what =
+                    "the response from twice as many real equations, in phase and a quarter of a cycle ahead";
+                sheet.check_residual(what, off.fold(0.0, f64::max).into(), size, error * factor.norm());
+            });
+            return;
+        }
         sheet.verify(|| {
             let Some(sum) = by_modes(damped, force, found, frequency) else { return };
             let factor = self.quantity.factor(frequency);
@@ -362,13 +363,11 @@ impl FrequencyResponseMatrix {
 
     fn exhibits<W: Worksheet>(
         &self,
-        system: &Assembled<W::Num>,
-        damped: &ModalDamping,
-        force: &DVector<Complex<f64>>,
-        found: &WorkedModes<W::Num>,
+        response: &SteadyResponse<'_, W::Num>,
         table: &[(f64, DVector<Complex<f64>>)],
         sheet: W,
     ) {
+        let SteadyResponse { system, found, .. } = response;
         sheet.show(|| Exhibit::Drawing(picture::at_rest(&self.system)));
         let asked = self.frequencies.iter().map(|asked| asked.frequency).fold(0.0, f64::max);
         let natural = found.modes.squares.last().map_or(0.0, |square| square.sqrt());
@@ -379,7 +378,7 @@ impl FrequencyResponseMatrix {
         let grid: Vec<f64> = (1..=POINTS).map(|point| last * point as f64 / POINTS as f64).collect();
         let mut curves = Vec::new();
         for row in self.observed.iter().take(4) {
-            let Some(curve) = curve(damped, force, found, row.coordinate - 1, &grid) else { return };
+            let Some(curve) = response.curve(row.coordinate - 1, &grid) else { return };
             let curve: Vec<Complex<f64>> =
                 curve.into_iter().zip(&grid).map(|(x, w)| x * self.quantity.factor(*w)).collect();
             curves.push((row.coordinate, Text::new("coordinate {at}").with("at", row.coordinate), curve));
@@ -419,7 +418,7 @@ impl FrequencyResponseMatrix {
                 .over(ASKED),
             )
         });
-        if damped.any() {
+        if response.is_damped() {
             sheet.show(|| {
                 let series = curves.iter().map(|(coordinate, label, curve)| {
                     let line = Series::line(label.clone(), curve.iter().map(|x| (x.re, x.im)).collect());
@@ -439,7 +438,7 @@ impl FrequencyResponseMatrix {
             });
         }
         if let (Some((frequency, _)), true) = (table.first(), system.size() <= 8)
-            && let Some(matrix) = matrix(system, damped, *frequency)
+            && let Some(matrix) = matrix(response, *frequency)
         {
             sheet.verify(|| {
                 let off = (&matrix - matrix.transpose()).iter().map(|x| x.norm()).fold(0.0, f64::max);
@@ -461,71 +460,4 @@ impl FrequencyResponseMatrix {
             });
         }
     }
-}
-
-/// The whole frequency response matrix.
-fn matrix<N>(system: &Assembled<N>, damped: &ModalDamping, frequency: f64) -> Option<DMatrix<Complex<f64>>> {
-    let n = system.size();
-    let dynamic = DMatrix::from_fn(n, n, |i, j| {
-        let inertia = frequency * frequency * system.mass[(i, j)];
-        Complex::new(system.stiffness[(i, j)] - inertia, frequency * damped.physical[(i, j)])
-    });
-    ComplexLu::new(&dynamic).and_then(|lu| lu.solve(&DMatrix::identity(n, n))).ok()
-}
-
-/// The displacements as sums over modes, or over poles where the damping couples the modes.
-fn by_modes<N>(
-    damped: &ModalDamping,
-    force: &DVector<Complex<f64>>,
-    found: &WorkedModes<N>,
-    frequency: f64,
-) -> Option<DVector<Complex<f64>>> {
-    let rows = (0..force.len()).map(|row| Some(curve(damped, force, found, row, &[frequency])?[0]));
-    Some(DVector::from_vec(rows.collect::<Option<Vec<_>>>()?))
-}
-
-/// The displacement of a mass at each frequency.
-fn curve<N>(
-    damped: &ModalDamping,
-    force: &DVector<Complex<f64>>,
-    found: &WorkedModes<N>,
-    row: usize,
-    grid: &[f64],
-) -> Option<Vec<Complex<f64>>> {
-    let modes = &found.modes;
-    let mut total = vec![Complex::ZERO; grid.len()];
-    let parts: [(DVector<f64>, Complex<f64>); 2] =
-        [(force.map(|f| f.re), Complex::ONE), (force.map(|f| f.im), Complex::I)];
-    let (mut real, mut imaginary) = (vec![0.0; grid.len()], vec![0.0; grid.len()]);
-    let poles = if damped.proportional { None } else { Some(Poles::new(modes, &damped.matrix, 0.0).ok()?) };
-    for (force, turn) in parts {
-        if force.amax() == 0.0 {
-            continue;
-        }
-        match &poles {
-            None => {
-                let modal = modes.shapes.transpose() * &force;
-                let residues: Vec<f64> =
-                    modes.shapes.row(row).iter().zip(modal.iter()).map(|(phi, pull)| phi * pull).collect();
-                receptance::sum_of_modes(
-                    &residues,
-                    &modes.squares,
-                    &damped.decays(),
-                    grid,
-                    &mut real,
-                    &mut imaginary,
-                );
-            }
-            Some(poles) => {
-                let input = poles.input(&force);
-                let residues: Vec<Complex<f64>> =
-                    poles.shapes.row(row).iter().zip(&input).map(|(s, b)| s * b).collect();
-                receptance::sum_of_poles(&residues, &poles.roots, grid, &mut real, &mut imaginary);
-            }
-        }
-        for ((sum, re), im) in total.iter_mut().zip(&real).zip(&imaginary) {
-            *sum += turn * Complex::new(*re, *im);
-        }
-    }
-    Some(total)
 }

@@ -5,9 +5,12 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    beam::dynamic_stiffness::{Beam, BeamError, BeamShape, BeamStation},
+    beam::dynamic_stiffness::{Beam, BeamError, BeamStation},
 };
 
+mod sprung;
+
+use self::sprung::{SprungBeam, SprungMass, SprungShape};
 use crate::{
     shared::{
         continuous::{
@@ -121,6 +124,16 @@ pub enum AttachedPart {
     },
     /// Support that allows rotation of the beam
     Pin,
+    /// Mass on a spring
+    /// It vibrates on the beam, across it.
+    SprungMass {
+        /// Mass.
+        #[input("m", "kg", positive)]
+        mass: f64,
+        /// Stiffness of its spring.
+        #[input("k", "N/m", positive)]
+        stiffness: f64,
+    },
 }
 
 register!(BeamVibration);
@@ -130,8 +143,8 @@ impl Analysis for BeamVibration {
         id: "vibration/beam-vibration",
         title: "Bending vibration of beams",
         topic: "Strings, beams and plates",
-        summary: "Frequencies, mode shapes, nodes and buckling load of a uniform beam (Euler–Bernoulli or Timoshenko) on any supports, with masses, springs, axial force and elastic foundation.",
-        keywords: "continuous beam natural frequencies mode shapes cantilever tip mass buckling viga frequências \
+        summary: "Frequencies, mode shapes, nodes and buckling load of a uniform beam (Euler–Bernoulli or Timoshenko) on any supports, with masses, springs, masses on springs, axial force and elastic foundation.",
+        keywords: "continuous beam natural frequencies mode shapes cantilever tip mass sprung mass oscillator spring-mass buckling viga frequências \
                    naturais modos engastada biapoiada flambagem contínuo fundação elástica",
         sources: &[&RAO, &BLEVINS, &TIMOSHENKO, &COWPER, &WITTRICK],
         cases: include_str!("../../cases/beam_vibration.toml"),
@@ -165,10 +178,12 @@ impl Analysis for BeamVibration {
             stations: self.stations(bending.value(), (line * length).value())?,
         };
         buckling(&beam, bending, length, given.axial, sheet)?;
-        let roots = beam.roots(self.modes).map_err(|err| refusal(&err))?;
-        let shapes: Vec<BeamShape> = roots
+        let sprung = self.sprung(&beam, bending.value(), (line * length).value())?;
+        let whole = SprungBeam { beam: &beam, sprung: &sprung };
+        let roots = whole.roots(self.modes).map_err(|err| refusal(&err))?;
+        let shapes: Vec<SprungShape> = roots
             .iter()
-            .map(|root| beam.shape(*root))
+            .map(|root| whole.shape(*root))
             .collect::<Result<_, _>>()
             .map_err(|err| refusal(&err))?;
         let why = self.equation(&beam);
@@ -191,7 +206,9 @@ impl Analysis for BeamVibration {
                         W::Num::from(residual),
                         *root,
                     );
-                } else if let Some(expected) = pinned(&beam, n) {
+                } else if let Some(expected) = pinned(&beam, n)
+                    && sprung.is_empty()
+                {
                     sheet.check(
                         Text::new("root {n} by the closed form of a beam pinned at both ends").with("n", n),
                         W::Num::from(expected),
@@ -200,37 +217,41 @@ impl Analysis for BeamVibration {
                 }
                 sheet.check(
                     Text::new("mode shape {n}: strain energy over kinetic energy is ω²").with("n", n),
-                    bending / (line * length.powi(4)) * shape.rayleigh_quotient(),
+                    bending / (line * length.powi(4)) * whole.quotient(shape),
                     omega.powi(2),
                 );
                 if let Some(other) = shapes.get(n) {
-                    let size = (shape.inertia_product(shape) * other.inertia_product(other)).sqrt();
+                    let size =
+                        (whole.inertia_product(shape, shape) * whole.inertia_product(other, other)).sqrt();
                     sheet.check_residual(
                         Text::new("mode shapes {n} and {m} are orthogonal").with("n", n).with("m", n + 1),
-                        W::Num::from(shape.inertia_product(other)),
+                        W::Num::from(whole.inertia_product(shape, other)),
                         size,
-                        size * (shape.rounding() + other.rounding()),
+                        size * (shape.shape.rounding() + other.shape.rounding()),
                     );
                 }
             });
             sheet.answer(("frequency", n), "Natural frequency", frequency);
             sheet.answer(("root", n), "Root β with ω = β²√(EI/(m̄L⁴))", beta);
-            let nodes: Vec<f64> = shape.nodes().into_iter().map(|xi| xi * self.length).collect();
+            let nodes: Vec<f64> = shape.shape.nodes().into_iter().map(|xi| xi * self.length).collect();
             if !nodes.is_empty() {
                 sheet.answer_list(("nodes", n), "Nodes of mode", "m", &nodes);
             }
+            if !sprung.is_empty() {
+                sheet.answer_list(("sprung", n), "Masses on springs in mode", "1", &shape.masses);
+            }
         }
         self.warnings(&beam, sheet);
-        sheet.show(|| frequency_function(&beam, &roots));
+        sheet.show(|| frequency_function(&whole, &roots));
         let sampled = || -> Vec<Sampled> {
-            let one = |(n, shape): (usize, &BeamShape)| {
-                Sampled::new(n, self.length, |xi| shape.state(xi).deflection)
+            let one = |(n, shape): (usize, &SprungShape)| {
+                Sampled::new(n, self.length, |xi| shape.shape.state(xi).deflection)
             };
             (1..).zip(&shapes).map(one).collect()
         };
         sheet.show(|| shapes_plot(&sampled()));
         sheet.show(|| {
-            shapes_film(&sampled(), self.length, |sketch, width, y| stations(&beam, sketch, width, y))
+            shapes_film(&sampled(), self.length, |sketch, width, y| stations(&whole, sketch, width, y))
         });
         Ok(())
     }
@@ -269,14 +290,35 @@ impl BeamVibration {
                     station.turning_spring += stiffness * length / bending;
                 }
                 AttachedPart::Pin => station.held = true,
+                AttachedPart::SprungMass { .. } => {}
             }
         }
         Ok(stations)
     }
 
+    /// The masses on springs, in units of the beam.
+    fn sprung(&self, beam: &Beam, bending: f64, mass: f64) -> Result<Vec<SprungMass>, Refusal> {
+        let mut all = Vec::new();
+        for attachment in &self.attachments {
+            let AttachedPart::SprungMass { mass: own, stiffness } = attachment.part else { continue };
+            let at = attachment.distance / self.length;
+            let near = |station: &BeamStation| (station.at - at).abs() <= 1e-9;
+            let station = beam.stations.iter().position(near).expect("each item has a station");
+            if beam.stations[station].held {
+                return Err(Refusal::because(
+                    "a mass on a spring stands on a support of the beam and vibrates alone: remove it",
+                ));
+            }
+            let spring = stiffness * self.length.powi(3) / bending;
+            all.push(SprungMass { station, mass: own / mass, spring });
+        }
+        Ok(all)
+    }
+
     /// The frequency equation in words, and whether it is one of the classical ones.
     fn equation(&self, beam: &Beam) -> (Text, bool) {
-        if classical(beam, 1.0).is_none() {
+        let sprung = |attachment: &Attachment| matches!(attachment.part, AttachedPart::SprungMass { .. });
+        if classical(beam, 1.0).is_none() || self.attachments.iter().any(sprung) {
             let text = "Root of the determinant of the exact dynamic stiffness, with the frequencies below it counted";
             return (Text::new(text), false);
         }
@@ -472,7 +514,7 @@ fn refusal(err: &BeamError) -> Refusal {
 }
 
 /// The frequency equation over β, with its roots.
-fn frequency_function(beam: &Beam, roots: &[f64]) -> Exhibit {
+fn frequency_function(beam: &SprungBeam<'_>, roots: &[f64]) -> Exhibit {
     let last = 1.05 * roots.last().copied().unwrap_or(1.0);
     let first = 0.02 * last;
     let at = |n: u16| {
@@ -495,8 +537,12 @@ fn frequency_function(beam: &Beam, roots: &[f64]) -> Exhibit {
 }
 
 /// Draws supports and lumped elements along a beam from `(0, y)` to `(width, y)`.
-fn stations(beam: &Beam, sketch: &mut Sketch, width: f64, y: f64) {
-    for station in &beam.stations {
+fn stations(beam: &SprungBeam<'_>, sketch: &mut Sketch, width: f64, y: f64) {
+    for sprung in beam.sprung {
+        let x = beam.beam.stations[sprung.station].at * width;
+        sketch.spring("", (x, y), (x, y + 0.6)).particle("", (x, y + 0.6));
+    }
+    for station in &beam.beam.stations {
         let x = station.at * width;
         draw_support(sketch, (station.held, station.clamped), (x, y), station.at == 0.0);
         if station.spring > 0.0 || station.turning_spring > 0.0 {

@@ -1,4 +1,4 @@
-//! A beam whose section changes linearly along it, by Rayleigh and Ritz.
+//! A beam whose section varies along it, linearly or by a table, by Rayleigh and Ritz.
 
 use std::cell::OnceCell;
 
@@ -8,9 +8,16 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    beam::tapered::{self, Ritz, Tapered},
+    beam::{
+        tapered::{EndSupport, Tapered},
+        varying::{Interpolation, SectionPoint, Varying},
+    },
     section,
 };
+
+mod model;
+
+use self::model::{VaryingBeam, VaryingMode};
 
 use crate::{
     shared::continuous::{Sampled, draw_support, shapes_film, shapes_plot},
@@ -41,7 +48,7 @@ pub struct TaperedBeam {
     pub modes: usize,
 }
 
-/// A section that changes linearly from the left end to the right one.
+/// A section that changes linearly from the left end to the right one, or from point to point of a table.
 #[derive(Clone, Debug, Inputs)]
 pub enum TaperedSection {
     /// Rectangle
@@ -73,6 +80,58 @@ pub enum TaperedSection {
         #[input("d_L", "m", nonnegative)]
         end_diameter: f64,
     },
+    /// Table of a rectangle
+    RectangleTable {
+        /// Points.
+        /// From the left end to the right one: distance, width, height.
+        #[input(table)]
+        points: Vec<RectanglePoint>,
+        /// Variation between the points.
+        between: TableInterpolation,
+    },
+    /// Table of a circular section
+    RoundTable {
+        /// Points.
+        /// From the left end to the right one: distance, diameter.
+        #[input(table)]
+        points: Vec<RoundPoint>,
+        /// Variation between the points.
+        between: TableInterpolation,
+    },
+}
+
+/// A section of a table.
+#[derive(Clone, Debug, Inputs)]
+pub struct RectanglePoint {
+    /// Distance from the left end.
+    #[input("x", "m", nonnegative)]
+    pub distance: f64,
+    /// Width.
+    #[input("b", "m", positive)]
+    pub breadth: f64,
+    /// Height.
+    #[input("h", "m", positive)]
+    pub height: f64,
+}
+
+/// A circular section of a table.
+#[derive(Clone, Debug, Inputs)]
+pub struct RoundPoint {
+    /// Distance from the left end.
+    #[input("x", "m", nonnegative)]
+    pub distance: f64,
+    /// Diameter.
+    #[input("d", "m", positive)]
+    pub diameter: f64,
+}
+
+/// Variation of the dimensions between two points of a table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum TableInterpolation {
+    /// Linear
+    Linear,
+    /// Exponential
+    Exponential,
 }
 
 /// Support condition of an end.
@@ -88,24 +147,24 @@ pub enum TaperedSupport {
 
 register!(TaperedBeam);
 
-/// Terms of the trial functions that the answers are found with.
-const TERMS: usize = 24;
+/// More points would be a measured profile, whose frequencies those of some of them give as well.
+const MOST_POINTS: usize = 30;
 
 impl Analysis for TaperedBeam {
     const ABOUT: About = About {
         id: "vibration/tapered-beam",
         title: "Bending vibration of tapered beams",
         topic: "Strings, beams and plates",
-        summary: "Frequencies and mode shapes of a beam with linearly varying width, height or diameter, including wedges and cones, by Rayleigh–Ritz with its convergence.",
-        keywords: "variable section wedge cone triangular plate spring blade rayleigh ritz viga afilada variável \
+        summary: "Frequencies and mode shapes of a beam whose width, height or diameter varies linearly, exponentially or by a table, wedges and cones included, by Rayleigh–Ritz with its convergence.",
+        keywords: "variable section exponential taper table SDLL10 wedge cone triangular plate spring blade rayleigh ritz viga afilada variável \
                    cunha cone triangular pá lâmina",
         sources: &[&RAO, &TIMOSHENKO, &BEER],
         cases: include_str!("../../cases/tapered_beam.toml"),
     };
 
     fn solve<W: Worksheet>(&self, given: &TaperedBeamGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let (area, second_moment, width, depth) = sections(&given.section, sheet);
-        let beam = Tapered { width: width.value(), depth: depth.value(), supports: self.supports()? };
+        let (area, second_moment, [width, depth]) = self.sections(&given.section, sheet)?;
+        let beam = self.model([width.value(), depth.value()])?;
         let unit = sheet.step(
             "Ω",
             "rad/s",
@@ -115,8 +174,8 @@ impl Analysis for TaperedBeam {
         let wanted = self.modes + beam.rigid_motions();
         let not_found = |_| Refusal::because("the frequencies cannot be found: the taper is too strong");
         let ritz = |terms: usize| beam.ritz(terms, self.modes).map_err(not_found);
-        let Ritz { lambdas, shapes } = ritz(TERMS)?;
-        let before = ritz(TERMS - 3)?.lambdas;
+        let (lambdas, shapes) = ritz(beam.terms())?;
+        let before = ritz(beam.terms() - 3)?.0;
         sheet.keep_going()?;
         for (n, (lambda, shape)) in (1..).zip(lambdas.iter().zip(&shapes)) {
             let settled = (lambda / before[n - 1] - 1.0).abs() < 1e-7;
@@ -163,15 +222,14 @@ impl Analysis for TaperedBeam {
         }
         let series = OnceCell::new();
         let series = || -> &Vec<(usize, Vec<f64>)> {
-            let ritz = |terms: usize| Some((terms, beam.ritz(terms, self.modes).ok()?.lambdas));
-            series.get_or_init(|| (wanted.max(2)..TERMS).step_by(3).filter_map(ritz).collect())
+            let ritz = |terms: usize| Some((terms, beam.ritz(terms, self.modes).ok()?.0));
+            series.get_or_init(|| beam.convergence_terms(wanted).filter_map(ritz).collect())
         };
         sheet.show(|| convergence(series(), self.modes, unit.value()));
         sheet.show(|| distance(series(), &lambdas));
         let sampled = || -> Vec<Sampled> {
-            let one = |(n, shape): (usize, &tapered::RitzShape)| {
-                Sampled::new(n, self.length, |xi| shape.deflection(xi))
-            };
+            let one =
+                |(n, shape): (usize, &VaryingMode)| Sampled::new(n, self.length, |xi| shape.deflection(xi));
             (1..).zip(&shapes).map(one).collect()
         };
         sheet.show(|| shapes_plot(&sampled()));
@@ -182,12 +240,13 @@ impl Analysis for TaperedBeam {
 }
 
 impl TaperedBeam {
-    fn supports(&self) -> Result<[tapered::EndSupport; 2], Refusal> {
+    fn supports(&self) -> Result<[EndSupport; 2], Refusal> {
         let pointed = match self.section {
             TaperedSection::Rectangle { end_breadth, end_height, .. } => {
                 end_breadth == 0.0 || end_height == 0.0
             }
             TaperedSection::Round { end_diameter, .. } => end_diameter == 0.0,
+            TaperedSection::RectangleTable { .. } | TaperedSection::RoundTable { .. } => false,
         };
         if pointed && self.right != TaperedSupport::Free {
             return Err(Refusal::because(
@@ -195,9 +254,9 @@ impl TaperedBeam {
             ));
         }
         Ok([&self.left, &self.right].map(|support| match support {
-            TaperedSupport::Free => tapered::EndSupport::Free,
-            TaperedSupport::Pinned => tapered::EndSupport::Pinned,
-            TaperedSupport::Clamped => tapered::EndSupport::Clamped,
+            TaperedSupport::Free => EndSupport::Free,
+            TaperedSupport::Pinned => EndSupport::Pinned,
+            TaperedSupport::Clamped => EndSupport::Clamped,
         }))
     }
 
@@ -213,41 +272,137 @@ impl TaperedBeam {
     }
 
     /// The beam from the side, and from above where its width changes.
-    fn drawing(&self, beam: &Tapered) -> Drawing {
+    fn drawing(&self, beam: &VaryingBeam) -> Drawing {
         let width = 6.0;
-        let outline = |y: f64, ratio: f64| {
-            let (left, right) = (0.45, 0.45 * ratio.min(3.0));
-            [(0.0, y - left), (0.0, y + left), (width, y + right), (width, y - right)]
+        let points: Vec<(f64, f64, f64)> = match beam {
+            VaryingBeam::Linear(beam) => vec![(0.0, 1.0, 1.0), (1.0, beam.width, beam.depth)],
+            VaryingBeam::Table(beam) => {
+                beam.points.iter().map(|point| (point.place, point.width, point.depth)).collect()
+            }
+        };
+        let outline = |y: f64, of: &dyn Fn(&(f64, f64, f64)) -> f64| {
+            let half = |point: &(f64, f64, f64)| 0.45 * of(point).min(3.0);
+            let above = points.iter().map(|point| (point.0 * width, y + half(point)));
+            let below = points.iter().rev().map(|point| (point.0 * width, y - half(point)));
+            above.chain(below).collect::<Vec<_>>()
         };
         let mut sketch = Sketch::new("The beam and its taper");
-        sketch.body("", outline(0.0, beam.depth)).label("side view", (width, 0.0));
+        sketch.body("", outline(0.0, &|point| point.2)).label("side view", (width, 0.0));
         self.ends(&mut sketch, width, 0.0);
-        if beam.width != 1.0 {
-            sketch.body("", outline(-1.8, beam.width)).label("top view", (width, -1.8));
+        if points.iter().any(|point| point.1 != 1.0) {
+            sketch.body("", outline(-1.8, &|point| point.1)).label("top view", (width, -1.8));
         }
         sketch.finish()
     }
-}
 
-/// Area and second moment at the left end, and the ratios of width and height of the ends.
-fn sections<W: Worksheet>(given: &TaperedSectionGiven<W>, sheet: W) -> (W::Num, W::Num, W::Num, W::Num) {
-    let (area, second_moment, width, depth) = match given {
-        TaperedSectionGiven::Rectangle { breadth, end_breadth, height, end_height } => (
-            section::rectangle_area(*breadth, *height),
-            section::rectangle_second_moment(*breadth, *height),
-            sheet.step("β_b", "1", *end_breadth / *breadth, "Width of the right end over that of the left"),
-            sheet.step("β_h", "1", *end_height / *height, "Ratio of right-end to left-end height"),
-        ),
-        TaperedSectionGiven::Round { diameter, end_diameter } => {
-            let ratio = *end_diameter / *diameter;
-            let ratio = sheet.step("β_d", "1", ratio, "Diameter of the right end over that of the left");
-            (section::round_area(*diameter), section::round_second_moment(*diameter), ratio, ratio)
+    /// Distances of the table with width and height, where there is one.
+    fn table(&self) -> Option<(Vec<[f64; 3]>, TableInterpolation)> {
+        match &self.section {
+            TaperedSection::RectangleTable { points, between } => {
+                let rows = points.iter().map(|point| [point.distance, point.breadth, point.height]);
+                Some((rows.collect(), *between))
+            }
+            TaperedSection::RoundTable { points, between } => {
+                let rows = points.iter().map(|point| [point.distance, point.diameter, point.diameter]);
+                Some((rows.collect(), *between))
+            }
+            TaperedSection::Rectangle { .. } | TaperedSection::Round { .. } => None,
         }
-    };
-    let area = sheet.step("A₀", "cm^2", area, ("Area of the left end", BEER.at("app. A")));
-    let second_moment =
-        sheet.step("I₀", "cm^4", second_moment, ("Second moment of area of the left end", BEER.at("app. A")));
-    (area, second_moment, width, depth)
+    }
+
+    /// The beam in units of its left end, with the ratios of width and height of the ends.
+    fn model(&self, [width, depth]: [f64; 2]) -> Result<VaryingBeam, Refusal> {
+        let supports = self.supports()?;
+        let Some((rows, between)) = self.table() else {
+            return Ok(VaryingBeam::Linear(Tapered { width, depth, supports }));
+        };
+        let first = rows[0];
+        let points = rows.iter().map(|row| SectionPoint {
+            place: row[0] / self.length,
+            width: row[1] / first[1],
+            depth: row[2] / first[2],
+        });
+        let points: Vec<SectionPoint> = points.collect();
+        let between = match between {
+            TableInterpolation::Linear => Interpolation::Linear,
+            TableInterpolation::Exponential => Interpolation::Exponential,
+        };
+        Ok(VaryingBeam::Table(Varying { points, between, supports }))
+    }
+
+    /// Refuses a table that does not lead from one end of the beam to the other.
+    fn check(&self, rows: &[[f64; 3]]) -> Result<(), Refusal> {
+        if rows.len() < 2 {
+            return Err(Refusal::because(
+                "the table has fewer than two points: write at least those of both ends",
+            ));
+        }
+        if rows.len() > MOST_POINTS {
+            return Err(Refusal::because("the table has more than 30 points: leave some of them out"));
+        }
+        if rows.windows(2).any(|pair| pair[1][0] - pair[0][0] < 1e-6 * self.length) {
+            return Err(Refusal::because(
+                "the distances in the table do not ascend: write each place once, from the left end to the right one",
+            ));
+        }
+        let last = rows[rows.len() - 1][0];
+        if rows[0][0].abs() > 1e-9 * self.length || (last / self.length - 1.0).abs() > 1e-9 {
+            return Err(Refusal::because(
+                "the table does not lead from the left end to the right one: its first distance is 0, its last one the length of the beam",
+            ));
+        }
+        Ok(())
+    }
+
+    /// Area and second moment at the left end, and the ratios of width and height of the ends.
+    fn sections<W: Worksheet>(
+        &self,
+        given: &TaperedSectionGiven<W>,
+        sheet: W,
+    ) -> Result<(W::Num, W::Num, [W::Num; 2]), Refusal> {
+        let at_left =
+            |symbol: &'static str, value: f64, why: &'static str| sheet.numerical(symbol, "mm", value, why);
+        let table = self.table();
+        if let Some((rows, _)) = &table {
+            self.check(rows)?;
+        }
+        let one = W::Num::from(1.0);
+        let (area, second_moment, ratios) = match (given, table) {
+            (TaperedSectionGiven::Rectangle { breadth, end_breadth, height, end_height }, _) => (
+                section::rectangle_area(*breadth, *height),
+                section::rectangle_second_moment(*breadth, *height),
+                [
+                    sheet.step(
+                        "β_b",
+                        "1",
+                        *end_breadth / *breadth,
+                        "Width of the right end over that of the left",
+                    ),
+                    sheet.step("β_h", "1", *end_height / *height, "Ratio of right-end to left-end height"),
+                ],
+            ),
+            (TaperedSectionGiven::Round { diameter, end_diameter }, _) => {
+                let ratio = *end_diameter / *diameter;
+                let ratio = sheet.step("β_d", "1", ratio, "Diameter of the right end over that of the left");
+                (section::round_area(*diameter), section::round_second_moment(*diameter), [ratio; 2])
+            }
+            (TaperedSectionGiven::RectangleTable { .. }, Some((rows, _))) => {
+                let breadth = at_left("b₀", rows[0][1], "Width at the left end, of the table");
+                let height = at_left("h₀", rows[0][2], "Height at the left end, of the table");
+                let area = section::rectangle_area(breadth, height);
+                (area, section::rectangle_second_moment(breadth, height), [one; 2])
+            }
+            (_, Some((rows, _))) => {
+                let diameter = at_left("d₀", rows[0][1], "Diameter at the left end, of the table");
+                (section::round_area(diameter), section::round_second_moment(diameter), [one; 2])
+            }
+            (_, None) => unreachable!("what is given is made from the section"),
+        };
+        let area = sheet.step("A₀", "cm^2", area, ("Area of the left end", BEER.at("app. A")));
+        let why = ("Second moment of area of the left end", BEER.at("app. A"));
+        let second_moment = sheet.step("I₀", "cm^4", second_moment, why);
+        Ok((area, second_moment, ratios))
+    }
 }
 
 /// The frequencies with more and more terms.

@@ -379,7 +379,7 @@ impl SpanShape {
 }
 
 /// Bending stiffness of an element over `EI/h³`, rotations over `h`.
-const BENDING: [[f64; 4]; 4] =
+pub(super) const BENDING: [[f64; 4]; 4] =
     [[12.0, 6.0, -12.0, 6.0], [6.0, 4.0, -6.0, 2.0], [-12.0, -6.0, 12.0, -6.0], [6.0, 2.0, -6.0, 4.0]];
 
 /// Stiffness by tension over `N/(30h)`.
@@ -387,7 +387,7 @@ const TENSION: [[f64; 4]; 4] =
     [[36.0, 3.0, -36.0, 3.0], [3.0, 4.0, -3.0, -1.0], [-36.0, -3.0, 36.0, -3.0], [3.0, -1.0, -3.0, 4.0]];
 
 /// Mass over `m h/420`.
-const INERTIA: [[f64; 4]; 4] = [
+pub(super) const INERTIA: [[f64; 4]; 4] = [
     [156.0, 22.0, 54.0, -13.0],
     [22.0, 4.0, 13.0, -3.0],
     [54.0, 13.0, 156.0, -22.0],

@@ -75,8 +75,14 @@ pub(super) fn identify<W: Worksheet>(
             let other = (frequency_ratio.value(), height / amplitude_ratio.value());
             (zeta, unbalance, vec![(1.0, height), other])
         }
-        _ => unreachable!("tables and the static value are read elsewhere"),
+        _ => unreachable!("tables, the static value and half-power frequencies are read elsewhere"),
     };
+    show(zeta, unbalance, points, sheet);
+    Ok(())
+}
+
+/// Warns of heavy damping and shows the curve of one degree of freedom with these points of it.
+pub(super) fn show<W: Worksheet>(zeta: W::Num, unbalance: bool, points: Vec<(f64, f64)>, sheet: W) {
     if zeta.value() > 0.1 {
         sheet.warn(|| {
             Text::new(
@@ -86,10 +92,10 @@ pub(super) fn identify<W: Worksheet>(
     }
     let zeta = zeta.value();
     sheet.show(|| Exhibit::Plot(plots::magnification(zeta, unbalance, points)));
-    Ok(())
 }
 
-fn answer<W: Worksheet>(zeta: W::Num, sheet: W) {
+/// Answers damping ratio and quality factor.
+pub(super) fn answer<W: Worksheet>(zeta: W::Num, sheet: W) {
     sheet.answer("damping_ratio", "Damping ratio", zeta);
     let quality = sheet.step("Q", "1", sdof::quality_factor(zeta), ("Quality factor", RAO.at("§3.4")));
     sheet.answer("quality_factor", "Quality factor", quality);

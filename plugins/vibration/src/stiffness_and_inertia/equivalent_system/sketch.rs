@@ -1,0 +1,186 @@
+//! Drawings of the lever, the rolling body and the pulley.
+
+use std::f64::consts::PI;
+
+use dalembert_core::{Drawing, Ink, Point, Sketch, Text};
+
+use super::{
+    AttachedDamper, AttachedSpring, EquivalentSystem, LeverBar, LeverPosition, RollingSurface, TurningBody,
+};
+
+/// The body with what is attached to it.
+pub(super) fn drawing(system: &EquivalentSystem) -> Drawing {
+    match &system.body {
+        TurningBody::Lever { position, .. } => lever(system, position),
+        TurningBody::Rolling { radius, surface, .. } => rolling(system, *radius, surface),
+        TurningBody::Pulley { masses, .. } => {
+            let arms = masses.iter().map(|mass| mass.arm).chain(arms(system));
+            let radius = arms.fold(0.0, f64::max);
+            pulley(system, if radius > 0.0 { radius } else { 1.0 })
+        }
+    }
+}
+
+/// Arms of springs and dampers, as lengths.
+fn arms(system: &EquivalentSystem) -> impl Iterator<Item = f64> {
+    let springs = system.springs.iter().filter_map(|spring| match spring {
+        AttachedSpring::Linear { arm, .. } => Some(arm.abs()),
+        AttachedSpring::Torsional { .. } => None,
+    });
+    let dampers = system.dampers.iter().filter_map(|damper| match damper {
+        AttachedDamper::Linear { arm, .. } => Some(arm.abs()),
+        AttachedDamper::Torsional { .. } => None,
+    });
+    springs.chain(dampers)
+}
+
+fn numbered(symbol: &'static str, n: usize) -> Text {
+    Text::new("{symbol}{n}").with("symbol", symbol).with("n", n)
+}
+
+/// The springs by number and arm.
+fn springs(system: &EquivalentSystem) -> impl Iterator<Item = (usize, Option<f64>)> {
+    (1..).zip(&system.springs).map(|(n, spring)| match spring {
+        AttachedSpring::Linear { arm, .. } => (n, Some(*arm)),
+        AttachedSpring::Torsional { .. } => (n, None),
+    })
+}
+
+/// The dampers by number and arm; torsional ones are not drawn.
+fn dampers(system: &EquivalentSystem) -> impl Iterator<Item = (usize, f64)> {
+    (1..).zip(&system.dampers).filter_map(|(n, damper)| match damper {
+        AttachedDamper::Linear { arm, .. } => Some((n, *arm)),
+        AttachedDamper::Torsional { .. } => None,
+    })
+}
+
+fn lever(system: &EquivalentSystem, position: &LeverPosition) -> Drawing {
+    let TurningBody::Lever { bar, masses, .. } = &system.body else { unreachable!("the body is a lever") };
+    let ends: Vec<f64> = match *bar {
+        LeverBar::Uniform { length, pivot, .. } => vec![-pivot, length - pivot],
+        LeverBar::Given { centre, .. } => vec![0.0, centre],
+        LeverBar::Light => vec![0.0],
+    };
+    let signed = system.springs.iter().filter_map(|spring| match spring {
+        AttachedSpring::Linear { arm, .. } => Some(*arm),
+        AttachedSpring::Torsional { .. } => None,
+    });
+    let places = || ends.iter().copied().chain(masses.iter().map(|mass| mass.distance));
+    let all: Vec<f64> = places().chain(signed).chain(dampers(system).map(|damper| damper.1)).collect();
+    let (first, last) = all.iter().fold((0.0f64, 0.0f64), |(low, high), x| (low.min(*x), high.max(*x)));
+    let size = if last > first { last - first } else { 1.0 };
+    // Along the lever and across it.
+    let at = |along: f64, across: f64| -> Point {
+        let (along, across) = (along / size * 4.0, across * 4.0);
+        match position {
+            LeverPosition::Horizontal => (along, across),
+            LeverPosition::Hanging { .. } => (across, -along),
+            LeverPosition::Standing { .. } => (across, along),
+        }
+    };
+    let mut sketch = Sketch::new("The lever");
+    sketch.bars([at(first, 0.0), at(last, 0.0)]).pin("O", at(0.0, 0.0));
+    for (n, arm) in springs(system) {
+        match arm {
+            Some(arm) => {
+                let foot = 0.04 * size;
+                sketch.ground(at(arm + foot, -0.3), at(arm - foot, -0.3)).spring(
+                    numbered("k", n),
+                    at(arm, -0.3),
+                    at(arm, 0.0),
+                );
+            }
+            None => {
+                sketch.torsion_spring(numbered("k", n), at(0.0, 0.0), 0.0);
+            }
+        }
+    }
+    for (n, arm) in dampers(system) {
+        let foot = 0.04 * size;
+        sketch.ground(at(arm - foot, 0.3), at(arm + foot, 0.3)).damper(
+            numbered("c", n),
+            at(arm, 0.3),
+            at(arm, 0.0),
+        );
+    }
+    for (n, mass) in (1..).zip(masses) {
+        sketch.particle(numbered("m", n), at(mass.distance, 0.0));
+    }
+    let centre = match *bar {
+        LeverBar::Light => None,
+        LeverBar::Uniform { length, pivot, .. } => Some(length / 2.0 - pivot),
+        LeverBar::Given { centre, .. } => Some(centre),
+    };
+    if let Some(centre) = centre {
+        sketch.mass_centre("G", at(centre, 0.0));
+    }
+    sketch.finish()
+}
+
+fn rolling(system: &EquivalentSystem, radius: f64, surface: &RollingSurface) -> Drawing {
+    let mut sketch = Sketch::new("The rolling body");
+    sketch.disc("m", (0.0, 1.0), 1.0);
+    match surface {
+        RollingSurface::Flat => {
+            sketch.ground((-2.5, 0.0), (2.5, 0.0));
+        }
+        RollingSurface::Trough { radius: large, .. } => {
+            let large = (large / radius).min(8.0);
+            let half = (2.5 / large).min(1.2);
+            let angles = (-PI / 2.0 - half, -PI / 2.0 + half);
+            sketch.arc((0.0, large), large, angles, Ink::Body);
+        }
+    }
+    for (n, arm) in springs(system) {
+        match arm {
+            Some(arm) => {
+                let y = arm / radius;
+                sketch.ground((-2.4, y - 0.25), (-2.4, y + 0.25)).spring(
+                    numbered("k", n),
+                    (-2.4, y),
+                    (0.0, y),
+                );
+            }
+            None => {
+                sketch.torsion_spring(numbered("k", n), (0.0, 1.0), 0.0);
+            }
+        }
+    }
+    for (n, arm) in dampers(system) {
+        let y = arm / radius;
+        sketch.ground((2.4, y + 0.25), (2.4, y - 0.25)).damper(numbered("c", n), (2.4, y), (0.0, y));
+    }
+    sketch.finish()
+}
+
+fn pulley(system: &EquivalentSystem, radius: f64) -> Drawing {
+    let TurningBody::Pulley { masses, .. } = &system.body else { unreachable!("the body is a pulley") };
+    let mut sketch = Sketch::new("The pulley");
+    sketch.pulley("J", (0.0, 0.0), 1.0).pin("O", (0.0, 0.0));
+    for (n, mass) in (1..).zip(masses) {
+        let x = mass.arm / radius;
+        sketch.cord([(x, 0.0), (x, -1.4)]).mass(numbered("m", n), (x - 0.3, -1.9), (x + 0.3, -1.4));
+    }
+    for (n, arm) in springs(system) {
+        match arm {
+            Some(arm) => {
+                let x = -arm.abs() / radius;
+                sketch
+                    .ground((x - 0.25, -2.4), (x + 0.25, -2.4))
+                    .spring(numbered("k", n), (x, -2.4), (x, -1.0))
+                    .cord([(x, -1.0), (x, 0.0)]);
+            }
+            None => {
+                sketch.torsion_spring(numbered("k", n), (0.0, 0.0), 0.0);
+            }
+        }
+    }
+    for (n, arm) in dampers(system) {
+        let x = -arm.abs() / radius;
+        sketch
+            .ground((x + 0.25, 2.0), (x - 0.25, 2.0))
+            .damper(numbered("c", n), (x, 2.0), (x, 0.8))
+            .cord([(x, 0.8), (x, 0.0)]);
+    }
+    sketch.finish()
+}
