@@ -131,12 +131,11 @@ impl Analysis for Gyrocompass {
                     gravity: *gravity,
                     radius: *radius,
                 };
-                pendulum.answer(&rates, sheet)?
+                pendulum.answer(&rates, sheet)
             }
         };
-        let momentum = momentum.value();
         if self.vessel.is_none() {
-            sheet.show(|| Exhibit::Plot(self.over_latitude(momentum, plotted)));
+            sheet.show(|| Exhibit::Plot(self.over_latitude(&plotted)));
         }
         let settled = rates.deviation.map_or(0.0, Real::value);
         let released = match self.support {
@@ -242,7 +241,7 @@ struct Plotted<'a> {
 }
 
 impl Gyrocompass {
-    fn over_latitude(&self, _momentum: f64, plotted: Plotted<'_>) -> Plot {
+    fn over_latitude(&self, plotted: &Plotted<'_>) -> Plot {
         let sign = if self.latitude < 0.0 { -1.0 } else { 1.0 };
         let most = (1.1 * self.latitude.abs()).max(1.4).min(0.5 * (FRAC_PI_2 + self.latitude.abs()));
         let at = |n: u16| {

@@ -208,7 +208,7 @@ impl Analysis for BallOnTurntable {
                 [centre, place, now],
                 drift.map(|(_, v)| v),
                 sheet,
-            )
+            );
         });
         let (centre, radius) = (centre.value(), radius.value());
         let shown = distance.value();

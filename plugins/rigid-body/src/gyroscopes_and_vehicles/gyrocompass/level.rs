@@ -51,7 +51,7 @@ pub(super) fn answer<'a, W: Worksheet>(
         );
     });
     if deviation.value() > 0.0 {
-        swing.answer(momentum, transverse, deviation, rate, sheet)?;
+        swing.answer(momentum, transverse, deviation, rate, sheet);
     }
     let (h, inertia) = (momentum.value(), transverse.value());
     Ok(Plotted {
@@ -89,7 +89,7 @@ impl Swing {
         deviation: W::Num,
         rate: W::Num,
         sheet: W,
-    ) -> Result<(), Refusal> {
+    ) {
         let couple = sheet.step(
             "C₀",
             "N*m",
@@ -148,7 +148,6 @@ impl Swing {
                 Text::new("near 180° the axle lingers at its unstable position, and the period follows from the last digits of the deviation")
             });
         }
-        Ok(())
     }
 
     /// Angle and angular velocity after a time from rest at an angle.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{Refusal, Worksheet};
+use dalembert_core::Worksheet;
 use dalembert_mechanics::Real;
 use dalembert_numerics::linalg;
 use nalgebra::{DMatrix, Vector3};
@@ -22,11 +22,7 @@ pub(super) struct Pendulum<N> {
 
 impl<N: Real> Pendulum<N> {
     /// Answers tilt, period and Schuler tuning.
-    pub(super) fn answer<'a, W: Worksheet<Num = N>>(
-        &self,
-        rates: &Rates<N>,
-        sheet: W,
-    ) -> Result<Plotted<'a>, Refusal> {
+    pub(super) fn answer<'a, W: Worksheet<Num = N>>(&self, rates: &Rates<N>, sheet: W) -> Plotted<'a> {
         let &Self { momentum, weight, mass, depth, gravity, radius } = self;
         let directing = sheet.step(
             "B₁",
@@ -105,14 +101,14 @@ impl<N: Real> Pendulum<N> {
             }
         });
         let (h, b) = (momentum.value(), weight.value());
-        Ok(Plotted {
+        Plotted {
             answer: "period",
             here: period.value(),
             at: Box::new(move |[level, up]| {
                 let directing = b + h * level;
                 TAU * (h / (directing * level)).sqrt() * (h * up).atan2(directing).cos()
             }),
-        })
+        }
     }
 
     /// The rate of the axle `u` in axes of the place, x along the level component, z up: τ/h − Ω × u, where the weight
