@@ -1,6 +1,7 @@
 //! Gyroscopes and vehicles.
 
 pub mod dipping_rail;
+pub mod gyrocompass;
 pub mod gyroscopic_couple;
 pub mod pendulous_gyro;
 pub mod turn_indicator;

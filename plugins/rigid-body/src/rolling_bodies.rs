@@ -1,5 +1,6 @@
 //! Rolling bodies.
 
+pub mod ball_on_turntable;
 pub mod rolling_cone;
 pub mod rolling_motion;
 pub mod rolling_stability;

@@ -75,3 +75,21 @@ pub(crate) static LANDAU: Source = Source {
     short: "Landau & Lifshitz",
     full: "L. D. Landau, E. M. Lifshitz, Mechanics, 3rd ed., Pergamon, 1976",
 };
+
+/// T. W. B. Kibble, F. H. Berkshire, Classical Mechanics.
+pub(crate) static KIBBLE: Source = Source {
+    short: "Kibble & Berkshire",
+    full: "T. W. B. Kibble, F. H. Berkshire, Classical Mechanics, 5th ed., Imperial College Press, 2004",
+};
+
+/// M. Schuler, on pendulous gyroscopes of vehicles.
+pub(crate) static SCHULER: Source = Source {
+    short: "Schuler",
+    full: "M. Schuler, Die Störung von Pendel- und Kreiselapparaten durch die Beschleunigung des Fahrzeuges, Physikalische Zeitschrift 24 (1923), pp. 344–350",
+};
+
+/// M. Fowler, Graduate Classical Mechanics.
+pub(crate) static FOWLER: Source = Source {
+    short: "Fowler",
+    full: "M. Fowler, Graduate Classical Mechanics, University of Virginia, LibreTexts, ch. 30: a rolling sphere on a rotating plane",
+};

@@ -3,6 +3,7 @@
 mod bearings;
 mod effect;
 mod pictures;
+mod precession;
 
 use std::f64::consts::TAU;
 
@@ -33,9 +34,9 @@ pub struct GyroscopicCouple {
     #[input("I_t", "kg*m^2", positive)]
     pub transverse_inertia: Option<f64>,
     /// Speed of the rotor.
-    /// Relative to the carrier.
+    /// Relative to the carrier. Left out where the rotor is given by its angular momentum.
     #[input("ω", "rad/s", nonnegative)]
-    pub spin: f64,
+    pub spin: Option<f64>,
     /// Sense of the rotor.
     pub sense: Sense,
     /// Seen from.
@@ -100,6 +101,19 @@ pub enum CarrierMotion {
         /// Turn to.
         towards: LeftOrRight,
     },
+    /// Vertical curve: loop, pull-out of a dive, crest
+    /// The carrier is level at the moment.
+    VerticalCurve {
+        /// Speed.
+        #[input("v", "m/s", nonnegative)]
+        speed: f64,
+        /// Radius of the curve.
+        #[input("R", "m", positive)]
+        radius: f64,
+        /// Bow or nose.
+        /// Rising at the bottom of a loop or a dip, falling at the top of a crest.
+        bow: Bow,
+    },
     /// Pitching at a given rate
     Pitching {
         /// Pitch angular velocity.
@@ -146,6 +160,21 @@ pub enum CarrierMotion {
         /// Components forward, to the left and up.
         #[input("Ω", "rad/s")]
         precession: Vector3<f64>,
+    },
+    /// Gimbal
+    /// A control-moment gyro: the axle is held in a gimbal, which turns in the carrier.
+    Gimbal {
+        /// Angular velocity of the gimbal.
+        #[input("ω_g", "rad/s", nonnegative)]
+        rate: f64,
+        /// Any vector along the axis of the gimbal.
+        /// The gimbal turns about it by the right-hand rule. Components forward, to the left and up.
+        #[input("e_g", "1", default = "(0; 0; 1)")]
+        axis: Vector3<f64>,
+        /// Gimbal angle.
+        /// By which the gimbal has turned the axle from the position given by the sense and the viewpoint.
+        #[input("γ", "deg", default = "0 deg")]
+        angle: f64,
     },
     /// Level axle supported at one end: precession due to the weight
     HeldAtOneEnd {
@@ -201,35 +230,42 @@ impl Analysis for GyroscopicCouple {
         id: "rigid-body/gyroscopic-couple",
         title: "Gyroscopic couple on a ship, an aircraft or a vehicle",
         topic: "Gyroscopes and vehicles",
-        summary: "Couple on a spinning rotor whose carrier turns, pitches or rolls, its reaction on the carrier with the effect in words, and the bearing reactions.",
-        keywords: "gyroscope gyroscopic ship aeroplane turbine propeller precession pitching rolling giroscópio giroscópico navio avião precessão arfagem balanço proa popa mancais",
+        summary: "Couple on a spinning rotor whose carrier or gimbal turns, pitches or rolls, its reaction on the carrier with the effect in words, and the bearing reactions.",
+        keywords: "gyroscope gyroscopic ship aeroplane turbine propeller precession pitching rolling loop pull-out dive control-moment gyro CMG gimbal giroscópio giroscópico navio avião precessão arfagem balanço proa popa mancais looping mergulho cardã",
         sources: &[&KHURMI, &BEER, &MERIAM, &IRODOV],
         cases: include_str!("../../cases/gyroscopic_couple.toml"),
     };
 
     fn solve<W: Worksheet>(&self, given: &GyroscopicCoupleGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let (axial, mass) = given.rotor.inertia(sheet)?;
-        let axle = sheet.step_vector(
-            "u",
-            "1",
-            direction::<W>(self.spin_direction()),
-            "Unit vector of the spin: away from the viewer if clockwise, towards the viewer if counter-clockwise",
-        );
-        let (precession, rate) = self.precession(given, axial, mass, sheet)?;
+        let rotor = given.rotor.spinning(given.spin, sheet)?;
+        let mass = rotor.mass;
+        let axle = self.axle(given, sheet)?;
+        let (precession, rate) = self.precession(given, axle, &rotor, sheet)?;
         let momentum = match given.transverse_inertia {
-            Some(transverse) => sheet.step_vector(
-                "H",
-                "kg*m^2/s",
-                gyroscope::momentum(axial, transverse, given.spin, axle, precession),
-                (
-                    "Angular momentum about G: due to the spin and to the rotation of the carrier",
-                    BEER.at("§18.3"),
-                ),
-            ),
+            Some(transverse) => {
+                let along = match rotor.axial {
+                    Some(axial) => rotor.momentum + (axial - transverse) * axle.dot(precession),
+                    None if is_oblique(axle.value(), precession.value()) => {
+                        return Err(Refusal::because(
+                            "the carrier turns about an axis that is not normal to the axle, where the transverse moment of inertia counts together with that about the axle: give the rotor by its moment of inertia and speed, or leave the transverse moment of inertia out",
+                        ));
+                    }
+                    None => rotor.momentum,
+                };
+                sheet.step_vector(
+                    "H",
+                    "kg*m^2/s",
+                    precession * transverse + axle * along,
+                    (
+                        "Angular momentum about G: due to the spin and to the rotation of the carrier",
+                        BEER.at("§18.3"),
+                    ),
+                )
+            }
             None => sheet.step_vector(
                 "H",
                 "kg*m^2/s",
-                axle * (axial * given.spin),
+                axle * rotor.momentum,
                 ("Angular momentum of the spin", KHURMI.at("§14.3")),
             ),
         };
@@ -270,22 +306,30 @@ impl Analysis for GyroscopicCouple {
             })?;
             self.bearing_reactions(bearings, given, given_bearings, mass, axle, couple, sheet)?;
         }
-        self.warn_of_oblique_axle(precession.value(), sheet);
+        if self.transverse_inertia.is_none() && is_oblique(axle.value(), precession.value()) {
+            sheet.warn(|| {
+                "the carrier turns about an axis that is not normal to the axle: without the transverse moment of inertia the term (I_a − I_t) Ω² sin θ cos θ of the couple is missing".into()
+            });
+        }
         sheet.verify(|| {
-            self.check_by_rotation(axial.value(), momentum.value(), precession.value(), couple, sheet);
+            let axial = rotor.axial.map(Real::value);
+            self.check_by_rotation(
+                axial,
+                rotor.momentum.value(),
+                axle.value(),
+                precession.value(),
+                couple,
+                sheet,
+            );
         });
+        let spin = axle.value() * rotor.momentum.value();
         let (couple, precession) = (couple.value(), precession.value());
-        sheet.show(|| self.animation(couple, precession));
+        sheet.show(|| self.animation(spin, couple, precession));
         if let Some(plot) = self.plot(size.value()) {
             sheet.show(|| plot);
         }
         Ok(())
     }
-}
-
-/// A fixed direction as a vector of the worksheet.
-fn direction<W: Worksheet>(along: Vector3<f64>) -> W::Vec {
-    W::Vec::from_components(along.x.into(), along.y.into(), along.z.into())
 }
 
 impl GyroscopicCouple {
@@ -309,103 +353,6 @@ impl GyroscopicCouple {
             | CarrierMotion::HarmonicRolling { amplitude, period, .. } => Some((amplitude, period)),
             _ => None,
         }
-    }
-
-    /// The angular velocity of the carrier, and its size.
-    fn precession<W: Worksheet>(
-        &self,
-        given: &GyroscopicCoupleGiven<W>,
-        axial: W::Num,
-        mass: Option<W::Num>,
-        sheet: W,
-    ) -> Result<(W::Vec, W::Num), Refusal> {
-        let largest = |amplitude: W::Num, period: W::Num| {
-            let frequency = sheet.step(
-                "p",
-                "rad/s",
-                W::Num::from(TAU) / period,
-                "Angular frequency of the harmonic motion",
-            );
-            sheet.step(
-                "ω_p",
-                "rad/s",
-                amplitude * frequency,
-                ("Maximum angular velocity, in the middle of the oscillation", KHURMI.at("§14.7")),
-            )
-        };
-        let (rate, along, why) = match (&self.motion, &given.motion) {
-            (CarrierMotion::AnyPrecession { .. }, CarrierMotionGiven::AnyPrecession { precession }) => {
-                let rate = sheet.step(
-                    "ω_p",
-                    "rad/s",
-                    precession.magnitude(),
-                    "Magnitude of the angular velocity of the carrier",
-                );
-                return Ok((*precession, rate));
-            }
-            (
-                CarrierMotion::SteadyTurn { towards, .. },
-                CarrierMotionGiven::SteadyTurn { speed, radius, .. },
-            ) => {
-                let rate = sheet.step(
-                    "ω_p",
-                    "rad/s",
-                    *speed / *radius,
-                    ("Angular velocity of the carrier on its curve", KHURMI.at("§14.6")),
-                );
-                let up = if *towards == LeftOrRight::Left { Vector3::z() } else { -Vector3::z() };
-                (
-                    rate,
-                    up,
-                    "Seen from above, a turn to the left is counter-clockwise: Ω points up; to the right, down",
-                )
-            }
-            (CarrierMotion::Pitching { bow, .. }, CarrierMotionGiven::Pitching { rate, .. }) => {
-                (*rate, pitch(*bow), PITCH)
-            }
-            (
-                CarrierMotion::HarmonicPitching { bow, .. },
-                CarrierMotionGiven::HarmonicPitching { amplitude, period, .. },
-            ) => (largest(*amplitude, *period), pitch(*bow), PITCH),
-            (CarrierMotion::Rolling { falling, .. }, CarrierMotionGiven::Rolling { rate, .. }) => {
-                (*rate, roll(*falling), ROLL)
-            }
-            (
-                CarrierMotion::HarmonicRolling { falling, .. },
-                CarrierMotionGiven::HarmonicRolling { amplitude, period, .. },
-            ) => (largest(*amplitude, *period), roll(*falling), ROLL),
-            (_, CarrierMotionGiven::HeldAtOneEnd { arm, gravity }) => {
-                let mass = mass.ok_or_else(|| {
-                    Refusal::because("the weight makes the axle precess: write the mass of the rotor")
-                })?;
-                if self.spin == 0.0 {
-                    return Err(Refusal::because(
-                        "a rotor without spin falls and does not precess: write a speed above zero",
-                    ));
-                }
-                if self.spin_direction().z != 0.0 {
-                    return Err(Refusal::because(
-                        "a vertical axle needs no couple to remain vertical: choose a viewpoint from which the axle is horizontal",
-                    ));
-                }
-                let moment = sheet.step(
-                    "M_W",
-                    "N*m",
-                    mass * *gravity * *arm,
-                    "Moment of the weight about the support",
-                );
-                let rate = sheet.step(
-                    "ω_p",
-                    "rad/s",
-                    gyroscope::precession_rate(moment, axial, given.spin),
-                    ("The couple rotates H at the precession rate: M = I_a ω ω_p", KHURMI.at("§14.3")),
-                );
-                (rate, Vector3::z(), "The axle precesses about the vertical through its support")
-            }
-            _ => unreachable!("the given motion is the motion"),
-        };
-        let vector = sheet.step_vector("Ω", "rad/s", direction::<W>(along) * rate, why);
-        Ok((vector, rate))
     }
 
     /// Answers of a harmonic motion alone: its maximum angular acceleration.
@@ -474,57 +421,40 @@ impl GyroscopicCouple {
         }
     }
 
-    /// Without the transverse moment of inertia an oblique axle is only known in part.
-    fn warn_of_oblique_axle<W: Worksheet>(&self, precession: Vector3<f64>, sheet: W) {
-        let size = precession.norm();
-        let along = Vector::dot(precession, self.spin_direction()).abs();
-        let across = Vector::cross(precession, self.spin_direction()).norm();
-        if self.transverse_inertia.is_none() && along > 1e-9 * size && across > 1e-9 * size {
-            sheet.warn(|| {
-                "the carrier turns about an axis that is not normal to the axle: without the transverse moment of inertia the term (I_a − I_t) Ω² sin θ cos θ of the couple is missing".into()
-            });
-        }
-    }
-
     /// A second method: the whole tensor, turned with the rotor by finite rotations, times its angular velocity, and the
     /// difference quotient of that product in time. A transverse moment of inertia that is not known has no part in
-    /// the couple that is answered: that of a sphere has none.
+    /// the couple that is answered: that of a sphere has none. Nor has one about the axle that is not known.
     fn check_by_rotation<W: Worksheet>(
         &self,
-        axial: f64,
-        momentum: Vector3<f64>,
+        axial: Option<f64>,
+        momentum: f64,
+        axle: Vector3<f64>,
         precession: Vector3<f64>,
         couple: W::Vec,
         sheet: W,
     ) {
-        let axle = self.spin_direction();
-        let tensor = gyroscope::symmetric_tensor(axial, self.transverse_inertia.unwrap_or(axial), axle);
+        let transverse = self.transverse_inertia.or(axial).unwrap_or(0.0);
+        let tensor = gyroscope::symmetric_tensor(axial.unwrap_or(transverse), transverse, axle);
         let period = TAU / precession.norm();
         let period = if period.is_finite() { period } else { 1.0 };
         // The spin leaves the tensor of a symmetric rotor as it is: it need not be followed.
         let momentum_at = |t: f64| {
             let carrier = nalgebra::Rotation3::from_scaled_axis(precession * t);
-            rigid::turned(&tensor, &carrier) * (precession + carrier * axle * self.spin)
+            rigid::turned(&tensor, &carrier) * precession + carrier * axle * momentum
         };
         let Ok(rate) = rigid::numerical_rate(momentum_at, period) else { return };
         sheet.check_zero(
             "the couple from the difference quotient of R I Rᵀ ω",
             W::Num::from((rate - couple.value()).norm()),
-            (momentum.norm() + axial * precession.norm()) * TAU / period + couple.value().norm(),
+            (momentum + tensor.amax() * precession.norm()) * TAU / period + couple.value().norm(),
         );
     }
 }
 
-const PITCH: &str = "When the bow rises, Ω points to the right; when it falls, to the left";
-const ROLL: &str =
-    "When the right-hand side descends, Ω points forward; when the left-hand side descends, backward";
-
-/// Direction of the angular velocity of a pitching carrier.
-fn pitch(bow: Bow) -> Vector3<f64> {
-    if bow == Bow::Rising { -Vector3::y() } else { Vector3::y() }
-}
-
-/// Direction of the angular velocity of a rolling carrier.
-fn roll(falling: LeftOrRight) -> Vector3<f64> {
-    if falling == LeftOrRight::Right { Vector3::x() } else { -Vector3::x() }
+/// Returns true if the carrier turns about an axis that is neither along the axle nor normal to it.
+fn is_oblique(axle: Vector3<f64>, precession: Vector3<f64>) -> bool {
+    let size = precession.norm();
+    let along = Vector::dot(precession, axle).abs();
+    let across = Vector::cross(precession, axle).norm();
+    along > 1e-9 * size && across > 1e-9 * size
 }

@@ -3,7 +3,7 @@
 use dalembert_core::{
     About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
 };
-use dalembert_mechanics::{Real, rigid::gyroscope};
+use dalembert_mechanics::Real;
 use nalgebra::Vector3;
 
 use crate::{
@@ -21,9 +21,9 @@ pub struct PendulousGyro {
     /// Wheel.
     pub wheel: GyroRotor,
     /// Speed of the wheel.
-    /// Relative to the frame.
+    /// Relative to the frame. Left out where the wheel is given by its angular momentum.
     #[input("ω", "rad/s", positive)]
-    pub spin: f64,
+    pub spin: Option<f64>,
     /// Sense of the wheel.
     pub sense: WheelSense,
     /// Mass of the frame.
@@ -78,12 +78,12 @@ impl Analysis for PendulousGyro {
     };
 
     fn solve<W: Worksheet>(&self, given: &PendulousGyroGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let (axial, _) = given.wheel.inertia(sheet)?;
+        let momentum = given.wheel.spinning(given.spin, sheet)?.momentum;
         let rate = sheet.step("Ω", "rad/s", given.speed / given.radius, "Rate of turn");
         let gyroscopic = sheet.step(
             "C_g",
             "N*m",
-            gyroscope::right_angled_couple(axial, given.spin, rate),
+            momentum * rate,
             (
                 "Gyroscopic couple with the frame upright; at the inclination θ it is C_g cos θ",
                 KHURMI.at("§14.3"),
@@ -129,7 +129,7 @@ impl Analysis for PendulousGyro {
             let upright = sheet.step(
                 "v₀",
                 "m/s",
-                axial * given.spin / (given.frame * given.depth),
+                momentum / (given.frame * given.depth),
                 "Speed of the vehicle at which the two couples are equal: the frame stays upright in any turn",
             );
             sheet.answer("upright_speed", "Speed at which the frame stays upright", upright);
@@ -137,12 +137,12 @@ impl Analysis for PendulousGyro {
                 let what = "at that speed the centrifugal force of the frame has the moment of the gyroscopic couple";
                 let rate = upright / given.radius;
                 let force = given.frame * given.depth * upright * rate;
-                sheet.check(what, force, axial * given.spin * rate);
+                sheet.check(what, force, momentum * rate);
             });
         }
-        sheet.verify(|| self.check_moments(axial.value(), tilt.value(), sheet));
+        sheet.verify(|| self.check_moments(momentum.value(), tilt.value(), sheet));
         let shown = tilt.value();
-        sheet.show(|| Exhibit::Plot(self.tilt_over_speed(axial.value(), shown)));
+        sheet.show(|| Exhibit::Plot(self.tilt_over_speed(momentum.value(), shown)));
         sheet.show(|| Exhibit::Drawing(sketch(shown)));
         Ok(())
     }
@@ -151,25 +151,25 @@ impl Analysis for PendulousGyro {
 impl PendulousGyro {
     /// Holds the moments about the axis, as vectors, to the rate of change of the angular momentum. The vehicle turns to
     /// the left: x forward, y to the left, z up.
-    fn check_moments<W: Worksheet>(&self, axial: f64, tilt: f64, sheet: W) {
+    fn check_moments<W: Worksheet>(&self, momentum: f64, tilt: f64, sheet: W) {
         let up = Vector3::z() * (self.speed / self.radius);
         let axle = Vector3::new(0.0, tilt.cos(), -tilt.sin());
         let arm = Vector3::new(0.0, -tilt.sin(), -tilt.cos()) * self.depth;
         let inward = Vector3::y() * (self.frame * self.speed.powi(2) / self.radius);
         let weight = Vector3::z() * (-self.frame * self.gravity);
-        let spin = up.cross(&(axle * (-self.sense.outward() * axial * self.spin))).x;
+        let spin = up.cross(&(axle * (-self.sense.outward() * momentum))).x;
         let turning = arm.cross(&inward).x;
         let what = "moments about the axis: that of the weight is the rate of change of the angular momentum of wheel and frame";
         let size = spin.abs() + turning.abs();
         sheet.check_sum(what, W::Num::from(arm.cross(&weight).x), W::Num::from(spin + turning), size);
     }
 
-    fn tilt_over_speed(&self, axial: f64, tilt: f64) -> Plot {
+    fn tilt_over_speed(&self, momentum: f64, tilt: f64) -> Plot {
         let most = if self.speed > 0.0 { 2.0 * self.speed } else { 20.0 };
         let at = |n: u16| {
             let speed = most * f64::from(n) / 120.0;
-            let moment = (self.frame * self.depth * speed + self.sense.outward() * axial * self.spin) * speed
-                / self.radius;
+            let moment =
+                (self.frame * self.depth * speed + self.sense.outward() * momentum) * speed / self.radius;
             (speed, (moment / (self.frame * self.gravity * self.depth)).atan())
         };
         Plot::new(

@@ -45,15 +45,44 @@ pub enum GyroRotor {
         #[input("m", "kg", nonnegative)]
         mass: Option<f64>,
     },
+    /// Angular momentum
+    /// Its inertia and speed need not be known.
+    AngularMomentum {
+        /// Angular momentum of the spin.
+        #[input("h_s", "kg*m^2/s", positive)]
+        momentum: f64,
+        /// Mass.
+        /// Required only for the bearings and the weight.
+        #[input("m", "kg", nonnegative)]
+        mass: Option<f64>,
+    },
+}
+
+/// A rotor and its spin.
+pub(crate) struct SpinningRotor<N> {
+    /// Angular momentum of the spin, kg·m²/s.
+    pub momentum: N,
+    /// Moment of inertia about the axle where it is known, kg·m².
+    pub axial: Option<N>,
+    /// Mass where it is known, kg.
+    pub mass: Option<N>,
 }
 
 impl<W: Worksheet> GyroRotorGiven<W> {
-    /// Moment of inertia about the axle, and the mass where it is known.
+    /// Angular momentum of the spin, and what is known of the inertia.
     ///
     /// # Errors
-    /// A shape that is none of revolution about its z axis.
-    pub(crate) fn inertia(&self, sheet: W) -> Result<(W::Num, Option<W::Num>), Refusal> {
+    /// A shape that is none of revolution about its z axis; a speed that is missing, or given twice.
+    pub(crate) fn spinning(&self, spin: Option<W::Num>, sheet: W) -> Result<SpinningRotor<W::Num>, Refusal> {
         let (inertia, mass) = match self {
+            GyroRotorGiven::AngularMomentum { momentum, mass } => {
+                if spin.is_some() {
+                    return Err(Refusal::because(
+                        "the angular momentum of the rotor contains its speed: leave the speed out",
+                    ));
+                }
+                return Ok(SpinningRotor { momentum: *momentum, axial: None, mass: *mass });
+            }
             GyroRotorGiven::RadiusOfGyration { mass, radius_of_gyration } => {
                 let inertia = sheet.step(
                     "I_a",
@@ -61,7 +90,7 @@ impl<W: Worksheet> GyroRotorGiven<W> {
                     *mass * radius_of_gyration.powi(2),
                     "Moment of inertia about the axle, from the radius of gyration",
                 );
-                (inertia, *mass)
+                (inertia, Some(*mass))
             }
             GyroRotorGiven::Disc { mass, radius } => {
                 let inertia = sheet.step(
@@ -71,15 +100,22 @@ impl<W: Worksheet> GyroRotorGiven<W> {
                     "Moment of inertia of a disc about its axle",
                 );
                 check_disc(inertia, *mass, *radius, sheet);
-                (inertia, *mass)
+                (inertia, Some(*mass))
             }
             GyroRotorGiven::Shape { mass, shape } => {
                 let [axial, _] = shape.axial_and_transverse(*mass, "I_G", sheet)?;
-                (axial, *mass)
+                (axial, Some(*mass))
             }
-            GyroRotorGiven::MomentOfInertia { inertia, mass } => return Ok((*inertia, *mass)),
+            GyroRotorGiven::MomentOfInertia { inertia, mass } => (*inertia, *mass),
         };
-        sheet.answer("axial_inertia", "Moment of inertia about the axle", inertia);
-        Ok((inertia, Some(mass)))
+        let spin = spin.ok_or_else(|| {
+            Refusal::because(
+                "the rotor is given by its inertia: write its speed, or give its angular momentum",
+            )
+        })?;
+        if !matches!(self, GyroRotorGiven::MomentOfInertia { .. }) {
+            sheet.answer("axial_inertia", "Moment of inertia about the axle", inertia);
+        }
+        Ok(SpinningRotor { momentum: inertia * spin, axial: Some(inertia), mass })
     }
 }

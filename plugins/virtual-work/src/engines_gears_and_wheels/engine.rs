@@ -9,6 +9,7 @@ mod exhibits;
 mod flywheel;
 mod forces;
 mod gas;
+mod ideal;
 mod motion;
 mod rod;
 mod witness;
@@ -19,7 +20,8 @@ pub use self::{
         Acting, ActingGiven, AngleRow, Behind, BehindGiven, Datum, DatumGiven, ExpansionLaw,
         ExpansionLawGiven, Gas, GasGiven, StrokeRow,
     },
-    rod::{Centre, CentreGiven, RodInertia, RodInertiaGiven, RodMass, RodMassGiven},
+    ideal::{Combustion, CombustionGiven, FuelCutOff, FuelCutOffGiven, PeakPressure, PeakPressureGiven},
+    rod::{Centre, CentreGiven, RodInertia, RodInertiaGiven, RodMass, RodMassGiven, SwingPin},
 };
 use crate::sources::{BEVAN, KHURMI, RIUL};
 
@@ -166,7 +168,7 @@ impl Analysis for Engine {
         topic: "Engines, gears and wheels",
         summary: "Motion of the piston, forces in piston, rod, guide, crank pin and bearings, and turning moment of a single-cylinder engine, at one angle and over its cycle.",
         keywords: "motor alternativo pistão biela manivela slider-crank piston effort crank effort turning moment diagram gudgeon pin \
-                   connecting rod thrust guide crosshead steam engine indicator diagram cut-off expansion inertia force torque motor \
+                   connecting rod thrust guide crosshead steam engine Otto Diesel ideal cycle compression ratio indicator diagram cut-off expansion inertia force torque motor \
                    esforço no êmbolo ponto morto diagrama de torque máquina a vapor força de inércia pino da manivela",
         sources: &[&RIUL, &BEVAN, &KHURMI],
         cases: include_str!("../../cases/engine.toml"),
@@ -176,7 +178,7 @@ impl Analysis for Engine {
         let lengths = motion::lengths(self, given, sheet)?;
         self.refuse_contradictions(lengths.offset.is_some())?;
         let moving = motion::motion(self, given, &lengths, sheet);
-        let rod = rod::masses(&self.rod_mass, &given.rod_mass, lengths.rod, sheet)?;
+        let rod = rod::masses(&self.rod_mass, &given.rod_mass, lengths.rod, given.gravity, sheet)?;
         let field = forces::gravity(self, given, rod.as_ref(), sheet);
         let kernel = self.kernel(&lengths, rod.as_ref(), &field);
         if let (Some(rod), Some(_)) = (&rod, moving.speed) {

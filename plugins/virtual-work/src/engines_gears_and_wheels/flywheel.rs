@@ -1,25 +1,24 @@
 //! A flywheel for a turning moment: fluctuation of energy, and inertia against fluctuation of speed.
 
-use std::f64::consts::TAU;
+mod curves;
 
-use dalembert_core::{
-    About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
-};
-use dalembert_mechanics::{
-    Real,
-    slider_crank::{cycle::TorqueCycle, gas::Diagram as Curve},
-};
+use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Text, Worksheet, register};
+use dalembert_mechanics::Real;
 
+use self::curves::{Course, Curved, curved, harmonics, plot, table};
 use crate::{
     shared::flywheel::{FlywheelInertia, Strokes},
     sources::{BEVAN, KHURMI},
 };
 
-/// A turning moment that repeats, against a constant resistance.
+/// A turning moment that repeats, against a load that is constant or repeats too.
 #[derive(Clone, Debug, Inputs)]
 pub struct Flywheel {
     /// Turning moment.
     pub moment: Moment,
+    /// Load torque.
+    #[input(default = "constant")]
+    pub load: LoadTorque,
     /// Mean speed.
     #[input("ω", "rpm", positive)]
     pub speed: f64,
@@ -69,7 +68,40 @@ pub enum Moment {
     },
 }
 
-/// A harmonic of the turning moment, a sin kθ + b cos kθ.
+/// Torque of the driven machine over the cycle. At a steady speed its mean is that of the turning moment.
+#[derive(Clone, Debug, Inputs)]
+pub enum LoadTorque {
+    /// Constant
+    Constant,
+    /// Harmonics about the mean
+    Harmonics {
+        /// Harmonics.
+        #[input(table)]
+        rows: Vec<TorqueHarmonic>,
+    },
+    /// Table against the crank angle
+    /// Linear interpolation between its rows.
+    Table {
+        /// Strokes of a cycle.
+        strokes: Strokes,
+        /// Load torque.
+        #[input(table)]
+        rows: Vec<LoadRow>,
+    },
+}
+
+/// A row of a diagram of the load torque.
+#[derive(Clone, Debug, Inputs)]
+pub struct LoadRow {
+    /// Crank angle.
+    #[input("θ", "deg")]
+    pub angle: f64,
+    /// Load torque.
+    #[input("T_L", "N*m")]
+    pub moment: f64,
+}
+
+/// A harmonic of a torque, a sin kθ + b cos kθ.
 #[derive(Clone, Debug, Inputs)]
 pub struct TorqueHarmonic {
     /// Order.
@@ -118,19 +150,12 @@ pub enum FlywheelUnknown {
 
 register!(Flywheel);
 
-/// The moment over a cycle.
-struct Curved {
-    cycle: TorqueCycle,
-    period: f64,
-    points: Vec<(f64, f64)>,
-}
-
 impl Analysis for Flywheel {
     const ABOUT: About = About {
         id: "virtual-work/flywheel",
         title: "Flywheel",
         topic: "Engines, gears and wheels",
-        summary: "Energy fluctuation of a turning moment, and flywheel inertia for a speed fluctuation, or the speed fluctuation for an inertia.",
+        summary: "Energy fluctuation of a turning moment against a constant or varying load, and flywheel inertia for a speed fluctuation, or the speed fluctuation for an inertia.",
         keywords: "volante de inércia flutuação de energia coeficiente de flutuação de velocidade diagrama de torque \
                    flywheel fluctuation of energy coefficient of fluctuation of speed turning moment diagram steadiness",
         sources: &[&KHURMI, &BEVAN],
@@ -138,7 +163,7 @@ impl Analysis for Flywheel {
     };
 
     fn solve<W: Worksheet>(&self, given: &FlywheelGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let energy = self.energy(given, sheet)?;
+        let (energy, excess) = self.energy(given, sheet)?;
         sheet.answer("energy_fluctuation", "Fluctuation of energy", energy);
         let square = given.speed.powi(2);
         let cite = KHURMI.at("ch. 16");
@@ -182,6 +207,9 @@ impl Analysis for Flywheel {
         sheet.answer("fluctuation", "Coefficient of fluctuation of speed", fluctuation);
         sheet.answer("greatest_speed", "Maximum speed", fast);
         sheet.answer("least_speed", "Minimum speed", slow);
+        if let Some(excess) = excess {
+            accelerations(&excess, inertia, sheet);
+        }
         sheet.verify(|| {
             let range = inertia * (fast.powi(2) - slow.powi(2)) / 2.0;
             let scale = inertia.value() * fast.value().powi(2);
@@ -198,60 +226,89 @@ impl Analysis for Flywheel {
     }
 }
 
+/// Crank angles and moments that accelerate and retard the flywheel most, and the moment at any angle.
+struct Excess<'a> {
+    most: [(f64, f64); 2],
+    at: Box<dyn Fn(f64) -> f64 + 'a>,
+}
+
 impl Flywheel {
-    fn energy<W: Worksheet>(&self, given: &FlywheelGiven<W>, sheet: W) -> Result<W::Num, Refusal> {
+    /// The load torque less its mean, where it varies.
+    fn load<W: Worksheet>(&self, mean: f64, sheet: W) -> Result<Option<Course<'_>>, Refusal> {
+        match &self.load {
+            LoadTorque::Constant => Ok(None),
+            LoadTorque::Harmonics { rows } => Ok(Some(harmonics(rows)?)),
+            LoadTorque::Table { strokes, rows } => {
+                let rows: Vec<[f64; 2]> = rows.iter().map(|row| [row.angle, row.moment]).collect();
+                let (course, own) = table(rows, *strokes)?;
+                let size = own.abs().max(mean.abs());
+                if (own - mean).abs() > 0.01 * size {
+                    sheet.warn(|| {
+                        Text::new("the mean of the load torque, {load}, is not that of the turning moment, {mean}: no speed is steady, and the fluctuation is that of the variations alone")
+                            .with_quantity("load", own, "N*m")
+                            .with_quantity("mean", mean, "N*m")
+                    });
+                }
+                let Course { at, period, corners } = course;
+                Ok(Some(Course { at: Box::new(move |angle| at(angle) - own), period, corners }))
+            }
+        }
+    }
+
+    /// The fluctuation of energy, and what accelerates the flywheel where the moment is known over the cycle.
+    fn energy<W: Worksheet>(
+        &self,
+        given: &FlywheelGiven<W>,
+        sheet: W,
+    ) -> Result<(W::Num, Option<Excess<'_>>), Refusal> {
+        let is_curve = matches!(self.moment, Moment::Harmonics { .. } | Moment::Table { .. });
+        if !is_curve && !matches!(self.load, LoadTorque::Constant) {
+            return Err(Refusal::because(
+                "areas and a fluctuation of energy are those between the turning moment and its load already: choose a constant load",
+            ));
+        }
         match (&self.moment, &given.moment) {
             (Moment::Harmonics { mean, rows }, MomentGiven::Harmonics { mean: given_mean, .. }) => {
-                let moment = |angle: f64| {
-                    let waves = rows.iter().map(|row| {
-                        let (sine, cosine) = (row.order * angle).sin_cos();
-                        row.sine * sine + row.cosine * cosine
-                    });
-                    mean + waves.sum::<f64>()
-                };
-                let period = period(rows)?;
-                let curved = curved(moment, period, &[]);
-                let done = curved.cycle.mean * period;
+                let driving = harmonics(rows)?;
+                let load = self.load(*mean, sheet)?;
+                let (curved, at) = curved(driving, load, *mean);
+                let done = curved.cycle.mean * curved.period;
                 let energy = fluctuation(&curved, given.speed, *given_mean, done, sheet);
-                sheet.verify(|| {
-                    // The work above the mean has a closed form: the integral of every harmonic.
-                    let work = |angle: f64| -> f64 {
-                        let of = |row: &TorqueHarmonic| {
-                            let (sine, cosine) = (row.order * angle).sin_cos();
-                            (row.cosine * sine - row.sine * cosine) / row.order
+                let both: Option<Vec<(f64, &TorqueHarmonic)>> = match &self.load {
+                    LoadTorque::Table { .. } => None,
+                    LoadTorque::Constant => Some(rows.iter().map(|row| (1.0, row)).collect()),
+                    LoadTorque::Harmonics { rows: load } => {
+                        let load = load.iter().map(|row| (-1.0, row));
+                        Some(rows.iter().map(|row| (1.0, row)).chain(load).collect())
+                    }
+                };
+                if let Some(rows) = both {
+                    sheet.verify(|| {
+                        // The work above the mean has a closed form: the integral of every harmonic.
+                        let work = |angle: f64| -> f64 {
+                            let of = |(sign, row): &(f64, &TorqueHarmonic)| {
+                                let (sine, cosine) = (row.order * angle).sin_cos();
+                                sign * (row.cosine * sine - row.sine * cosine) / row.order
+                            };
+                            rows.iter().map(of).sum()
                         };
-                        rows.iter().map(of).sum()
-                    };
-                    let all: Vec<f64> =
-                        curved.cycle.crossings.iter().map(|(angle, _)| work(*angle)).collect();
-                    let most = all.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-                    let least = all.iter().copied().fold(f64::INFINITY, f64::min);
-                    let again = if most > least { most - least } else { 0.0 };
-                    let scale: f64 = rows.iter().map(|row| row.sine.abs() + row.cosine.abs()).sum();
-                    let what = "fluctuation of energy from the integrals of the harmonics";
-                    sheet.check_sum(what, energy, again.into(), scale);
-                });
-                Ok(energy)
+                        let all: Vec<f64> =
+                            curved.cycle.crossings.iter().map(|(angle, _)| work(*angle)).collect();
+                        let most = all.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+                        let least = all.iter().copied().fold(f64::INFINITY, f64::min);
+                        let again = if most > least { most - least } else { 0.0 };
+                        let scale: f64 = rows.iter().map(|(_, row)| row.sine.abs() + row.cosine.abs()).sum();
+                        let what = "fluctuation of energy from the integrals of the harmonics";
+                        sheet.check_sum(what, energy, again.into(), scale);
+                    });
+                }
+                Ok((energy, Some(Excess { most: curved.excess, at })))
             }
             (Moment::Table { strokes, rows }, _) => {
-                let turns = strokes.turns();
-                let period = TAU * f64::from(turns);
                 let rows: Vec<[f64; 2]> = rows.iter().map(|row| [row.angle, row.moment]).collect();
-                let span = match rows[..] {
-                    [first, .., last] => last[0] - first[0],
-                    _ => f64::INFINITY,
-                };
-                let ascending = rows.windows(2).all(|pair| pair[0][0] < pair[1][0]);
-                if !ascending || span > period * (1.0 + 1e-9) {
-                    return Err(Refusal::because(
-                        "the table needs at least two rows in ascending order of crank angle, within one cycle",
-                    ));
-                }
-                let corners: Vec<f64> = rows.iter().map(|row| row[0]).collect();
-                let trapezia = trapezia(&rows, period);
-                let curve = Curve::Angle { rows, turns };
-                let moment = |angle: f64| curve.pressure(angle, 0.0, true);
-                let curved = curved(moment, period, &corners);
+                let (driving, trapezia) = table(rows, *strokes)?;
+                let load = self.load(trapezia, sheet)?;
+                let (curved, at) = curved(driving, load, 0.0);
                 let mean =
                     sheet.numerical("T_m", "N*m", curved.cycle.mean, "Mean turning moment over the cycle");
                 sheet.verify(|| {
@@ -259,13 +316,14 @@ impl Flywheel {
                     let what = "mean turning moment from the trapezia between the rows";
                     sheet.check_sum(what, mean, trapezia.into(), scale);
                 });
-                Ok(fluctuation(&curved, given.speed, mean, trapezia * period, sheet))
+                let energy = fluctuation(&curved, given.speed, mean, trapezia * curved.period, sheet);
+                Ok((energy, Some(Excess { most: curved.excess, at })))
             }
             (
                 Moment::Areas { areas, .. },
                 MomentGiven::Areas { areas: given_areas, moment_scale, angle_scale },
-            ) => energy_of_areas(areas, given_areas, *moment_scale, *angle_scale, sheet),
-            (_, MomentGiven::Energy { energy }) => Ok(*energy),
+            ) => Ok((energy_of_areas(areas, given_areas, *moment_scale, *angle_scale, sheet)?, None)),
+            (_, MomentGiven::Energy { energy }) => Ok((*energy, None)),
             _ => unreachable!("what is given is made from the inputs"),
         }
     }
@@ -274,9 +332,14 @@ impl Flywheel {
 /// Mean, extremes and fluctuation of a curve. `done` is the work of a cycle in another way.
 fn fluctuation<W: Worksheet>(curved: &Curved, speed: W::Num, mean: W::Num, done: f64, sheet: W) -> W::Num {
     let cycle = &curved.cycle;
+    let label = if curved.load.is_some() {
+        "Crank angles at which the turning moment equals the load"
+    } else {
+        "Crank angles at which the turning moment crosses its mean"
+    };
     sheet.answer_list(
         "crossings",
-        "Crank angles at which the turning moment crosses its mean",
+        label,
         "deg",
         &cycle.crossings.iter().map(|(angle, _)| *angle).collect::<Vec<f64>>(),
     );
@@ -289,7 +352,7 @@ fn fluctuation<W: Worksheet>(curved: &Curved, speed: W::Num, mean: W::Num, done:
         "E₁",
         "J",
         most.1,
-        "Maximum work above the mean, from the start of the cycle to a crossing: the speed is maximum there",
+        "Maximum work above the load, from the start of the cycle to a crossing: the speed is maximum there",
     );
     let least_work =
         sheet.numerical("E₂", "J", least.1, "Minimum of the same work: the speed is minimum there");
@@ -376,54 +439,46 @@ fn energy_of_areas<W: Worksheet>(
     Ok(energy)
 }
 
-/// The mean of straight lines through the rows, closed over the period.
-fn trapezia(rows: &[[f64; 2]], period: f64) -> f64 {
-    let inside: f64 =
-        rows.windows(2).map(|pair| f64::midpoint(pair[0][1], pair[1][1]) * (pair[1][0] - pair[0][0])).sum();
-    let closing = match rows {
-        [first, .., last] => f64::midpoint(first[1], last[1]) * (period - (last[0] - first[0])),
-        _ => 0.0,
-    };
-    (inside + closing) / period
-}
-
-/// One turn where all orders are whole, two where some are halves.
-fn period(rows: &[TorqueHarmonic]) -> Result<f64, Refusal> {
-    let whole = |x: f64| (x - x.round()).abs() < 1e-9;
-    if rows.is_empty() {
-        return Err(Refusal::because(
-            "without harmonics the turning moment is its mean: write at least one harmonic",
-        ));
-    }
-    if rows.iter().all(|row| whole(row.order)) {
-        Ok(TAU)
-    } else if rows.iter().all(|row| whole(2.0 * row.order)) {
-        Ok(2.0 * TAU)
-    } else {
-        Err(Refusal::because(
-            "an order is neither an integer nor a half-integer, so the turning moment is not periodic over two revolutions",
-        ))
-    }
-}
-
-fn curved(moment: impl Fn(f64) -> f64, period: f64, corners: &[f64]) -> Curved {
-    let cycle = TorqueCycle::of(&moment, period, corners);
-    let points =
-        (0..=360).map(|k| period * f64::from(k) / 360.0).map(|angle| (angle, moment(angle))).collect();
-    Curved { cycle, period, points }
-}
-
-fn plot(curved: &Curved, mean: f64) -> Plot {
-    let cycle = &curved.cycle;
-    let crossings = cycle.crossings.iter().map(|(angle, _)| (*angle, mean)).collect();
-    Plot::new(
-        "Turning moment over the cycle",
-        Axis::linear("Crank angle", "deg"),
-        Axis::linear("Turning moment", "N*m"),
-        vec![
-            Series::line("turning moment", curved.points.clone()),
-            Series::dots("crossings of the mean", crossings),
+/// Answers the extreme angular accelerations of the flywheel.
+fn accelerations<W: Worksheet>(excess: &Excess<'_>, inertia: W::Num, sheet: W) {
+    let names = [
+        ("T₁", "θ₁", "α₁", "greatest_acceleration", "greatest_acceleration_angle"),
+        ("T₂", "θ₂", "α₂", "least_acceleration", "least_acceleration_angle"),
+    ];
+    let words = [
+        [
+            "Maximum of turning moment less load",
+            "Crank angle there",
+            "Maximum angular acceleration of the flywheel",
+            "Crank angle at the maximum acceleration",
         ],
-    )
-    .level("mean", mean)
+        [
+            "Minimum of turning moment less load",
+            "Crank angle there",
+            "Minimum angular acceleration of the flywheel",
+            "Crank angle at the minimum acceleration",
+        ],
+    ];
+    let size = excess.most.iter().map(|(_, moment)| moment.abs()).fold(0.0, f64::max);
+    for (((moment_symbol, angle_symbol, symbol, name, angle_name), sign), (words, &(angle, moment))) in
+        names.into_iter().zip([1.0, -1.0]).zip(words.into_iter().zip(&excess.most))
+    {
+        let moment = sheet.numerical(moment_symbol, "N*m", moment, words[0]);
+        let angle = sheet.numerical(angle_symbol, "deg", angle, words[1]);
+        let acceleration = sheet.step(symbol, "rad/s^2", moment / inertia, words[2]);
+        sheet.answer(name, words[2], acceleration);
+        sheet.answer(angle_name, words[3], angle);
+        sheet.verify(|| {
+            let there = W::Num::from((excess.at)(angle.value()));
+            let what = "the angular acceleration from turning moment and load at that crank angle";
+            sheet.check_sum(what, acceleration * inertia, there, size);
+            // No crank angle of a finer search has more.
+            let beyond = (0..5760u16)
+                .map(|k| 4.0 * std::f64::consts::PI * f64::from(k) / 5760.0)
+                .map(|angle| sign * (excess.at)(angle))
+                .fold(f64::NEG_INFINITY, f64::max);
+            let over = (beyond - sign * moment.value()).max(0.0);
+            sheet.check_zero("no crank angle has a more extreme moment", W::Num::from(over), size);
+        });
+    }
 }

@@ -4,7 +4,7 @@ use dalembert_core::{Refusal, Worksheet};
 use dalembert_mechanics::{Real, Vector, rigid::gyroscope};
 
 use super::{
-    AxleBearings, AxleBearingsGiven, CarrierMotion, CarrierMotionGiven, GyroscopicCouple,
+    AxleBearings, AxleBearingsGiven, Bow, CarrierMotion, CarrierMotionGiven, GyroscopicCouple,
     GyroscopicCoupleGiven, LeftOrRight,
 };
 use crate::sources::MERIAM;
@@ -25,6 +25,11 @@ impl GyroscopicCouple {
         if matches!(self.motion, CarrierMotion::HeldAtOneEnd { .. }) {
             return Err(Refusal::because(
                 "an axle held at one end has no two bearings: leave the bearings out",
+            ));
+        }
+        if matches!(self.motion, CarrierMotion::Gimbal { .. }) {
+            return Err(Refusal::because(
+                "the bearing forces are found for an axle that lies forward, across or upright, not for a gimbal: leave the bearings out, or give the motion as any angular velocity",
             ));
         }
         if bearings.behind + bearings.ahead <= 0.0 {
@@ -50,8 +55,22 @@ impl GyroscopicCouple {
             }
             _ => zero,
         };
+        let upwards = match (&self.motion, &given.motion) {
+            (
+                CarrierMotion::VerticalCurve { bow, .. },
+                CarrierMotionGiven::VerticalCurve { speed, radius, .. },
+            ) => {
+                let normal = speed.powi(2) / *radius;
+                if *bow == Bow::Rising {
+                    given_bearings.gravity + normal
+                } else {
+                    given_bearings.gravity - normal
+                }
+            }
+            _ => given_bearings.gravity,
+        };
         let upright = ahead.z != 0.0;
-        let weight = if upright { zero } else { mass * given_bearings.gravity };
+        let weight = if upright { zero } else { mass * upwards };
         let inwards = if ahead.y == 0.0 { inwards } else { zero };
         let force = sheet.step_vector(
             "P",

@@ -26,7 +26,15 @@ impl GyroscopicCouple {
                 .mark("largest", (0.0, couple)),
             ));
         }
-        let CarrierMotion::SteadyTurn { radius, .. } = self.motion else { return None };
+        let (radius, label, input) = match self.motion {
+            CarrierMotion::SteadyTurn { radius, .. } => {
+                (radius, "radius of the turn", "motion.steady-turn.radius")
+            }
+            CarrierMotion::VerticalCurve { radius, .. } => {
+                (radius, "radius of the curve", "motion.vertical-curve.radius")
+            }
+            _ => return None,
+        };
         let at = |n: u16| {
             let share = 0.3 + 2.7 * f64::from(n) / 200.0;
             (radius * share, couple / share)
@@ -34,24 +42,29 @@ impl GyroscopicCouple {
         let curve = (0..=200).map(at).collect();
         Some(Exhibit::Plot(
             Plot::new(
-                "Gyroscopic couple against the radius of the turn",
-                Axis::linear("radius of the turn", "m"),
+                "Gyroscopic couple against the radius of the path",
+                Axis::linear(label, "m"),
                 Axis::linear("couple", "N*m"),
                 vec![Series::line("C", curve).of("couple")],
             )
-            .over("motion.steady-turn.radius")
-            .mark("this turn", (radius, couple)),
+            .over(input)
+            .mark("this curve", (radius, couple)),
         ))
     }
 
     /// The rotor that spins in its carrier, the angular velocities, and the couple.
-    pub(super) fn animation(&self, couple: Vector3<f64>, precession: Vector3<f64>) -> Exhibit {
-        let axle = self.spin_direction();
+    pub(super) fn animation(
+        &self,
+        momentum: Vector3<f64>,
+        couple: Vector3<f64>,
+        precession: Vector3<f64>,
+    ) -> Exhibit {
+        let axle = momentum.try_normalize(0.0).unwrap_or_else(|| self.spin_direction());
         let rest = Rotation3::rotation_between(&Vector3::z(), &axle).unwrap_or_else(|| {
             // Straight down: half a turn about any level axis.
             Rotation3::from_axis_angle(&Vector3::x_axis(), PI)
         });
-        let turn = if self.spin == 0.0 { 0.0 } else { TAU };
+        let turn = if momentum.norm() == 0.0 { 0.0 } else { TAU };
         scene::animation("The rotor, its rotations and the couple", 3.0, |t| {
             let mut scene = Scene::seen_from(-FRAC_PI_3, FRAC_PI_3 / 2.0);
             self.outline(&mut scene);
@@ -63,7 +76,7 @@ impl GyroscopicCouple {
                     scene.arrow(Vector3::zeros(), unit * length, ink, name);
                 }
             };
-            arrow(axle * self.spin, 1.5, Ink::Motion, "ω");
+            arrow(momentum, 1.5, Ink::Motion, "ω");
             arrow(precession, 1.3, Ink::Motion, "Ω");
             if matches!(self.motion, CarrierMotion::HeldAtOneEnd { .. }) {
                 arrow(couple, 1.7, Ink::Force, "M");

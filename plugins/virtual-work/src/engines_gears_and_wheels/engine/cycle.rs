@@ -14,7 +14,7 @@ use dalembert_mechanics::{
 };
 use dalembert_numerics::{gauss_legendre, roots};
 
-use super::{Engine, Gas, forces::EngineProblem, gas::GasCycle};
+use super::{Engine, Gas, forces::EngineProblem, gas::GasCycle, ideal::Indicated};
 use crate::shared::flywheel::FlywheelInertiaGiven;
 
 /// The cycle at a steady speed.
@@ -203,9 +203,13 @@ fn mean_square(moment: impl Fn(f64) -> f64, period: f64, corners: &[f64], parts:
     ends.windows(2).map(of_pair).sum::<f64>() / period
 }
 
-/// Work of the gas in a turn, from its diagram over the stroke.
+/// Work of the gas in a cycle, from its diagram over the stroke.
 fn work(gas: &GasCycle, stroke: f64) -> Option<f64> {
-    let mean = match &gas.diagram {
+    let diagram = match &gas.diagram {
+        Indicated::Drawn(diagram) => diagram,
+        Indicated::Ideal(cycle) => return Some(cycle.area()[0] * stroke * gas.area),
+    };
+    let mean = match diagram {
         &Diagram::Expansion { admission, exhaust, cut_off, clearance, exponent } => {
             if (exponent - 1.0).abs() > 1e-6 {
                 gas::mean_pressure(admission, cut_off, Some(clearance), exponent, exhaust)

@@ -79,7 +79,7 @@ pub(super) fn forces<W: Worksheet>(
     sheet: W,
 ) -> Result<Option<Forces<W::Num>>, Refusal> {
     let &EngineProblem { given, lengths, moving, rod, field } = at;
-    let known = gas::force(&problem.gas, &given.gas, lengths, moving, kernel.stroke(), sheet)?;
+    let known = gas::force(&problem.gas, &given.gas, lengths, moving, kernel, sheet)?;
     let sought = match &given.gas {
         GasGiven::Balancing { moment } => Some(*moment),
         _ => None,

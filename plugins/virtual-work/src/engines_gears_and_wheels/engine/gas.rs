@@ -3,11 +3,18 @@
 use dalembert_core::{Inputs, Refusal, Text, Worksheet};
 use dalembert_mechanics::{
     Real, section,
-    slider_crank::gas::{self, Diagram},
+    slider_crank::{
+        engine::EngineCylinder,
+        gas::{self, Diagram},
+        piston,
+    },
 };
 use dalembert_numerics::gauss_legendre;
 
-use super::motion::{Lengths, PistonState};
+use super::{
+    ideal::{Combustion, CycleData, Indicated, WorkedCycle},
+    motion::{Lengths, PistonState},
+};
 use crate::{shared::flywheel::Strokes, sources::KHURMI};
 
 /// The force on the piston towards the crank, and what is known of it.
@@ -67,6 +74,32 @@ pub enum Gas {
         clearance: f64,
         /// Expansion law.
         law: ExpansionLaw,
+        /// Pressure reference.
+        datum: Datum,
+    },
+    /// Ideal cycle: Otto, Diesel
+    /// Of an internal-combustion engine. The crank angle counts from the dead centre of the combustion; suction and
+    /// exhaust are at the pressure of the inlet.
+    Cycle {
+        /// Bore.
+        #[input("D", "mm", positive)]
+        bore: f64,
+        /// Strokes of a cycle.
+        strokes: Strokes,
+        /// Compression ratio.
+        #[input("r_v", "1", above = 1, max = 100)]
+        ratio: f64,
+        /// Pressure of the inlet.
+        #[input("p₁", "kPa")]
+        inlet: f64,
+        /// Exponent of the compression.
+        #[input("k_c", "1", positive, max = 3)]
+        compression: f64,
+        /// Exponent of the expansion.
+        #[input("k_e", "1", positive, max = 3)]
+        expansion: f64,
+        /// Combustion.
+        combustion: Combustion,
         /// Pressure reference.
         datum: Datum,
     },
@@ -189,7 +222,7 @@ pub struct AngleRow {
 
 /// The gas over a whole cycle, in absolute pressures.
 pub(super) struct GasCycle {
-    pub diagram: Diagram,
+    pub diagram: Indicated,
     pub area: f64,
     /// Of the side towards the crank, where it works too.
     pub crank_side: Option<f64>,
@@ -214,9 +247,10 @@ pub(super) fn force<W: Worksheet>(
     given: &GasGiven<W>,
     lengths: &Lengths<W::Num>,
     moving: &PistonState<W::Num>,
-    stroke: f64,
+    kernel: &EngineCylinder,
     sheet: W,
 ) -> Result<Option<(W::Num, Option<GasCycle>)>, Refusal> {
+    let stroke = kernel.stroke();
     match (problem, given) {
         (Gas::Force { .. }, GasGiven::Force { force }) => Ok(Some((*force, None))),
         (_, GasGiven::Pressures { bore, pressure, behind, datum }) => {
@@ -276,9 +310,49 @@ pub(super) fn force<W: Worksheet>(
             );
             let atmosphere = of_datum(datum);
             let cylinder = GasCycle {
-                diagram,
+                diagram: Indicated::Drawn(diagram),
                 area: area.value(),
                 crank_side: crank_side.map(Real::value),
+                atmosphere: atmosphere.value(),
+            };
+            Ok(Some((force, Some(cylinder))))
+        }
+        (
+            Gas::Cycle { strokes, .. },
+            GasGiven::Cycle { bore, ratio, inlet, compression, expansion, combustion, datum, .. },
+        ) => {
+            let absolute = |symbol, pressure: W::Num| match datum {
+                DatumGiven::Gauge { atmosphere } => {
+                    sheet.step(symbol, "kPa", pressure + *atmosphere, "Absolute pressure")
+                }
+                DatumGiven::Absolute { .. } => pressure,
+            };
+            let inlet = absolute("p₁′", *inlet);
+            if inlet.value() <= 0.0 {
+                return Err(Refusal::because(
+                    "the absolute pressure of the inlet must be above zero: write a gauge pressure above minus the atmospheric pressure, or choose absolute pressures",
+                ));
+            }
+            let area = piston_area(*bore, sheet);
+            let data = CycleData {
+                inlet,
+                ratio: *ratio,
+                exponents: [*compression, *expansion],
+                combustion,
+                absolute: &absolute,
+            };
+            let worked = WorkedCycle::work(&data, sheet)?;
+            let plain = worked.plain(*strokes, kernel.dead_centres());
+            let swept = length_of_stroke(lengths);
+            let fraction = fraction_of_stroke(moving, swept, sheet);
+            let pressure = worked.pressure(plain.stroke(moving.angle.value()), fraction, sheet);
+            let atmosphere = of_datum(datum);
+            let force = of_gas((pressure - atmosphere) * area, sheet);
+            worked.answer_work(area * swept, &plain, sheet);
+            let cylinder = GasCycle {
+                diagram: Indicated::Ideal(plain),
+                area: area.value(),
+                crank_side: None,
                 atmosphere: atmosphere.value(),
             };
             Ok(Some((force, Some(cylinder))))
@@ -316,20 +390,8 @@ impl<N: Real> Steam<N> {
         (datum, diagram): (&DatumGiven<W>, &Diagram),
         sheet: W,
     ) -> N {
-        let stroke = match lengths.offset {
-            None => lengths.crank * 2.0,
-            Some(offset) => {
-                use dalembert_mechanics::slider_crank::piston;
-                piston::farthest(lengths.crank, lengths.rod, offset)
-                    - piston::nearest(lengths.crank, lengths.rod, offset)
-            }
-        };
-        let fraction = sheet.step(
-            "ξ",
-            "1",
-            moving.displacement / stroke,
-            "Fraction of the stroke travelled by the piston",
-        );
+        let stroke = length_of_stroke(lengths);
+        let fraction = fraction_of_stroke(moving, stroke, sheet);
         let out = moving.arm.value() >= 0.0;
         let cover = self.pressure("p₁", fraction, out, sheet);
         let atmosphere = of_datum(datum);
@@ -405,6 +467,21 @@ impl<N: Real> Steam<N> {
     }
 }
 
+fn length_of_stroke<N: Real>(lengths: &Lengths<N>) -> N {
+    match lengths.offset {
+        None => lengths.crank * 2.0,
+        Some(offset) => {
+            piston::farthest(lengths.crank, lengths.rod, offset)
+                - piston::nearest(lengths.crank, lengths.rod, offset)
+        }
+    }
+}
+
+fn fraction_of_stroke<W: Worksheet>(moving: &PistonState<W::Num>, stroke: W::Num, sheet: W) -> W::Num {
+    let why = "Fraction of the stroke travelled by the piston";
+    sheet.step("ξ", "1", moving.displacement / stroke, why)
+}
+
 fn of_datum<W: Worksheet>(datum: &DatumGiven<W>) -> W::Num {
     match datum {
         DatumGiven::Gauge { atmosphere } | DatumGiven::Absolute { atmosphere } => *atmosphere,
@@ -471,8 +548,12 @@ fn from_diagram<W: Worksheet>(
         None => cover * area,
     };
     let force = of_gas(force, sheet);
-    let cylinder =
-        GasCycle { diagram, area: area.value(), crank_side: crank_side.map(Real::value), atmosphere };
+    let cylinder = GasCycle {
+        diagram: Indicated::Drawn(diagram),
+        area: area.value(),
+        crank_side: crank_side.map(Real::value),
+        atmosphere,
+    };
     (force, Some(cylinder))
 }
 

@@ -287,7 +287,7 @@ fn running<W: Worksheet>(
     sheet.answer("acceleration", "Acceleration of the piston", acceleration);
     sheet.answer("rod_speed", "Angular velocity of the rod", rod_speed);
     sheet.answer("rod_acceleration", "Angular acceleration of the rod", rod_acceleration);
-    zero_acceleration(problem, lengths, amplitudes, sheet);
+    zero_acceleration(problem, lengths, amplitudes, speed, sheet);
     moving.turn = Some(turn);
     moving.velocity = Some(velocity);
     moving.rod_speed = Some(rod_speed);
@@ -300,6 +300,7 @@ fn zero_acceleration<W: Worksheet>(
     problem: &Engine,
     lengths: &Lengths<W::Num>,
     amplitudes: &[W::Num],
+    speed: W::Num,
     sheet: W,
 ) {
     let &Lengths { crank, rod, ratio, offset } = lengths;
@@ -328,6 +329,7 @@ fn zero_acceleration<W: Worksheet>(
     };
     let Some(angle) = angle else { return };
     sheet.answer("zero_acceleration_angle", "Crank angle at zero piston acceleration", angle);
+    greatest_velocity(problem, lengths, amplitudes, [angle, speed], sheet);
     sheet.verify(|| match problem.terms {
         Terms::Two => {
             let residual = ratio * angle.cos() + (angle * 2.0).cos();
@@ -359,5 +361,51 @@ fn zero_acceleration<W: Worksheet>(
             let residual = angle.cos() + higher;
             sheet.check_zero("the harmonics cancel at the angle of zero acceleration", residual, 1.0);
         }
+    });
+}
+
+/// The velocity of the piston at the crank angle at which its acceleration is zero.
+fn greatest_velocity<W: Worksheet>(
+    problem: &Engine,
+    lengths: &Lengths<W::Num>,
+    amplitudes: &[W::Num],
+    [angle, speed]: [W::Num; 2],
+    sheet: W,
+) {
+    let &Lengths { crank, rod, ratio, offset } = lengths;
+    let velocity = match problem.terms {
+        Terms::Exact => {
+            let obliquity = match offset {
+                None => piston::obliquity(ratio, angle),
+                Some(offset) => piston::obliquity_with_offset(crank, rod, offset, angle),
+            };
+            let obliquity = sheet.step("φ₀", "deg", obliquity, "Obliquity of the rod there");
+            piston::arm(crank, angle, obliquity) * speed
+        }
+        Terms::Two => two_term::velocity(crank, ratio, angle, speed),
+        Terms::Harmonics { .. } => harmonics::velocity(crank, amplitudes, angle, speed),
+    };
+    let velocity =
+        sheet.step("v_max", "m/s", velocity, "Maximum velocity of the piston, at that crank angle");
+    sheet.answer("greatest_velocity", "Maximum velocity of the piston", velocity);
+    sheet.verify(|| {
+        let (r, l, e) = (crank.value(), rod.value(), offset.map_or(0.0, Real::value));
+        let plain: Vec<f64> = amplitudes.iter().map(|a| a.value()).collect();
+        let gone = |angle: f64| match problem.terms {
+            Terms::Exact => {
+                let obliquity = piston::obliquity_with_offset(r, l, e, angle);
+                piston::farthest(r, l, e) - piston::position(r, l, angle, obliquity)
+            }
+            Terms::Two => two_term::displacement(r, l / r, angle),
+            Terms::Harmonics { .. } => harmonics::displacement(r, &plain, angle),
+        };
+        // A difference of the eighth order.
+        const STEP: f64 = 2e-3;
+        let rule = [(1.0, 672.0), (2.0, -168.0), (3.0, 32.0), (4.0, -3.0)];
+        let at = angle.value();
+        let difference = |k: f64| gone(at + k * STEP) - gone(at - k * STEP);
+        let slope = rule.into_iter().map(|(k, weight)| weight * difference(k)).sum::<f64>() / (840.0 * STEP);
+        let what = "maximum velocity as the slope of the displacement at that crank angle";
+        sheet.check_sum(what, velocity, (speed.value() * slope).into(), speed.value() * (r + l));
     });
 }

@@ -1,5 +1,7 @@
 //! The mass of the connecting rod.
 
+use std::f64::consts::TAU;
+
 use dalembert_core::{Inputs, Refusal, Text, Worksheet};
 use dalembert_mechanics::{
     Real,
@@ -74,6 +76,24 @@ pub enum RodInertia {
     /// Inertia of masses at the two pins
     /// The rod then needs no correction couple.
     Pins,
+    /// Oscillation about a pin
+    /// Of the rod alone, hung on that pin.
+    Swung {
+        /// Pin.
+        pin: SwingPin,
+        /// Period of small oscillations.
+        #[input("τ", "s", positive)]
+        period: f64,
+    },
+}
+
+/// The pin on which a rod is hung to swing.
+#[derive(Clone, Copy, Debug, Inputs)]
+pub enum SwingPin {
+    /// Gudgeon pin, small end
+    Gudgeon,
+    /// Crank pin, big end
+    Crank,
 }
 
 /// The rod as masses in its pins and what they lack.
@@ -92,6 +112,7 @@ pub(super) fn masses<W: Worksheet>(
     problem: &RodMass,
     given: &RodMassGiven<W>,
     rod: W::Num,
+    gravity: W::Num,
     sheet: W,
 ) -> Result<Option<Masses<W::Num>>, Refusal> {
     match (problem, given) {
@@ -152,6 +173,14 @@ pub(super) fn masses<W: Worksheet>(
                     let why = "Moment of inertia of two masses at the pins";
                     (sheet.step("I_G", "kg*m^2", inertia, why), false)
                 }
+                RodInertiaGiven::Swung { period, .. } => {
+                    let from_crank = matches!(
+                        problem,
+                        RodMass::Body { inertia: RodInertia::Swung { pin: SwingPin::Crank, .. }, .. }
+                    );
+                    let arm = if from_crank { centre } else { other };
+                    (swung(mass, arm, *period, gravity, sheet)?, true)
+                }
             };
             let missing = missing.then(|| {
                 sheet.step(
@@ -168,6 +197,42 @@ pub(super) fn masses<W: Worksheet>(
         }
         _ => Ok(None),
     }
+}
+
+/// The moment of inertia about the centre of mass of a rod that swings about a pin at a distance from it.
+fn swung<W: Worksheet>(
+    mass: W::Num,
+    arm: W::Num,
+    period: W::Num,
+    gravity: W::Num,
+    sheet: W,
+) -> Result<W::Num, Refusal> {
+    if gravity.value() == 0.0 {
+        return Err(Refusal::because(
+            "without gravity no rod swings: write the acceleration of gravity at which the period was measured",
+        ));
+    }
+    if arm.value() == 0.0 {
+        return Err(Refusal::because(
+            "the rod does not swing about a pin at its centre of mass: choose the other pin",
+        ));
+    }
+    let why = "Length of the simple pendulum of this period";
+    let pendulum = sheet.step("L", "mm", gravity * (period / TAU).powi(2), why);
+    if pendulum.value() < arm.value() {
+        return Err(Refusal::because(
+            "the rod swings faster than a simple pendulum with all its mass at the centre of mass: check the period and the distance",
+        ));
+    }
+    let why = "Moment of inertia of the rod, of which L is the length of the equivalent pendulum";
+    let inertia = sheet.step("I_G", "kg*m^2", mass * arm * (pendulum - arm), why);
+    sheet.answer("rod_inertia", "Moment of inertia of the rod about G", inertia);
+    sheet.verify(|| {
+        let about = inertia + mass * arm.powi(2);
+        let found = (about / (mass * gravity * arm)).sqrt() * TAU;
+        sheet.check("period of the rod as a compound pendulum", found, period);
+    });
+    Ok(inertia)
 }
 
 /// The inertia force of the rod, `m a_G`, from the accelerations of its ends.
