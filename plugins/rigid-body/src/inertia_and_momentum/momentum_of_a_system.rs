@@ -140,7 +140,10 @@ impl Analysis for MomentumOfASystem {
         let shown = speed.value();
         let inertia = inertia.value();
         sheet.show(|| Exhibit::Table(self.table(&bodies, &after)));
-        sheet.show(|| Exhibit::Plot(self.over_impulse(shown, inertia)));
+        // With the torque of a coupling an external angular impulse is refused.
+        if self.torque.is_none() {
+            sheet.show(|| Exhibit::Plot(self.over_impulse(shown, inertia)));
+        }
         sheet.show(|| Exhibit::Drawing(self.sketch(&bodies)));
         Ok(())
     }
