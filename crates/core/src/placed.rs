@@ -10,7 +10,7 @@ pub(crate) struct PlacedFields {
     pub(crate) places: [usize; 3],
 }
 
-/// What carries a point that is described in place.
+/// Carrier of a point that is described in place.
 pub(crate) enum Carrier<'t> {
     /// An alternative that asks for nothing, by its place: the ground.
     Plain(usize),
@@ -42,7 +42,7 @@ impl PlacedFields {
         }
     }
 
-    /// What a name stands for: an alternative that asks for nothing, or else a row that one refers to.
+    /// Carrier that a name stands for: an alternative that asks for nothing, or else a row that one refers to.
     pub(crate) fn carrier<'t>(&self, name: &'t str) -> Option<Carrier<'t>> {
         let carriers = self.carriers();
         if let Some(at) = carriers.iter().position(|one| one.name == name && (one.fields)().is_empty()) {

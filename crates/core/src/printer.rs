@@ -1,8 +1,13 @@
 //! Writes what a solution found as a user would: formulas with their symbols, the same with their values.
 
 mod answer;
+mod sums;
+mod turns;
 
 use dalembert_units::{self as units, Style};
+
+pub use turns::is_in_cycles;
+use turns::multiple_of_a_power_of_pi;
 
 use crate::{
     Locale, Solution, Step, Symbol,
@@ -79,13 +84,6 @@ pub fn step(solution: &Solution, step: &Step, locale: &Locale) -> WrittenStep {
         source: step.cite.map_or_else(String::new, |cite| cite.to_string()),
         terms,
     }
-}
-
-/// Returns true if a step is a frequency f in cycles and its formula one of the angular frequency: it is written
-/// `f = ω/(2π)`, though the number of the trace is that of ω.
-pub fn is_in_cycles(solution: &Solution, step: &Step) -> bool {
-    let writer = Writer { solution, values: false, general: false, radians: false, style: Style::default() };
-    step.formula.is_some_and(|id| writer.is_in_cycles(step, id))
 }
 
 /// A number of the trace as a formula of symbols.
@@ -258,38 +256,6 @@ impl<'s> Writer<'s> {
             }
             _ => out.push((id, negative)),
         }
-    }
-
-    /// Returns true if a step is a frequency f in cycles of which the formula gives the angular frequency: `f = ω/(2π)`.
-    /// A formula over other frequencies in cycles needs no 2π.
-    fn is_in_cycles(&self, step: &Step, id: Id) -> bool {
-        let is_cyclic = |symbol: &Symbol, unit: &units::Unit| {
-            let hertz = units::unit("Hz").unwrap_or(units::Unit::ONE);
-            symbol.base.starts_with(['f', 'ν']) && unit.dim == hertz.dim && unit.si(1.0) != 1.0
-        };
-        let is_over_cycles = |operand: Id| match self.op(operand) {
-            Op::Given { symbol, unit, .. } => is_cyclic(symbol, unit),
-            Op::Step(step) => {
-                let step = &self.solution.steps[*step];
-                is_cyclic(&step.symbol, &step.unit)
-            }
-            _ => false,
-        };
-        is_cyclic(&step.symbol, &step.unit) && !self.any_below(id, &is_over_cycles)
-    }
-
-    /// Returns true if a formula has such an operand.
-    fn any_below(&self, id: Id, is: &dyn Fn(Id) -> bool) -> bool {
-        is(id) || self.solution.trace.operands(id).into_iter().any(|operand| self.any_below(operand, is))
-    }
-
-    /// A formula over 2π.
-    fn over_a_turn(&self, id: Id) -> String {
-        if matches!(self.op(id), Op::Add(..) | Op::Sub(..) | Op::Sum(_)) {
-            return format!("{} / ({})", self.factor(id), self.bare(std::f64::consts::TAU));
-        }
-        let (product, negative) = self.product(id, false, true);
-        format!("{}{product}", self.sign(true, negative))
     }
 
     /// A product without its sign, and whether it is negative.
@@ -603,62 +569,6 @@ impl<'s> Writer<'s> {
             _ => Precedence::Factor,
         }
     }
-
-    /// `Σ mᵢ rᵢ cos θᵢ`, where the terms differ in their row alone.
-    fn sigma(&self, all: &[Id]) -> String {
-        let sign = if self.style.ascii { "sum of" } else { "Σ" };
-        let terms: Vec<String> = all.iter().map(|id| self.general(*id)).collect();
-        match terms.split_first() {
-            Some((first, rest)) if !self.values && rest.iter().all(|term| term == first) => {
-                format!("{sign} {first}")
-            }
-            _ if self.values => {
-                let all = self.bare(all.len() as f64);
-                format!("{sign}({all})")
-            }
-            _ => {
-                let all: Vec<String> = all.iter().map(|id| self.expression(*id)).collect();
-                format!("({})", all.join(" + "))
-            }
-        }
-    }
-
-    /// A term with its innermost row replaced by the index of summation.
-    fn general(&self, id: Id) -> String {
-        let writer = Self { values: false, general: true, ..*self };
-        if self.tightness(id) == Precedence::Sum { writer.factor(id) } else { writer.expression(id) }
-    }
-
-    /// The terms of every long sum below `id`, each with its value.
-    fn long_sums(&self, id: Id, unit: &units::Unit, out: &mut Vec<(String, String)>) {
-        if let Op::Sum(all) = self.op(id)
-            && all.len() > LONGEST_SUM
-        {
-            for id in all {
-                let node = self.solution.trace.node(*id);
-                let unit = if node.dim.agrees(unit.dim) { unit.clone() } else { self.unit_of_dim(node.dim) };
-                out.push((
-                    self.expression(*id),
-                    number(self.solution.trace.without_noise(*id), &unit, self.style),
-                ));
-            }
-            return;
-        }
-        for operand in self.solution.trace.operands(id) {
-            self.long_sums(operand, unit, out);
-        }
-    }
-}
-
-/// The whole factor and the power, from the second to the fourth, of which a number is the multiple of π.
-fn multiple_of_a_power_of_pi(value: f64) -> Option<(f64, i8)> {
-    use std::f64::consts::PI;
-    (2..=4).find_map(|power| {
-        let factor = (value / PI.powi(power.into())).round();
-        let known =
-            (1.0..=64.0).contains(&factor) && (factor * PI.powi(power.into()) / value - 1.0).abs() < 1e-15;
-        known.then_some((factor, power))
-    })
 }
 
 /// The SI unit of a dimension, as the field writes it.

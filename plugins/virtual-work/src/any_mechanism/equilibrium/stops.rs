@@ -22,7 +22,7 @@ pub struct Stop {
     pub limit: Limit,
 }
 
-/// What a stop limits.
+/// Kind and place of a stop.
 #[derive(Clone, Debug, Inputs)]
 pub enum Limit {
     /// Cord or strap: largest distance between two points
@@ -103,7 +103,7 @@ pub(super) struct StopContact<'a> {
     measure: RelativeCoordinate,
 }
 
-/// What the limits of a mechanism with one coordinate permit.
+/// Stops of a mechanism with one coordinate.
 pub(super) struct Limited<'a> {
     stops: Vec<Unilateral<'a>>,
 }

@@ -1,0 +1,61 @@
+//! Turns in formulas: frequencies in cycles, `f = ω/(2π)`, and multiples of powers of π.
+
+use dalembert_units::{self as units, Style};
+
+use super::Writer;
+use crate::{
+    Solution, Step, Symbol,
+    trace::{Id, Op},
+};
+
+/// Returns true if a step is a frequency f in cycles and its formula one of the angular frequency: it is written
+/// `f = ω/(2π)`, though the number of the trace is that of ω.
+pub fn is_in_cycles(solution: &Solution, step: &Step) -> bool {
+    let writer = Writer { solution, values: false, general: false, radians: false, style: Style::default() };
+    step.formula.is_some_and(|id| writer.is_cyclic_step(step, id))
+}
+
+impl Writer<'_> {
+    /// Returns true if a step is a frequency f in cycles of which the formula gives the angular frequency: `f = ω/(2π)`.
+    /// A formula over other frequencies in cycles needs no 2π.
+    fn is_cyclic_step(&self, step: &Step, id: Id) -> bool {
+        let is_cyclic = |symbol: &Symbol, unit: &units::Unit| {
+            let hertz = units::unit("Hz").unwrap_or(units::Unit::ONE);
+            symbol.base.starts_with(['f', 'ν']) && unit.dim == hertz.dim && unit.si(1.0) != 1.0
+        };
+        let is_over_cycles = |operand: Id| match self.op(operand) {
+            Op::Given { symbol, unit, .. } => is_cyclic(symbol, unit),
+            Op::Step(step) => {
+                let step = &self.solution.steps[*step];
+                is_cyclic(&step.symbol, &step.unit)
+            }
+            _ => false,
+        };
+        is_cyclic(&step.symbol, &step.unit) && !self.any_below(id, &is_over_cycles)
+    }
+
+    /// Returns true if a formula has such an operand.
+    fn any_below(&self, id: Id, is: &dyn Fn(Id) -> bool) -> bool {
+        is(id) || self.solution.trace.operands(id).into_iter().any(|operand| self.any_below(operand, is))
+    }
+
+    /// A formula over 2π.
+    pub(super) fn over_a_turn(&self, id: Id) -> String {
+        if matches!(self.op(id), Op::Add(..) | Op::Sub(..) | Op::Sum(_)) {
+            return format!("{} / ({})", self.factor(id), self.bare(std::f64::consts::TAU));
+        }
+        let (product, negative) = self.product(id, false, true);
+        format!("{}{product}", self.sign(true, negative))
+    }
+}
+
+/// The whole factor and the power, from the second to the fourth, of which a number is the multiple of π.
+pub(super) fn multiple_of_a_power_of_pi(value: f64) -> Option<(f64, i8)> {
+    use std::f64::consts::PI;
+    (2..=4).find_map(|power| {
+        let factor = (value / PI.powi(power.into())).round();
+        let known =
+            (1.0..=64.0).contains(&factor) && (factor * PI.powi(power.into()) / value - 1.0).abs() < 1e-15;
+        known.then_some((factor, power))
+    })
+}
