@@ -6128,9 +6128,9 @@ two-equal-storeys-2000-kg-and-800-kn-m-each-the-displacements-are-those-relative
 two-storeys-on-a-base-under-a-harmonic-acceleration = Dois pavimentos sobre uma base sob aceleração harmônica
 from-rest-1-5-m-s-cos-10-t = Do repouso, 1,5 m/s² cos 10 t.
 two-storeys-on-a-base-under-a-pulse-of-acceleration = Dois pavimentos sobre uma base sob um pulso de aceleração
-_1-5-m-s-for-0-15-s = 1,5 m/s² por 0,15 s.
+n-1-5-m-s-for-0-15-s = 1,5 m/s² por 0,15 s.
 two-storeys-on-a-base-whose-acceleration-rises-to-a-constant = Dois pavimentos sobre uma base cuja aceleração cresce até uma constante
-_1-5-m-s-is-reached-in-0-1-s = 1,5 m/s² é alcançado em 0,1 s.
+n-1-5-m-s-is-reached-in-0-1-s = 1,5 m/s² é alcançado em 0,1 s.
 two-storeys-on-a-base-under-a-table-of-accelerations = Dois pavimentos sobre uma base sob uma tabela de acelerações
 a-triangle-of-1-5-m-s-that-lasts-0-2-s = Um triângulo de 1,5 m/s² que dura 0,2 s.
 

@@ -2830,3 +2830,4 @@ work-of-the-expansion-over-the-swept-volume = Trabalho da expansão sobre a cili
 work-of-the-gas-in-a-cycle = Trabalho do gás num ciclo
 work-of-the-gas-per-cycle = Trabalho do gás por ciclo
 four-strokes-complete-the-data-compression-from-0-1-n-mm-by-14-and-expansion-follow-p-v-1-35-the = Quatro tempos completam os dados: compressão de 0,1 N/mm² por 14 e expansão seguem p v^1,35; a injeção termina a um décimo do curso.
+with-that-value-the-closed-mechanism-lies-at-the-limit-of-name = com esse valor, o mecanismo fechado está no limite de { $name }

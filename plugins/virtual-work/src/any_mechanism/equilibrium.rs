@@ -131,8 +131,8 @@ impl Analysis for Equilibrium {
             });
         }
         found.retain(|here| limited.permit(&system, &here.positions));
-        let resting = limited.resting(&system, &samples).map_err(refuse)?;
-        if found.is_empty() && resting.is_empty() {
+        let contacts = limited.contacts(&system, &samples).map_err(refuse)?;
+        if found.is_empty() && contacts.is_empty() {
             return Err(Refusal::because(
                 "there is no equilibrium in this range: the holding effort does not change sign; search a wider one",
             ));
@@ -141,14 +141,14 @@ impl Analysis for Equilibrium {
             sheet.keep_going()?;
             parts.answer(&system, here, number, sheet);
         }
-        for (number, here) in (1..).zip(&resting) {
+        for (number, here) in (1..).zip(&contacts) {
             here.answer(&system, &parts, number, sheet);
         }
-        sheet.show(|| Exhibit::Table(parts.table_of_equilibria(&found, &resting)));
+        sheet.show(|| Exhibit::Table(parts.table_of_equilibria(&found, &contacts)));
         if !samples.is_empty() {
-            parts.show_energy(&system, &samples, (&found, &resting), sheet);
+            parts.show_energy(&system, &samples, (&found, &contacts), sheet);
         }
-        sheet.show(|| Exhibit::Drawing(parts.positions_of_equilibrium(&found, &resting)));
+        sheet.show(|| Exhibit::Drawing(parts.positions_of_equilibrium(&found, &contacts)));
         Ok(())
     }
 }
@@ -258,7 +258,7 @@ impl Parts {
         }
     }
 
-    fn table_of_equilibria(&self, found: &[Found], resting: &[StopContact<'_>]) -> TableExhibit {
+    fn table_of_equilibria(&self, found: &[Found], contacts: &[StopContact<'_>]) -> TableExhibit {
         let mut columns = vec![Column { heading: "Equilibrium".into(), unit: "" }];
         for drive in &self.drivers {
             columns.push(Column { heading: verbatim(&drive.name), unit: drive.what.unit() });
@@ -276,7 +276,7 @@ impl Parts {
         TableExhibit {
             title: "Positions of equilibrium".into(),
             columns,
-            rows: (1..).zip(found).map(row).chain((found.len() + 1..).zip(resting).map(on_stop)).collect(),
+            rows: (1..).zip(found).map(row).chain((found.len() + 1..).zip(contacts).map(on_stop)).collect(),
             foot: Vec::new(),
         }
     }
@@ -285,7 +285,7 @@ impl Parts {
         &self,
         system: &Model,
         samples: &[SweepSample],
-        (found, resting): (&[Found], &[StopContact<'_>]),
+        (found, contacts): (&[Found], &[StopContact<'_>]),
         sheet: W,
     ) {
         let axis = || Axis::linear(verbatim(&self.drivers[0].name), self.drivers[0].what.unit());
@@ -305,7 +305,7 @@ impl Parts {
                         None => plot,
                     },
                 );
-                Exhibit::Plot(resting.iter().fold(marked, |plot, here| {
+                Exhibit::Plot(contacts.iter().fold(marked, |plot, here| {
                     match system.potential(&here.at.positions) {
                         Some(energy) => plot.mark(verbatim(here.name), (here.at.value, energy)),
                         None => plot,
@@ -333,7 +333,7 @@ impl Parts {
     }
 
     /// The bodies where they come to rest, each equilibrium in its ink.
-    fn positions_of_equilibrium(&self, found: &[Found], resting: &[StopContact<'_>]) -> Drawing {
+    fn positions_of_equilibrium(&self, found: &[Found], contacts: &[StopContact<'_>]) -> Drawing {
         let mut sketch = Sketch::new("Positions of equilibrium");
         for here in found {
             let ink = match here.stability {
@@ -343,7 +343,7 @@ impl Parts {
             };
             self.outline(&here.positions, ink, &mut sketch);
         }
-        for here in resting {
+        for here in contacts {
             self.outline(&here.at.positions, Ink::Result, &mut sketch);
         }
         for spot in self.points.iter().filter(|spot| spot.on.is_none()) {

@@ -34,7 +34,7 @@ pub enum Limit {
         #[input(rows = "points")]
         to: Reference,
         /// Length.
-        #[input("L", "mm", positive)]
+        #[input("L_s", "mm", positive)]
         length: f64,
     },
     /// Buffer: smallest distance between two points
@@ -46,7 +46,7 @@ pub enum Limit {
         #[input(rows = "points")]
         to: Reference,
         /// Distance.
-        #[input("s", "mm", positive)]
+        #[input("d_s", "mm", positive)]
         distance: f64,
     },
     /// Contact of a point with a straight edge, to the left of it
@@ -55,7 +55,7 @@ pub enum Limit {
         #[input(rows = "points")]
         guide: Reference,
         /// Direction of the edge, in the axes of its body.
-        #[input("φ", "deg", default = "0 deg")]
+        #[input("φ_s", "deg", default = "0 deg")]
         direction: f64,
         /// Point.
         #[input(rows = "points")]
@@ -70,7 +70,7 @@ pub enum Limit {
         #[input(default = "ground")]
         against: PartReference,
         /// Angle.
-        #[input("θ", "deg")]
+        #[input("θ_s", "deg")]
         angle: f64,
     },
     /// Largest angle of a body
@@ -82,7 +82,7 @@ pub enum Limit {
         #[input(default = "ground")]
         against: PartReference,
         /// Angle.
-        #[input("θ", "deg")]
+        #[input("θ_s", "deg")]
         angle: f64,
     },
 }
@@ -101,6 +101,7 @@ pub(super) struct StopContact<'a> {
     pub(super) name: &'a str,
     pub(super) at: StopPosition,
     measure: RelativeCoordinate,
+    limit: f64,
 }
 
 /// Stops of a mechanism with one coordinate.
@@ -123,24 +124,25 @@ impl<'a> Limited<'a> {
     }
 
     /// The positions in which the mechanism presses against a stop, and passes none.
-    pub(super) fn resting(
+    pub(super) fn contacts(
         &self,
         system: &Model,
         samples: &[SweepSample],
     ) -> Result<Vec<StopContact<'a>>, PlanarError> {
-        let mut resting = Vec::new();
+        let mut contacts = Vec::new();
         for stop in &self.stops {
             let there = system.stop_positions(samples, &stop.measure, stop.limit)?;
             let pressed =
                 |at: &StopPosition| at.effort * stop.sign > 0.0 && self.permit(system, &at.positions);
-            let measure = stop.measure;
-            resting.extend(there.into_iter().filter(pressed).map(|at| StopContact {
+            let (measure, limit) = (stop.measure, stop.limit);
+            contacts.extend(there.into_iter().filter(pressed).map(|at| StopContact {
                 name: stop.name,
                 at,
                 measure,
+                limit,
             }));
         }
-        Ok(resting)
+        Ok(contacts)
     }
 }
 
@@ -185,7 +187,15 @@ impl StopContact<'_> {
         sheet.answer(("stop_force", number), "Force of the stop", effort);
         sheet.row_label(("stop_force", number), self.name);
         let whole = if matches!(drive.what, Driven::Angle { .. }) { 1.0 } else { system.size() };
-        sheet.verify(|| self.check(system, 0.005 * whole, effort, sheet));
+        sheet.verify(|| {
+            let there = system.continue_to(&self.at.positions, &[value.value()]);
+            let apart =
+                there.map_or(f64::NAN, |there| system.value(&self.measure, &there.positions) - self.limit);
+            let size = if self.measure.is_angle() { 1.0 } else { system.size() };
+            let what = named("with that value, the closed mechanism lies at the limit of {name}");
+            sheet.check_zero(what, apart.into(), size);
+            self.check(system, 0.005 * whole, effort, sheet);
+        });
     }
 
     /// The energy over the measure of the stop, by differences of both.
