@@ -27,7 +27,7 @@ use std::ops::Range;
 use toml_edit::{Document, DocumentMut, Item, Table, TableLike, Value as Toml};
 
 use self::write::{set_text, write_item};
-pub use self::{format::Format, shorthand::ShortForms};
+pub use self::{format::Format, shorthand::ShortForm};
 use crate::{
     Display, Draft, Entry, Field, FieldError, LinkedProblem, Shape, Text, UnitSetting, describe, draft,
     find_analysis, path, path::Segment, registry, table,

@@ -9,33 +9,34 @@ use crate::{
     placed::{self, Carrier, PlacedFields},
 };
 
-/// The shorter forms of a list.
+/// A shorter form of a list or of its rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ShortForms {
-    /// A table of rows under their names.
-    pub by_name: bool,
+pub enum ShortForm {
+    /// The rows under their names.
+    ByName,
     /// One text with all values.
-    pub in_one_text: bool,
+    InOneText,
     /// A row as a list of its first inputs.
-    pub row_in_order: bool,
+    RowInOrder,
     /// A row as one value.
-    pub row_of_value: bool,
+    RowOfValue,
 }
 
-impl ShortForms {
+impl ShortForm {
     /// Those of a list of such rows.
-    pub fn of(row: &Shape) -> Self {
+    pub fn of_rows(row: &Shape) -> Vec<Self> {
         let Shape::Group(fields) = row else {
-            let in_one_text = row.is_leaf();
-            return Self { by_name: false, in_one_text, row_in_order: false, row_of_value: false };
+            return if row.is_leaf() { vec![Self::InOneText] } else { Vec::new() };
         };
-        let is_one_value = matches!(fields(), [only] if only.shape.is_leaf());
-        Self {
-            by_name: is_named(fields()),
-            in_one_text: false,
-            row_in_order: true,
-            row_of_value: is_one_value || PlacedFields::of(row).is_some(),
+        let mut forms = vec![Self::RowInOrder];
+        if is_named(fields()) {
+            forms.push(Self::ByName);
         }
+        let is_one_value = matches!(fields(), [only] if only.shape.is_leaf());
+        if is_one_value || PlacedFields::of(row).is_some() {
+            forms.push(Self::RowOfValue);
+        }
+        forms
     }
 }
 

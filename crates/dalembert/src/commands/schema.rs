@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use dalembert_core::{
     ChildList, Entry, Field, FieldLimit, LinkedProblem, Locale, Measure, Shape, Text, UnitSetting, Variant,
-    file::ShortForms, linked, registry,
+    file::ShortForm, linked, registry,
 };
 use dalembert_report::RESULTS_SCHEMA;
 use serde_json::{Map, Value as Json, json};
@@ -218,28 +218,20 @@ impl Writer<'_> {
             Shape::Group(fields) => self.defined(shape, name, |writer| writer.group(fields())),
             Shape::OneOf(variants) => self.defined(shape, name, |writer| writer.one_of(variants())),
             Shape::Rows { item, min, most } => {
-                let short = ShortForms::of(item());
-                let row = self.shape(item(), name);
-                let in_order = json!({ "type": "array" });
-                let value = json!({ "type": ["string", "number"] });
-                let of_row = |forms: &[(bool, &Json)]| {
-                    let short = forms.iter().filter(|(applies, _)| *applies).map(|(_, form)| *form);
-                    match std::iter::once(&row).chain(short).cloned().collect::<Vec<_>>().as_slice() {
-                        [only] => only.clone(),
-                        all => json!({ "anyOf": all }),
+                let mut rows = vec![self.shape(item(), name)];
+                let mut lists = Vec::new();
+                for form in ShortForm::of_rows(item()) {
+                    match form {
+                        ShortForm::RowInOrder => rows.push(json!({ "type": "array" })),
+                        ShortForm::RowOfValue => rows.push(json!({ "type": ["string", "number"] })),
+                        ShortForm::ByName => lists.push(json!({ "type": "object", "maxProperties": most })),
+                        ShortForm::InOneText => lists.push(json!({ "type": "string" })),
                     }
-                };
-                let rows = of_row(&[(short.row_in_order, &in_order), (short.row_of_value, &value)]);
-                let list = json!({ "type": "array", "minItems": min, "maxItems": most, "items": rows });
-                if short.by_name {
-                    let by_name =
-                        json!({ "type": "object", "additionalProperties": true, "maxProperties": most });
-                    json!({ "anyOf": [list, by_name] })
-                } else if short.in_one_text {
-                    json!({ "anyOf": [list, { "type": "string" }] })
-                } else {
-                    list
                 }
+                let items = any_of(rows);
+                lists
+                    .insert(0, json!({ "type": "array", "minItems": min, "maxItems": most, "items": items }));
+                any_of(lists)
             }
             Shape::Optional(inner) => self.shape(inner(), name),
         }
@@ -297,6 +289,11 @@ impl Writer<'_> {
         });
         json!({ "$ref": format!("#/$defs/{name}") })
     }
+}
+
+/// One of these forms; the only one where it is alone.
+fn any_of(mut forms: Vec<Json>) -> Json {
+    if forms.len() == 1 { forms.remove(0) } else { json!({ "anyOf": forms }) }
 }
 
 /// A text with a unit, or a bare number in the unit of the field, within its limits.

@@ -140,15 +140,16 @@ impl Joint {
     /// Points of the form that it joins, in their order.
     fn points(&self) -> Vec<Reference> {
         match self {
-            Joint::Pin { a, b } | Joint::Weld { a, b, .. } => vec![*a, *b],
-            Joint::Slider { guide: a, slides: b, .. }
+            Joint::Pin { a, b }
+            | Joint::Weld { a, b, .. }
+            | Joint::Slider { guide: a, slides: b, .. }
             | Joint::Slot { guide: a, pin: b, .. }
             | Joint::Rod { from: a, to: b, .. }
             | Joint::Rolling { guide: a, centre: b, .. }
-            | Joint::Cam { guide: a, follower: b, .. } => vec![*a, *b],
-            Joint::Contour { centre, follower: Follower::Roller { centre: end, .. }, .. }
-            | Joint::Contour { centre, follower: Follower::FlatFace { point: end, .. }, .. } => {
-                vec![*centre, *end]
+            | Joint::Cam { guide: a, follower: b, .. }
+            | Joint::Contour { centre: a, follower: Follower::Roller { centre: b, .. }, .. }
+            | Joint::Contour { centre: a, follower: Follower::FlatFace { point: b, .. }, .. } => {
+                vec![*a, *b]
             }
             Joint::Cord { runs, .. } => runs.iter().flat_map(|run| [run.from, run.to]).collect(),
             Joint::Gears { .. } | Joint::Geneva { .. } => Vec::new(),
