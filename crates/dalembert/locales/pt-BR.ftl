@@ -230,3 +230,4 @@ this-request-is-longer-than-most-mib-send-less-in-one-line = esta requisição t
 write-an-object-behind-solve-and-an-id-behind-show-and-schema = escreva um objeto depois de `solve`, e um id depois de `show` e de `schema`
 there-is-no-answer-name-did-you-mean-near = não há a resposta `{ $name }`; você quis dizer `{ $near }`?
 there-is-no-answer-name-write-one-of-known = não há a resposta `{ $name }`; escreva uma de { $known }
+print-the-working-of-this-answer-alone-the-steps-that-lead-to-it-of-one-of-several-by-its-row = Imprime só o desenvolvimento desta resposta: os passos que levam a ela; de uma entre várias, pela linha: 'frequency[2]'

@@ -149,15 +149,15 @@ impl Analysis for Gyrocompass {
 
 /// The angular velocity of the level plane at the place.
 struct Rates<N> {
-    /// Level component, along which the compass settles, rad/s.
+    /// Horizontal component, along which the compass settles, rad/s.
     horizontal: N,
     /// Vertical component, upwards, rad/s.
     vertical: N,
-    /// Angle of the level component from north to the west, where there is a vessel, rad.
+    /// Angle of the horizontal component from north to the west, where there is a vessel, rad.
     deviation: Option<N>,
 }
 
-/// A level component that is smaller than this part of the whole is none.
+/// A horizontal component that is smaller than this part of the whole is none.
 const POLE: f64 = 1e-9;
 
 impl<N: Real> Rates<N> {
@@ -173,7 +173,10 @@ impl<N: Real> Rates<N> {
                 "Ω_h",
                 "rad/s",
                 given.earth * cos,
-                ("Level component of the angular velocity of the Earth, to the north", KIBBLE.at("ch. 9")),
+                (
+                    "Horizontal component of the angular velocity of the Earth, to the north",
+                    KIBBLE.at("ch. 9"),
+                ),
             );
             let vertical = sheet.step(
                 "Ω_v",
@@ -191,7 +194,7 @@ impl<N: Real> Rates<N> {
             given.earth + east / (vessel.radius * cos),
             "Angular velocity of Earth and vessel about the axis of the Earth",
         );
-        let along = sheet.step("Ω_N", "rad/s", about * cos, "Its level component, to the north");
+        let along = sheet.step("Ω_N", "rad/s", about * cos, "Its horizontal component, to the north");
         let west = sheet.step(
             "Ω_W",
             "rad/s",
@@ -202,7 +205,7 @@ impl<N: Real> Rates<N> {
             "Ω_h",
             "rad/s",
             (along.powi(2) + west.powi(2)).sqrt(),
-            "Angular velocity of the level plane: level component",
+            "Angular velocity of the level plane: horizontal component",
         );
         let size = (given.earth + vessel.speed / vessel.radius).value();
         if horizontal.value() <= POLE * size {
@@ -216,13 +219,13 @@ impl<N: Real> Rates<N> {
             "deg",
             west.atan2(along),
             (
-                "The axle settles along the level component: deviation from north to the west",
+                "The axle settles along the horizontal component: deviation from north to the west",
                 SCHULER.at("§2"),
             ),
         );
         sheet.answer("deviation", "Deviation due to the speed, to the west", deviation);
         sheet.verify(|| {
-            // The level component is the vertical crossed with the velocity in space, over the radius.
+            // The horizontal component is the vertical crossed with the velocity in space, over the radius.
             let (over_ground, ground) = (vessel.speed, vessel.radius * given.earth * cos);
             let what = "the axle is normal to the velocity of the vessel in space";
             let across = over_ground * (vessel.course + deviation).cos();

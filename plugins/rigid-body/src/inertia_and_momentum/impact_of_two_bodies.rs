@@ -310,9 +310,14 @@ impl<N: Real> Impact<N> {
             let [t_a, t_b] = across;
             let left = m_a * (a.powi(2) + t_a.powi(2)) / 2.0 + m_b * (b.powi(2) + t_b.powi(2)) / 2.0;
             let size = before.value();
-            let what = "kinetic energy before less that after";
+            let what = "kinetic energy lost as the difference of that before and after";
             sheet.check_sum(what, (size - left).into(), lost, size);
-            sheet.check_sum("the share that is left", (1.0 - left / size).into(), share, 1.0);
+            sheet.check_sum(
+                "lost share from the ratio of the kinetic energies",
+                (1.0 - left / size).into(),
+                share,
+                1.0,
+            );
         });
     }
 

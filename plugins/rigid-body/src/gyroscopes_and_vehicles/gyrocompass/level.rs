@@ -25,7 +25,7 @@ pub(super) fn answer<'a, W: Worksheet>(
         "h₁",
         "kg*m^2/s",
         momentum - transverse * rate,
-        "Angular momentum that directs small deviations: without the share of the transverse moment of inertia",
+        "Effective angular momentum for small deviations, reduced by the transverse moment of inertia",
     );
     if directive.value() <= 0.0 {
         return Err(Refusal::because(

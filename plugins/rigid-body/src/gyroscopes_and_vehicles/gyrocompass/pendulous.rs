@@ -111,7 +111,7 @@ impl<N: Real> Pendulum<N> {
         }
     }
 
-    /// The rate of the axle `u` in axes of the place, x along the level component, z up: τ/h − Ω × u, where the weight
+    /// The rate of the axle `u` in axes of the place, x along the horizontal component, z up: τ/h − Ω × u, where the weight
     /// at `depth` below the support exerts τ.
     fn rate(&self, axle: Vector3<f64>, depth: f64, rates: &Rates<N>) -> Vector3<f64> {
         let place = Vector3::new(rates.horizontal.value(), 0.0, rates.vertical.value());

@@ -110,8 +110,9 @@ impl Parts {
         }
         self.outline(&state.positions, Ink::Body, sketch);
         for (row, spot) in self.points.iter().enumerate() {
-            // The pin of a body lies on the point that it is named after.
-            if self.points[..row].iter().any(|before| !spot.name.is_empty() && before.name == spot.name) {
+            // The pin of a body lies on the point that it is named after; a point described in place has no letter.
+            let is_drawn = self.points[..row].iter().any(|before| before.name == spot.name);
+            if spot.name.contains('(') || is_drawn && !spot.name.is_empty() {
                 continue;
             }
             let (name, point) = (verbatim(&spot.name), at(Reference(row)));
