@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    AnswerValue, Entry, Language, Locale, Number,
+    AnswerValue, Entry, Language, Locale, Number, Solution, Step,
     check::{self, Verdict},
     printer,
     trace::ROUNDING,
@@ -14,6 +14,14 @@ use crate::{
     evaluator::hold,
     problems::{SolvedCase, first_solutions, for_each_problem},
 };
+
+/// The number that the substitution of a step gives: that of the trace, over 2π where it is a frequency in cycles.
+pub(crate) fn printed_number(solution: &Solution, step: &Step) -> Number {
+    match solution.trace.node(step.result).number {
+        Number::Scalar(x) if printer::is_in_cycles(solution, step) => Number::Scalar(x / TAU),
+        number => number,
+    }
+}
 
 /// Reads every printed substitution again from its text and computes it: it gives the result beside it, in both
 /// languages, with 5 and 15 digits, in Unicode and in ASCII. Returns the number of substitutions.
@@ -52,11 +60,9 @@ pub fn printed_steps_give_their_results(entries: &[&'static Entry]) -> usize {
                 let node = solution.trace.node(step.result);
                 // Where large numbers cancel, what is left may be rounding alone: that of the terms and that of their sum.
                 let noise = 2.0 * ROUNDING * node.scale;
-                let number = match node.number {
-                    Number::Scalar(x) if printer::is_in_cycles(&solution, step) => Number::Scalar(x / TAU),
-                    number => number,
-                };
-                if let Err(why) = hold(&written, number, step.unit.dim, digits, noise) {
+                if let Err(why) =
+                    hold(&written, printed_number(&solution, step), step.unit.dim, digits, noise)
+                {
                     let (symbol, text) = (&written.symbol, &written.substitution);
                     faults.push(format!(
                         "{name} ({digits} digits, ascii {ascii}): {symbol} = {text} = {}: {why}",

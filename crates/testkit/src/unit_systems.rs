@@ -8,6 +8,7 @@ use dalembert_units::{Unit, UnitSystem, unit};
 
 use crate::{
     evaluator::hold,
+    printed::printed_number,
     problems::{first_solutions, numbers},
 };
 
@@ -53,9 +54,13 @@ pub fn every_solution_is_coherent_in_every_system(entries: &[&'static Entry]) ->
                 }
                 read += 1;
                 let node = shown.trace.node(step.result);
-                if let Err(why) =
-                    hold(&written, node.number, step.unit.dim, digits, 2.0 * ROUNDING * node.scale)
-                {
+                if let Err(why) = hold(
+                    &written,
+                    printed_number(&shown, step),
+                    step.unit.dim,
+                    digits,
+                    2.0 * ROUNDING * node.scale,
+                ) {
                     let (symbol, text, result) = (written.symbol, written.substitution, written.result);
                     faults.push(format!("{name} ({digits} digits): {symbol} = {text} = {result}: {why}"));
                 }
