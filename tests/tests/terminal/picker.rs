@@ -445,7 +445,7 @@ fn what_is_pinned_and_recent_outlives_the_session() {
     pty.expect("19.456");
     to_list(&mut pty);
     pty.types("<esc>");
-    pty.expect("▾ Harmonic excitation");
+    pty.expect("▸ Isolation, absorbers");
     pty.types("*");
     pty.expect("pinned at the top of the list");
     pty.types("q");
