@@ -8,7 +8,7 @@
 //! | differential equations | [`ode`], with events and dense output |
 //! | roots and extremes | [`roots`], [`nonlinear`], [`polynomial`], [`extremes`] |
 //! | minimum under constraints | [`optimisation`] |
-//! | quadrature | [`quadrature`], [`gauss_legendre`] |
+//! | quadrature, derivatives | [`quadrature`], [`gauss_legendre`], [`differentiation`] |
 //! | special functions | [`elementary`], [`elliptic`], [`bessel`] |
 //! | sets of numbers | [`intervals`] |
 //! | random numbers, points that fill a cube | [`random`], [`sampling`] |
@@ -30,6 +30,7 @@
 //! ```
 
 pub mod bessel;
+pub mod differentiation;
 pub mod distribution;
 pub mod elementary;
 pub mod elliptic;

@@ -1,6 +1,7 @@
 //! Inertia tensors about the centre of mass in axes of any direction, and rates of change by differences: a second
 //! way to what the closed formulas say.
 
+use dalembert_numerics::differentiation::derivative;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 /// Data that do not describe a body or a motion.
@@ -48,11 +49,7 @@ pub fn numerical_rate(vector: impl Fn(f64) -> Vector3<f64>, period: f64) -> Resu
     if !(period.is_finite() && period > 0.0) {
         return Err(RigidError::NotFinite);
     }
-    let step = period / 100.0;
-    let difference = |k: f64| vector(k * step) - vector(-k * step);
-    let rate = (difference(1.0) * 672.0 - difference(2.0) * 168.0 + difference(3.0) * 32.0
-        - difference(4.0) * 3.0)
-        / (840.0 * step);
+    let rate = derivative(vector, 0.0, period / 100.0);
     if rate.iter().all(|x| x.is_finite()) { Ok(rate) } else { Err(RigidError::NotFinite) }
 }
 

@@ -10,6 +10,8 @@ use super::{
     motion::Branch,
     piston::{self, harmonics, two_term},
 };
+use dalembert_numerics::differentiation::derivative;
+
 use crate::{Real, balance::reciprocating::harmonic_by_series};
 
 /// Formulas of the piston motion: exact or approximate.
@@ -266,11 +268,7 @@ impl EngineCylinder {
         // one away.
         let reach = ((self.rod - self.offset.abs()) / self.crank).acosh().min(1.0);
         let step = 0.01 * reach;
-        let difference = |k: f64| {
-            self.kinetic_energy(angle + k * step, speed) - self.kinetic_energy(angle - k * step, speed)
-        };
-        let rule = [(1.0, 672.0), (2.0, -168.0), (3.0, 32.0), (4.0, -3.0)];
-        -rule.into_iter().map(|(k, weight)| weight * difference(k)).sum::<f64>() / (840.0 * step)
+        -derivative(|angle| self.kinetic_energy(angle, speed), angle, step)
     }
 
     /// Masses of the rod at gudgeon pin and crank pin, kg.

@@ -12,7 +12,7 @@ use dalembert_mechanics::{
         gas::{self, Corners, Diagram},
     },
 };
-use dalembert_numerics::{gauss_legendre, roots};
+use dalembert_numerics::{differentiation::derivative, gauss_legendre, roots};
 
 use super::{Engine, Gas, forces::EngineProblem, gas::GasCycle, ideal::Indicated};
 use crate::shared::flywheel::FlywheelInertiaGiven;
@@ -164,12 +164,12 @@ pub(super) fn cycle<W: Worksheet>(
     Ok(Some(Turned { cycle, period }))
 }
 
-/// The slope of a moment, by differences of the eighth order.
+/// Step of the derivatives of a moment.
 const STEP: f64 = 1e-3;
+
+/// The derivative of a moment.
 fn slope(moment: impl Fn(f64) -> f64, angle: f64) -> f64 {
-    let rule = [(1.0, 672.0), (2.0, -168.0), (3.0, 32.0), (4.0, -3.0)];
-    let difference = |k: f64| moment(angle + k * STEP) - moment(angle - k * STEP);
-    rule.into_iter().map(|(k, weight)| weight * difference(k)).sum::<f64>() / (840.0 * STEP)
+    derivative(moment, angle, STEP)
 }
 
 /// The same by differences of the fourth order, over the steps in which an extreme is searched for.

@@ -9,7 +9,7 @@ use dalembert_mechanics::{
         piston::{self, harmonics, two_term},
     },
 };
-use dalembert_numerics::{gauss_legendre, roots};
+use dalembert_numerics::{differentiation::derivative, gauss_legendre, roots};
 
 use super::{
     Engine, EngineGiven, EngineMotion, EngineMotionGiven, RodLengthGiven, Terms, ThrowGiven, too_short,
@@ -399,12 +399,7 @@ fn greatest_velocity<W: Worksheet>(
             Terms::Two => two_term::displacement(r, l / r, angle),
             Terms::Harmonics { .. } => harmonics::displacement(r, &plain, angle),
         };
-        // A difference of the eighth order.
-        const STEP: f64 = 2e-3;
-        let rule = [(1.0, 672.0), (2.0, -168.0), (3.0, 32.0), (4.0, -3.0)];
-        let at = angle.value();
-        let difference = |k: f64| gone(at + k * STEP) - gone(at - k * STEP);
-        let slope = rule.into_iter().map(|(k, weight)| weight * difference(k)).sum::<f64>() / (840.0 * STEP);
+        let slope = derivative(gone, angle.value(), 2e-3);
         let what = "maximum velocity as the slope of the displacement at that crank angle";
         sheet.check_sum(what, velocity, (speed.value() * slope).into(), speed.value() * (r + l));
     });

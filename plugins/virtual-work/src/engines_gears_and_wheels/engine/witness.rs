@@ -9,6 +9,7 @@ use dalembert_mechanics::{
         piston::harmonics,
     },
 };
+use dalembert_numerics::differentiation::derivative;
 
 use super::{
     Engine, Terms,
@@ -54,15 +55,11 @@ pub(super) fn motion<W: Worksheet>(
         }
         Terms::Harmonics { .. } => {
             let step = 1e-3;
-            let displacement = |k: f64| {
-                let at =
-                    dalembert_mechanics::slider_crank::CrankMotion { angle: crank.angle + k * step, ..crank };
+            let displacement = |angle: f64| {
+                let at = dalembert_mechanics::slider_crank::CrankMotion { angle, ..crank };
                 engine.motion(at).displacement
             };
-            let rule = [(1.0, 672.0), (2.0, -168.0), (3.0, 32.0), (4.0, -3.0)];
-            let slope: f64 =
-                rule.into_iter().map(|(k, w)| w * (displacement(k) - displacement(-k))).sum::<f64>()
-                    / (840.0 * step);
+            let slope = derivative(displacement, crank.angle, step);
             let what = "velocity of the piston as the derivative of its displacement";
             sheet.check_sum(what, velocity, (slope * crank.speed).into(), engine.crank * crank.speed);
         }
