@@ -157,7 +157,8 @@ impl Analysis for ImpactOfTwoBodies {
         let impact = Impact {
             first,
             second,
-            masses: [Some(given.mass), mass],
+            mass: given.mass,
+            struck: mass,
             rests,
             approach,
             reduced,
@@ -205,8 +206,9 @@ impl<W: Worksheet> ImpactVelocityGiven<W> {
 struct Impact<N> {
     first: [N; 2],
     second: [N; 2],
-    /// `None` for a wall.
-    masses: [Option<N>; 2],
+    mass: N,
+    /// Mass that the struck body puts against A; `None` for a wall.
+    struck: Option<N>,
     /// True if the struck body is at rest by what it is.
     rests: bool,
     approach: N,
@@ -223,7 +225,7 @@ impl<N: Real> Impact<N> {
 
     /// Answers the velocities after the impact, and gives them along and across the line of impact.
     fn after<W: Worksheet<Num = N>>(&self, sheet: W) -> [[N; 2]; 2] {
-        let [Some(first_mass), second_mass] = self.masses else { unreachable!("A has a mass") };
+        let (first_mass, second_mass) = (self.mass, self.struck);
         let why = ("Velocity of A after the impact, along the line of impact", HIBBELER.at("§15.4"));
         let first = sheet.step("v_A", "m/s", self.first[0] - self.impulse / first_mass, why);
         sheet.answer("velocity_a", "Velocity of A after, along the line", first);
@@ -244,7 +246,7 @@ impl<N: Real> Impact<N> {
         if !self.is_oblique() {
             return;
         }
-        let [Some(first_mass), second_mass] = self.masses else { unreachable!("A has a mass") };
+        let (first_mass, second_mass) = (self.mass, self.struck);
         let free = second_mass.filter(|_| !is_hinged);
         if self.restitution.is_some() {
             direction(["v_A′", "φ_A′"], ["speed_a", "angle_a"], SPEED_A, after[0], sheet);
@@ -265,7 +267,7 @@ impl<N: Real> Impact<N> {
     /// Answers the energy that is lost; two free bodies that stick together lose that of the motion across the line of
     /// impact in part, what holds one of them takes all of it.
     fn energy<W: Worksheet<Num = N>>(&self, after: [[N; 2]; 2], is_free: bool, sheet: W) {
-        let [Some(first_mass), second_mass] = self.masses else { unreachable!("A has a mass") };
+        let (first_mass, second_mass) = (self.mass, self.struck);
         let kinetic = |[first, second]: [[N; 2]; 2]| {
             let square =
                 |[n, t]: [N; 2], is_oblique: bool| if is_oblique { n.powi(2) + t.powi(2) } else { n.powi(2) };
@@ -323,7 +325,7 @@ impl<N: Real> Impact<N> {
 
     fn check<W: Worksheet<Num = N>>(&self, after: [[N; 2]; 2], sheet: W) {
         sheet.verify(|| {
-            let [Some(first_mass), second_mass] = self.masses else { unreachable!("A has a mass") };
+            let (first_mass, second_mass) = (self.mass, self.struck);
             let [[first, _], [second, _]] = after;
             if let Some(mass) = second_mass {
                 let before = first_mass * self.first[0];
@@ -360,7 +362,6 @@ impl<N: Real> Impact<N> {
 
 const SPEED_A: [&str; 2] = ["Speed of A after", "Angle of A to the line of impact after"];
 const SPEED_B: [&str; 2] = ["Speed of B after", "Angle of B to the line of impact after"];
-
 const SPEED_BOTH: [&str; 2] = ["Common speed after", "Angle of both to the line of impact"];
 
 /// Answers speed and direction of a body. Without friction the component across the line of impact is as before.

@@ -9,7 +9,7 @@ use dalembert_mechanics::{
     Real,
     vibration::{
         poles::Poles,
-        response::{HarmonicLoad, Push, TimeExcitation, TimeResponse, state_by_series},
+        response::{TimeExcitation, TimeResponse, state_by_series},
     },
 };
 use nalgebra::{Complex, DMatrix, DVector};
@@ -173,28 +173,20 @@ impl MultiDegreeResponse {
         for row in &self.forces {
             let on =
                 |size: f64| DVector::from_fn(n, |at, _| if at + 1 == row.coordinate { size } else { 0.0 });
-            match row.course.history()? {
-                History::Pieces(force, pieces) => {
-                    excitation.pushes.push(Push { force: on(force), pieces });
-                }
-                History::Harmonic([force, frequency, lag]) => {
-                    excitation.harmonics.push(HarmonicLoad { force: on(force), frequency, lag });
-                }
-            }
+            row.course.history()?.add_to(&mut excitation, on);
         }
         // In coordinates relative to the base the inertia forces of its motion act: −M 1 a.
         let inertia = -(mass * DVector::from_element(n, 1.0));
         for row in &self.base {
-            match row.course.history()? {
-                History::Pieces(size, pieces) => {
-                    excitation.pushes.push(Push { force: &inertia * size, pieces });
-                }
-                History::Harmonic([size, frequency, lag]) => {
-                    excitation.harmonics.push(HarmonicLoad { force: &inertia * size, frequency, lag });
-                }
-            }
+            row.course.history()?.add_to(&mut excitation, |size| &inertia * size);
         }
         Ok(excitation)
+    }
+
+    /// Time histories of forces and of the base.
+    fn histories(&self) -> impl Iterator<Item = History> {
+        let forces = self.forces.iter().map(|row| row.course.history());
+        forces.chain(self.base.iter().map(|row| row.course.history())).flatten()
     }
 
     /// Default time span of the curves.
@@ -205,9 +197,7 @@ impl MultiDegreeResponse {
             .iter()
             .find(|square| **square > 0.0)
             .map_or(0.0, |square| std::f64::consts::TAU / square.sqrt());
-        let forces = self.forces.iter().map(|row| row.course.history());
-        let base = self.base.iter().map(|row| row.course.history());
-        let forced = forces.chain(base).flatten().map(|history| history.end());
+        let forced = self.histories().map(|history| history.end());
         let forced = forced.fold(0.0, f64::max);
         (1.2 * last_asked).max(forced + 3.0 * period).max(1e-9)
     }
@@ -269,8 +259,7 @@ impl MultiDegreeResponse {
 
     /// A harmonic force at a natural frequency without damping: the motion is right, and grows.
     fn resonance<W: Worksheet>(&self, found: &WorkedModes<W::Num>, damped: &ModalDamping, sheet: W) {
-        let histories = self.forces.iter().map(|row| row.course.history());
-        for history in histories.chain(self.base.iter().map(|row| row.course.history())).flatten() {
+        for history in self.histories() {
             let History::Harmonic([_, frequency, _]) = history else { continue };
             let square = frequency * frequency;
             let near = (0..found.modes.squares.len()).find(|&mode| {

@@ -1,7 +1,8 @@
 //! Time histories of forces and of accelerations of the base, as straight pieces and harmonics.
 
 use dalembert_core::{Inputs, Refusal};
-use dalembert_mechanics::vibration::response::ForceSegment;
+use dalembert_mechanics::vibration::response::{ForceSegment, HarmonicLoad, Push, TimeExcitation};
+use nalgebra::DVector;
 
 use crate::shared::load::AccelerationPoint;
 
@@ -165,6 +166,16 @@ impl AccelerationHistory {
 }
 
 impl History {
+    /// Adds it to an excitation, as the forces that `of` makes of its size.
+    pub(super) fn add_to(self, excitation: &mut TimeExcitation, of: impl Fn(f64) -> DVector<f64>) {
+        match self {
+            History::Pieces(size, pieces) => excitation.pushes.push(Push { force: of(size), pieces }),
+            History::Harmonic([size, frequency, lag]) => {
+                excitation.harmonics.push(HarmonicLoad { force: of(size), frequency, lag });
+            }
+        }
+    }
+
     /// Time after which nothing new begins, or six periods of a harmonic.
     pub(super) fn end(&self) -> f64 {
         match self {

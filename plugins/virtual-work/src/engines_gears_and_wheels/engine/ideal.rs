@@ -87,7 +87,7 @@ impl Indicated {
     pub(super) fn opposite(&self, angle: f64, fraction: f64, out: bool) -> f64 {
         match self {
             Indicated::Drawn(diagram) => diagram.opposite(angle, fraction, out),
-            Indicated::Ideal(cycle) => cycle.inlet,
+            Indicated::Ideal(cycle) => cycle.numbers.inlet,
         }
     }
 
@@ -102,24 +102,18 @@ impl Indicated {
     pub(super) fn corners(&self) -> Corners {
         match self {
             Indicated::Drawn(diagram) => diagram.corners(),
-            Indicated::Ideal(cycle) => Corners::Fractions(vec![cycle.cut_off]),
+            Indicated::Ideal(cycle) => Corners::Fractions(vec![cycle.cut_off()]),
         }
     }
 }
 
-/// An ideal cycle in absolute pressures, Pa; volumes in parts of the swept volume. It begins with the combustion.
+/// An ideal cycle over the crank angle, in Pa; it begins with the combustion.
 #[derive(Clone, Debug)]
 pub(super) struct IdealCycle {
-    pub inlet: f64,
-    pub peak: f64,
-    /// Fraction of the stroke at the cut-off; zero without a combustion at constant pressure.
-    pub cut_off: f64,
-    pub clearance: f64,
-    /// Exponents of compression and expansion.
-    pub exponents: [f64; 2],
-    pub turns: u8,
+    numbers: WorkedCycle<f64>,
+    turns: u8,
     /// Crank angles of the dead centres: away from the crankshaft, and towards it.
-    pub dead_centres: [f64; 2],
+    dead_centres: [f64; 2],
 }
 
 /// The stroke that a crank angle falls in.
@@ -131,6 +125,11 @@ pub(super) enum EngineStroke {
 }
 
 impl IdealCycle {
+    /// Fraction of the stroke at the cut-off; zero without a combustion at constant pressure.
+    fn cut_off(&self) -> f64 {
+        self.numbers.cut_off.unwrap_or(0.0)
+    }
+
     pub(super) fn stroke(&self, angle: f64) -> EngineStroke {
         // What rounding leaves before a dead centre belongs to the stroke after it.
         let [outer, inner] = self.dead_centres;
@@ -146,20 +145,13 @@ impl IdealCycle {
     }
 
     fn pressure(&self, angle: f64, fraction: f64) -> f64 {
-        let volume = fraction.clamp(0.0, 1.0) + self.clearance;
-        let [compression, expansion] = self.exponents;
-        match self.stroke(angle) {
-            EngineStroke::Exchange => self.inlet,
-            EngineStroke::Compression => self.inlet * ((1.0 + self.clearance) / volume).powf(compression),
-            EngineStroke::Expansion if fraction <= self.cut_off => self.peak,
-            EngineStroke::Expansion => self.peak * ((self.cut_off + self.clearance) / volume).powf(expansion),
-        }
+        self.numbers.pressure_in(self.stroke(angle), fraction.clamp(0.0, 1.0)).0
     }
 
     /// Mean effective pressure by the area of the diagram, strip by strip, and the size of what is added up.
     pub(super) fn area(&self) -> [f64; 2] {
-        let [compression, expansion] = self.exponents;
-        let end = 1.0 + self.clearance;
+        let WorkedCycle { inlet, peak, clearance, exponents: [compression, expansion], .. } = self.numbers;
+        let (end, cut_off) = (1.0 + clearance, self.cut_off());
         // Over the logarithm of the volume a polytropic is smooth, whatever its exponent.
         let under = |from: f64, exponent: f64, pressure: f64| {
             let grown = (end / from).ln();
@@ -169,14 +161,15 @@ impl IdealCycle {
                     volume * pressure * (from / volume).powf(exponent)
                 })
         };
-        let first = self.inlet * (end / self.clearance).powf(compression);
-        let work = under(self.cut_off + self.clearance, expansion, self.peak) + self.peak * self.cut_off;
-        let spent = under(self.clearance, compression, first);
+        let first = inlet * (end / clearance).powf(compression);
+        let work = under(cut_off + clearance, expansion, peak) + peak * cut_off;
+        let spent = under(clearance, compression, first);
         [work - spent, work + spent]
     }
 }
 
-/// An ideal cycle, worked.
+/// An ideal cycle in absolute pressures; volumes in parts of the swept volume.
+#[derive(Clone, Copy, Debug)]
 pub(super) struct WorkedCycle<N> {
     inlet: N,
     peak: N,
@@ -251,22 +244,28 @@ impl<N: Real> WorkedCycle<N> {
     }
 
     pub(super) fn plain(&self, strokes: Strokes, dead_centres: [f64; 2]) -> IdealCycle {
-        IdealCycle {
+        let numbers = WorkedCycle {
             inlet: self.inlet.value(),
             peak: self.peak.value(),
-            cut_off: self.cut_off.map_or(0.0, Real::value),
+            cut_off: self.cut_off.map(Real::value),
             clearance: self.clearance.value(),
             exponents: self.exponents.map(Real::value),
-            turns: strokes.turns(),
-            dead_centres,
-        }
+            compressed: self.compressed.value(),
+        };
+        IdealCycle { numbers, turns: strokes.turns(), dead_centres }
     }
 
     /// The absolute pressure at a fraction of the stroke.
     pub(super) fn pressure<W: Worksheet<Num = N>>(&self, stroke: EngineStroke, fraction: N, sheet: W) -> N {
+        let (value, why) = self.pressure_in(stroke, fraction);
+        sheet.step("p′", "kPa", value, (why, KHURMI.at("ch. 15")))
+    }
+
+    /// The same, with the reason of the formula.
+    fn pressure_in(&self, stroke: EngineStroke, fraction: N) -> (N, &'static str) {
         let [compression, expansion] = self.exponents;
         let volume = fraction + self.clearance;
-        let (value, why) = match stroke {
+        match stroke {
             EngineStroke::Exchange => (self.inlet, "Suction and exhaust: the pressure of the inlet"),
             EngineStroke::Compression => (
                 self.inlet * ((self.clearance + 1.0) / volume).pow(compression),
@@ -285,8 +284,7 @@ impl<N: Real> WorkedCycle<N> {
                     "Expansion from the dead centre, p vᵏ constant",
                 ),
             },
-        };
-        sheet.step("p′", "kPa", value, (why, KHURMI.at("ch. 15")))
+        }
     }
 
     /// Answers mean effective pressure and work of a cycle.
@@ -335,8 +333,8 @@ impl<N: Real> WorkedCycle<N> {
             let what = "pressure at the end of the compression, from the volumes";
             sheet.check(what, self.compressed, plain.pressure(outer - 1e-6, 0.0).into());
             // Back from the end of the expansion.
-            let [_, exponent] = plain.exponents;
-            let grown = ((1.0 + plain.clearance) / (plain.cut_off + plain.clearance)).powf(exponent);
+            let WorkedCycle { clearance, exponents: [_, exponent], .. } = plain.numbers;
+            let grown = ((1.0 + clearance) / (plain.cut_off() + clearance)).powf(exponent);
             let what = "maximum pressure, back from the end of the expansion";
             sheet.check(what, self.peak, (plain.pressure(inner - 1e-6, 1.0) * grown).into());
         });
