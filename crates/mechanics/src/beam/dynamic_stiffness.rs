@@ -11,7 +11,7 @@
 
 use nalgebra::{Matrix2, Matrix4, Vector2, Vector4};
 
-use self::search::Search;
+pub use self::search::Search;
 use dalembert_numerics::{gauss_legendre, roots};
 
 pub mod frame;
@@ -156,7 +156,11 @@ impl Beam {
         self.count_below(lambda, SEGMENTS[0])
     }
 
-    fn count_below(&self, lambda: f64, angle: f64) -> Result<usize, BeamError> {
+    /// The same with the beam divided into segments in which no wave turns through more than this angle, rad.
+    ///
+    /// # Errors
+    /// `TooSlender`.
+    pub fn count_below(&self, lambda: f64, angle: f64) -> Result<usize, BeamError> {
         let chain = self.chain(lambda, angle)?;
         let clamped: usize = chain.segments.iter().map(|segment| segment.clamped).sum();
         Ok(clamped + chain.pivots().iter().map(negatives).sum::<usize>())

@@ -83,11 +83,7 @@ impl Tapered {
 
     /// Motions of the beam as a whole that nothing holds.
     pub fn rigid_motions(&self) -> usize {
-        match self.supports {
-            [EndSupport::Free, EndSupport::Free] => 2,
-            [EndSupport::Pinned, EndSupport::Free] | [EndSupport::Free, EndSupport::Pinned] => 1,
-            _ => 0,
-        }
+        rigid_motions(self.supports)
     }
 
     /// The first `count` frequencies and shapes with so many terms; `terms` is at least `count` and the motions as a
@@ -145,33 +141,15 @@ impl Tapered {
             inner.iter().map(part).sum::<f64>()
         };
         let moments: Vec<f64> = points.iter().map(|(xi, _)| hanging(*xi)).collect();
-        // Reactions at the right end add c₀ + c₁(1 − ξ); statics at the left end may fix them.
-        let (whole, force) = (hanging(0.0), -inertia.iter().sum::<f64>());
-        let (fixed, free): ([f64; 2], Vec<[f64; 2]>) = match self.supports {
-            [_, EndSupport::Free] => ([0.0, 0.0], vec![]),
-            [EndSupport::Free, _] => ([-whole - force, force], vec![]),
-            [EndSupport::Pinned, EndSupport::Pinned] => ([0.0, -whole], vec![]),
-            [EndSupport::Pinned, EndSupport::Clamped] => ([-whole, 0.0], vec![[1.0, -1.0]]),
-            [EndSupport::Clamped, EndSupport::Pinned] => ([0.0, 0.0], vec![[0.0, 1.0]]),
-            [EndSupport::Clamped, EndSupport::Clamped] => ([0.0, 0.0], vec![[1.0, 0.0], [0.0, 1.0]]),
-        };
-        let along = |c: [f64; 2], xi: f64| c[0] + c[1] * (1.0 - xi);
-        let known: Vec<f64> =
-            moments.iter().zip(&points).map(|(moment, (xi, _))| moment + along(fixed, *xi)).collect();
-        let size = |(xi, weight): (f64, f64)| (weight / self.second_moment(xi)).sqrt();
-        let right = DVector::from_fn(points.len(), |n, _| known[n] * size(points[n]));
-        let residual = if free.is_empty() {
-            right
-        } else {
-            let matrix = DMatrix::from_fn(points.len(), free.len(), |n, k| {
-                -along(free[k], points[n].0) * size(points[n])
-            });
-            let open = linalg::least_squares(&matrix, &right)?.x;
-            &right - matrix * open
-        };
+        let whole = [-inertia.iter().sum::<f64>(), hanging(0.0)];
+        let stations = moments.iter().zip(&points).map(|(moment, &(xi, weight))| {
+            let share = (weight / self.second_moment(xi)).sqrt();
+            MomentStation { xi, moment: *moment, share }
+        });
+        let energy = least_complementary_energy(self.supports, whole, &stations.collect::<Vec<_>>())?;
         let kinetic: f64 =
             inertia.iter().zip(&points).map(|(force, (xi, _))| force * shape.deflection(*xi)).sum();
-        Ok(kinetic / residual.norm_squared())
+        Ok(kinetic / energy)
     }
 }
 
@@ -204,6 +182,54 @@ impl RitzShape {
         self.coefficients.iter_mut().for_each(|c| *c /= crest);
         self
     }
+}
+
+/// Motions of a beam as a whole that the supports of its ends leave.
+pub(super) fn rigid_motions(supports: [EndSupport; 2]) -> usize {
+    let held: i32 = supports.into_iter().map(EndSupport::power).sum();
+    2usize.saturating_sub(held as usize)
+}
+
+/// A station of the integral over the complementary energy of a beam.
+pub(super) struct MomentStation {
+    /// Place from 0 to 1.
+    pub(super) xi: f64,
+    /// Moment there of the loads to its right, nothing else holding them.
+    pub(super) moment: f64,
+    /// Square root of its share in the integral over the second moment of area.
+    pub(super) share: f64,
+}
+
+/// The least `∫ M²/I dξ` of the bending moments that hold the loads in balance; `whole` are the force of all loads on the
+/// beam, reversed, and their moment about the left end.
+///
+/// # Errors
+/// Those of the least squares for what the supports leave open.
+pub(super) fn least_complementary_energy(
+    supports: [EndSupport; 2],
+    [force, whole]: [f64; 2],
+    stations: &[MomentStation],
+) -> Result<f64, LinalgError> {
+    // Reactions at the right end add c₀ + c₁(1 − ξ); statics at the left end may fix them.
+    let (fixed, free): ([f64; 2], Vec<[f64; 2]>) = match supports {
+        [_, EndSupport::Free] => ([0.0, 0.0], vec![]),
+        [EndSupport::Free, _] => ([-whole - force, force], vec![]),
+        [EndSupport::Pinned, EndSupport::Pinned] => ([0.0, -whole], vec![]),
+        [EndSupport::Pinned, EndSupport::Clamped] => ([-whole, 0.0], vec![[1.0, -1.0]]),
+        [EndSupport::Clamped, EndSupport::Pinned] => ([0.0, 0.0], vec![[0.0, 1.0]]),
+        [EndSupport::Clamped, EndSupport::Clamped] => ([0.0, 0.0], vec![[1.0, 0.0], [0.0, 1.0]]),
+    };
+    let along = |c: [f64; 2], xi: f64| c[0] + c[1] * (1.0 - xi);
+    let right = stations.iter().map(|at| (at.moment + along(fixed, at.xi)) * at.share);
+    let right = DVector::from_iterator(stations.len(), right);
+    if free.is_empty() {
+        return Ok(right.norm_squared());
+    }
+    let matrix = DMatrix::from_fn(stations.len(), free.len(), |n, k| {
+        -along(free[k], stations[n].xi) * stations[n].share
+    });
+    let open = linalg::least_squares(&matrix, &right)?.x;
+    Ok((&right - matrix * open).norm_squared())
 }
 
 /// Value, first and second derivative of `ξ^a (1 − ξ)^b P_j(2ξ − 1)`, `j` from 0.

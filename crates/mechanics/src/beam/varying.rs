@@ -7,15 +7,13 @@
 //! Deflection and slope are continuous at the points; with each term more between them the `λ` fall towards the exact ones
 //! (Rao, *Mechanical Vibrations*, 5th ed., §8.8).
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
-use dalembert_numerics::{
-    gauss_legendre,
-    linalg::{self, LinalgError},
-    roots,
+use dalembert_numerics::{gauss_legendre, linalg::LinalgError, roots};
+
+use super::tapered::{
+    EndSupport, MomentStation, basis, generalised, least_complementary_energy, rigid_motions,
 };
-
-use super::tapered::{EndSupport, basis, generalised};
 
 /// Width and depth at a point of the beam.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,12 +91,7 @@ impl Varying {
 
     /// Motions of the beam as a whole that nothing holds.
     pub fn rigid_motions(&self) -> usize {
-        let holds = self.supports.map(|support| match support {
-            EndSupport::Free => 0,
-            EndSupport::Pinned => 1,
-            EndSupport::Clamped => 2,
-        });
-        2usize.saturating_sub(holds[0] + holds[1])
+        rigid_motions(self.supports)
     }
 
     /// The first `count` frequencies and shapes with so many polynomials inside of each part.
@@ -189,7 +182,7 @@ impl Varying {
             let own = stretch(part, 0.0);
             beyond[part] = [beyond[part + 1][0] + own[0], beyond[part + 1][1] + own[1]];
         }
-        let mut points = Vec::new();
+        let mut stations = Vec::new();
         let mut kinetic = 0.0;
         for part in 0..self.parts() {
             let (length, start) = (self.length(part), self.points[part].place);
@@ -199,33 +192,12 @@ impl Varying {
                 let rest = stretch(part, *t);
                 let [force, moment] = [rest[0] + beyond[part + 1][0], rest[1] + beyond[part + 1][1]];
                 kinetic += weight * length * area * shape.in_part(part, *t).powi(2);
-                points.push((xi, moment - xi * force, (weight * length / second_moment).sqrt()));
+                let share = (weight * length / second_moment).sqrt();
+                stations.push(MomentStation { xi, moment: moment - xi * force, share });
             }
         }
-        // Reactions at the right end add c₀ + c₁(1 − ξ); statics at the left end may fix them.
-        let [force, whole] = [-beyond[0][0], beyond[0][1]];
-        let (fixed, free): ([f64; 2], Vec<[f64; 2]>) = match self.supports {
-            [_, EndSupport::Free] => ([0.0, 0.0], vec![]),
-            [EndSupport::Free, _] => ([-whole - force, force], vec![]),
-            [EndSupport::Pinned, EndSupport::Pinned] => ([0.0, -whole], vec![]),
-            [EndSupport::Pinned, EndSupport::Clamped] => ([-whole, 0.0], vec![[1.0, -1.0]]),
-            [EndSupport::Clamped, EndSupport::Pinned] => ([0.0, 0.0], vec![[0.0, 1.0]]),
-            [EndSupport::Clamped, EndSupport::Clamped] => ([0.0, 0.0], vec![[1.0, 0.0], [0.0, 1.0]]),
-        };
-        let along = |c: [f64; 2], xi: f64| c[0] + c[1] * (1.0 - xi);
-        let right = DVector::from_iterator(
-            points.len(),
-            points.iter().map(|(xi, moment, size)| (moment + along(fixed, *xi)) * size),
-        );
-        let residual = if free.is_empty() {
-            right
-        } else {
-            let matrix =
-                DMatrix::from_fn(points.len(), free.len(), |n, k| -along(free[k], points[n].0) * points[n].2);
-            let open = linalg::least_squares(&matrix, &right)?.x;
-            &right - matrix * open
-        };
-        Ok(kinetic / residual.norm_squared())
+        let energy = least_complementary_energy(self.supports, [-beyond[0][0], beyond[0][1]], &stations)?;
+        Ok(kinetic / energy)
     }
 }
 

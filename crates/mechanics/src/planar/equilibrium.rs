@@ -191,22 +191,30 @@ impl Model {
             } else if a.effort.signum() == b.effort.signum() {
                 continue;
             } else {
-                let effort = |value: f64| {
-                    let there = self.continue_to(&a.positions, &[value]).ok();
-                    there
-                        .and_then(|there| self.holding_efforts(&there.positions).ok())
-                        .map_or(f64::NAN, |e| e[0])
-                };
-                let ends = if a.value < b.value { [a.value, b.value] } else { [b.value, a.value] };
-                match roots::find(effort, ends, |_| std::ops::ControlFlow::Continue(())) {
-                    Ok(value) => value,
-                    Err(_) => continue,
+                let effort = |positions: &[[f64; 3]]| self.holding_efforts(positions).ok().map(|e| e[0]);
+                match self.zero_between([a, b], effort) {
+                    Some(value) => value,
+                    None => continue,
                 }
             };
             let positions = self.continue_to(&a.positions, &[value])?.positions;
             found.push(self.classified(vec![value], positions, largest)?);
         }
         Ok(found)
+    }
+
+    /// The value of the driver between two samples at which a function of the positions is zero.
+    fn zero_between(
+        &self,
+        [a, b]: [&SweepSample; 2],
+        function: impl Fn(&[[f64; 3]]) -> Option<f64>,
+    ) -> Option<f64> {
+        let at = |value: f64| {
+            let there = self.continue_to(&a.positions, &[value]).ok();
+            there.and_then(|there| function(&there.positions)).unwrap_or(f64::NAN)
+        };
+        let ends = if a.value < b.value { [a.value, b.value] } else { [b.value, a.value] };
+        roots::find(at, ends, |_| std::ops::ControlFlow::Continue(())).ok()
     }
 
     /// The positions between samples of [`samples`](Model::samples) in which a measure has a value, with the effort along
@@ -229,13 +237,10 @@ impl Model {
             if ends[0].signum() == ends[1].signum() && ends[1] != 0.0 || ends[0] == 0.0 && !found.is_empty() {
                 continue;
             }
-            let there = |value: f64| self.continue_to(&a.positions, &[value]);
-            let at = |value: f64| there(value).map_or(f64::NAN, |there| beyond(&there.positions));
-            let between = if a.value < b.value { [a.value, b.value] } else { [b.value, a.value] };
-            let Ok(value) = roots::find(at, between, |_| std::ops::ControlFlow::Continue(())) else {
+            let Some(value) = self.zero_between([a, b], |positions| Some(beyond(positions))) else {
                 continue;
             };
-            let positions = there(value)?.positions;
+            let positions = self.continue_to(&a.positions, &[value])?.positions;
             let coefficients = self.velocity_coefficients(&self.factored(&positions)?)?;
             let poses = poses(&positions);
             let change = rate(measure, &gradient(measure, &poses), &coefficients[0]);

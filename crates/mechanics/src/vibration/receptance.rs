@@ -16,6 +16,13 @@ const BLOCK: usize = 256;
 /// From so many products on, several threads take less time than one.
 const WORTH_THREADS: usize = 20_000_000;
 
+/// Dynamic stiffness `K − ω² M + i ω C`, of mass, damping and stiffness.
+pub fn dynamic_stiffness([m, c, k]: [&DMatrix<f64>; 3], frequency: f64) -> DMatrix<Complex<f64>> {
+    DMatrix::from_fn(k.nrows(), k.ncols(), |i, j| {
+        Complex::new(k[(i, j)] - frequency * frequency * m[(i, j)], frequency * c[(i, j)])
+    })
+}
+
 /// `(K − ω² M + i ω C) X = F`: the complex amplitudes under a harmonic force.
 ///
 /// # Errors
@@ -27,11 +34,8 @@ pub fn direct(
     force: &DVector<Complex<f64>>,
     frequency: f64,
 ) -> Result<DVector<Complex<f64>>, LinalgError> {
-    let dynamic = DMatrix::from_fn(k.nrows(), k.ncols(), |i, j| {
-        Complex::new(k[(i, j)] - frequency * frequency * m[(i, j)], frequency * c[(i, j)])
-    });
     let right = DMatrix::from_column_slice(force.len(), 1, force.as_slice());
-    Ok(linalg::solve_complex(&dynamic, &right)?.column(0).into_owned())
+    Ok(linalg::solve_complex(&dynamic_stiffness([m, c, k], frequency), &right)?.column(0).into_owned())
 }
 
 /// Real and imaginary parts of `Σ rᵣ/(ωᵣ² − ω² + 2iζᵣωᵣω)` at each frequency; `decays` are the 2ζᵣωᵣ.

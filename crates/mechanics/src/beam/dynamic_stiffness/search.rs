@@ -3,7 +3,7 @@
 use super::{BeamError, SEGMENTS};
 
 /// Functions of a beam that the search for eigenvalues evaluates.
-pub(super) struct Search<Count, Quotient> {
+pub struct Search<Count, Quotient> {
     /// Number of `λ` below a value, the beam being divided into segments of at most a given angle.
     pub count: Count,
     /// Rayleigh's quotient of the shape at a trial `β`.
@@ -18,7 +18,10 @@ where
     Quotient: Fn(f64) -> Result<f64, BeamError>,
 {
     /// The first `count` roots `β_n` above the motions as a whole, ascending.
-    pub(super) fn roots(&self, rigid: usize, count: usize) -> Result<Vec<f64>, BeamError> {
+    ///
+    /// # Errors
+    /// Those of the functions; `NotConverged`.
+    pub fn roots(&self, rigid: usize, count: usize) -> Result<Vec<f64>, BeamError> {
         let mut roots: Vec<f64> = Vec::with_capacity(count);
         for n in 1..=count {
             let lower = roots.last().map_or(0.0, |root| root * (1.0 - 1e-12));

@@ -1,6 +1,7 @@
 //! Loss factors of single springs of a chain: complex stiffness, and the loss factors of the modes.
 
 use dalembert_core::{Refusal, Text, Worksheet};
+use dalembert_mechanics::vibration::receptance;
 use dalembert_numerics::linalg::{self, LinalgError};
 use nalgebra::{Complex, DMatrix, DVector};
 
@@ -77,18 +78,9 @@ impl Losses {
     }
 
     /// `K − ω²M + iωC + iH`; at rest nothing is lost.
-    pub(super) fn dynamic(
-        &self,
-        [mass, damping, stiffness]: [&DMatrix<f64>; 3],
-        frequency: f64,
-    ) -> DMatrix<Complex<f64>> {
+    pub(super) fn dynamic(&self, matrices: [&DMatrix<f64>; 3], frequency: f64) -> DMatrix<Complex<f64>> {
         let lost = f64::from(u8::from(frequency != 0.0));
-        DMatrix::from_fn(mass.nrows(), mass.ncols(), |i, j| {
-            Complex::new(
-                stiffness[(i, j)] - frequency * frequency * mass[(i, j)],
-                frequency * damping[(i, j)] + lost * self.matrix[(i, j)],
-            )
-        })
+        receptance::dynamic_stiffness(matrices, frequency) + self.matrix.map(|h| Complex::new(0.0, lost * h))
     }
 
     /// The displacements under harmonic forces.

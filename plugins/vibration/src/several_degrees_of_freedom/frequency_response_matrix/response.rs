@@ -85,13 +85,9 @@ impl<N> SteadyResponse<'_, N> {
 /// The whole frequency response matrix.
 pub(super) fn matrix<N>(response: &SteadyResponse<'_, N>, frequency: f64) -> Option<DMatrix<Complex<f64>>> {
     let n = response.system.size();
-    let [mass, damping, stiffness] = response.matrices();
     let dynamic = match &response.losses {
         Some(losses) => losses.dynamic(response.matrices(), frequency),
-        None => DMatrix::from_fn(n, n, |i, j| {
-            let inertia = frequency * frequency * mass[(i, j)];
-            Complex::new(stiffness[(i, j)] - inertia, frequency * damping[(i, j)])
-        }),
+        None => receptance::dynamic_stiffness(response.matrices(), frequency),
     };
     ComplexLu::new(&dynamic).and_then(|lu| lu.solve(&DMatrix::identity(n, n))).ok()
 }

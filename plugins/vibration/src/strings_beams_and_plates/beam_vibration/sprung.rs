@@ -1,7 +1,7 @@
 //! Masses on springs along a beam: at each frequency a mass on its spring acts as one stiffness, which changes sign where it
 //! resonates on a beam at rest.
 
-use dalembert_mechanics::beam::dynamic_stiffness::{Beam, BeamError, BeamShape};
+use dalembert_mechanics::beam::dynamic_stiffness::{Beam, BeamError, BeamShape, Search};
 
 /// A mass on a spring at a station of the beam, in units of the beam.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,13 +43,12 @@ impl SprungBeam<'_> {
         }
         // Refuses what the beam itself refuses.
         self.beam.roots(1)?;
-        let rigid = self.beam.rigid_motions();
-        let mut roots: Vec<f64> = Vec::with_capacity(count);
-        for n in 1..=count {
-            let lower = roots.last().map_or(0.0, |root| root * (1.0 - 1e-12));
-            roots.push(self.root(rigid + n, lower)?);
-        }
-        Ok(roots)
+        let search = Search {
+            count: |lambda: f64, angle: f64| self.count_below(lambda, angle),
+            quotient: |beta: f64| Ok(self.quotient(&self.shape(beta)?)),
+            alone: 0.05,
+        };
+        search.roots(self.beam.rigid_motions(), count)
     }
 
     /// The beam with the stiffness of the masses on springs at this `λ`.
@@ -61,10 +60,10 @@ impl SprungBeam<'_> {
         beam
     }
 
-    /// Number of `λ` below this value.
-    fn count(&self, lambda: f64) -> Result<usize, BeamError> {
+    /// Number of `λ` below this value, with segments of at most this angle.
+    fn count_below(&self, lambda: f64, angle: f64) -> Result<usize, BeamError> {
         let own = self.sprung.iter().filter(|sprung| lambda * sprung.mass > sprung.spring).count();
-        Ok(own + self.loaded(lambda).count(lambda)?)
+        Ok(own + self.loaded(lambda).count_below(lambda, angle)?)
     }
 
     /// A function of β that is zero at the roots and nowhere jumps.
@@ -79,45 +78,6 @@ impl SprungBeam<'_> {
             })
             .product();
         Ok(self.loaded(lambda).characteristic(beta)? * poles)
-    }
-
-    /// The lowest β with `wanted` frequencies below it.
-    fn root(&self, wanted: usize, lower: f64) -> Result<f64, BeamError> {
-        let count = |beta: f64| self.count(beta.powi(4));
-        let (mut low, mut high) = (lower, lower + 4.0);
-        while count(high)? < wanted {
-            low = high;
-            high *= 1.5;
-        }
-        for _ in 0..400 {
-            if high - low <= 1e-9 * high {
-                return self.polished([low, high]);
-            }
-            // A root far below one is found by its order of size first.
-            let middle = if low == 0.0 { high / 8.0 } else { 0.5 * (low + high) };
-            if middle < 1e-60 {
-                return Err(BeamError::NotConverged);
-            }
-            if count(middle)? < wanted {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        Err(BeamError::NotConverged)
-    }
-
-    /// The root between two near bounds, from its shape.
-    fn polished(&self, [low, high]: [f64; 2]) -> Result<f64, BeamError> {
-        let mut root = 0.5 * (low + high);
-        for _ in 0..2 {
-            let next = self.quotient(&self.shape(root)?).sqrt().sqrt();
-            if (next / root - 1.0).abs() > 1e-6 {
-                return Err(BeamError::NotConverged);
-            }
-            root = next;
-        }
-        Ok(root)
     }
 
     /// The shape at a root.
