@@ -288,9 +288,7 @@ impl<'d> Part<'d> {
         }
         .or_else(|| self.named_row(row))
     }
-}
 
-impl<'d> Part<'d> {
     /// A row of a list whose rows stand under their names.
     fn named_row(&self, row: usize) -> Option<Part<'d>> {
         match self {

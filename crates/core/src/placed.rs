@@ -10,14 +10,6 @@ pub(crate) struct PlacedFields {
     pub(crate) places: [usize; 3],
 }
 
-/// Carrier of a point that is described in place.
-pub(crate) enum Carrier<'t> {
-    /// An alternative that asks for nothing, by its place: the ground.
-    Plain(usize),
-    /// An alternative whose only input is a reference, by its place, and the name that is referred to: a body.
-    Named(usize, &'t str),
-}
-
 impl PlacedFields {
     /// Those of a shape; `None` unless it is a group of a name, a choice of what carries the point, and a vector.
     pub(crate) fn of(shape: &Shape) -> Option<Self> {
@@ -42,14 +34,13 @@ impl PlacedFields {
         }
     }
 
-    /// Carrier that a name stands for: an alternative that asks for nothing, or else a row that one refers to.
-    pub(crate) fn carrier<'t>(&self, name: &'t str) -> Option<Carrier<'t>> {
+    /// Place of the alternative that a name stands for: one that asks for nothing, as the ground, or else the one whose only
+    /// input refers to a row by its name.
+    pub(crate) fn carrier(&self, name: &str) -> Option<usize> {
         let carriers = self.carriers();
-        if let Some(at) = carriers.iter().position(|one| one.name == name && (one.fields)().is_empty()) {
-            return Some(Carrier::Plain(at));
-        }
+        let plain = carriers.iter().position(|one| one.name == name && (one.fields)().is_empty());
         let refers = |one: &Variant| matches!((one.fields)(), [only] if referred(only).is_some());
-        carriers.iter().position(refers).map(|at| Carrier::Named(at, name))
+        plain.or_else(|| carriers.iter().position(refers))
     }
 }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::{
-    Answer, AnswerValue, ProblemSteps, Sides, Solution,
+    Answer, AnswerValue, Check, ProblemSteps, Sides, Solution,
     reevaluate::ancestors,
     trace::{Id, Op},
 };
@@ -23,32 +23,40 @@ impl Solution {
             Op::Step(step) => Some(step),
             _ => None,
         };
-        let kept: BTreeSet<usize> = nodes.iter().filter_map(needed).collect();
-        let mut narrowed = self.clone();
-        narrowed.steps = kept.iter().map(|step| self.steps[*step].clone()).collect();
-        for node in &mut narrowed.trace.nodes {
+        let kept: Vec<usize> = nodes.iter().filter_map(needed).collect::<BTreeSet<_>>().into_iter().collect();
+        let before = |step: usize| kept.partition_point(|known| *known < step);
+        let mut trace = self.trace.clone();
+        for node in &mut trace.nodes {
             if let Op::Step(step) = &mut node.op {
-                match kept.iter().position(|known| known == step) {
-                    Some(place) => *step = place,
+                match kept.binary_search(step) {
+                    Ok(place) => *step = place,
                     // Nothing that is kept refers to it.
-                    None => node.op = Op::Literal,
+                    Err(_) => node.op = Op::Literal,
                 }
             }
         }
-        let before = |step: usize| kept.range(..step).count();
         let of_problem = |of: &ProblemSteps| ProblemSteps {
             steps: before(of.steps.start)..before(of.steps.end),
             exhibits: 0..0,
             ..of.clone()
         };
-        narrowed.problems = self.problems.iter().map(of_problem).filter(|of| !of.steps.is_empty()).collect();
-        narrowed.checks.retain(|check| match check.sides {
+        let is_of_these = |check: &&Check| match check.sides {
             Sides::Both(one, other) => nodes.contains(&one) || nodes.contains(&other),
             Sides::One(one) | Sides::Residual(one) => nodes.contains(&one),
             Sides::Plain => false,
-        });
-        narrowed.answers = answers;
-        narrowed.exhibits.clear();
-        narrowed
+        };
+        Solution {
+            answers,
+            steps: kept.iter().map(|step| self.steps[*step].clone()).collect(),
+            problems: self.problems.iter().map(of_problem).filter(|of| !of.steps.is_empty()).collect(),
+            exhibits: Vec::new(),
+            checks: self.checks.iter().filter(is_of_these).cloned().collect(),
+            warnings: self.warnings.clone(),
+            defects: self.defects.clone(),
+            determined: self.determined.clone(),
+            computed: self.computed.clone(),
+            units: self.units,
+            trace,
+        }
     }
 }

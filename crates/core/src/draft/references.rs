@@ -6,7 +6,7 @@ use super::{join, read_leaf};
 use crate::{
     FieldError, Record, Shape, Text, Value, definitions, kinds,
     path::unknown,
-    placed::{self, Carrier, PlacedFields},
+    placed::{self, PlacedFields},
 };
 
 /// The most references without a row for which the nearest name is sought.
@@ -144,20 +144,14 @@ fn placed_row(
     path: &str,
 ) -> Result<Option<Value>, Vec<FieldError>> {
     let Some((carrier, position)) = placed::split(text) else { return Ok(None) };
-    let variants = point.carriers();
-    let on = match point.carrier(carrier).filter(|_| !carrier.is_empty()) {
-        Some(Carrier::Plain(variant)) => {
-            Value::OneOf { variant, fields: Record::new((variants[variant].fields)(), Vec::new()) }
-        }
-        Some(Carrier::Named(variant, name)) => {
-            let fields = (variants[variant].fields)();
-            let list = fields.first().and_then(placed::referred).unwrap_or_default();
-            find_row(lists, list, name, true).map_err(|why| vec![FieldError::new(path, why)])?;
-            let reference = Value::Reference { name: name.to_owned(), row: usize::MAX };
-            Value::OneOf { variant, fields: Record::new(fields, vec![reference]) }
-        }
-        None => return Ok(None),
-    };
+    let Some(variant) = point.carrier(carrier).filter(|_| !carrier.is_empty()) else { return Ok(None) };
+    let fields = (point.carriers()[variant].fields)();
+    let mut inner = Vec::new();
+    if let Some(list) = fields.first().and_then(placed::referred) {
+        find_row(lists, list, carrier, true).map_err(|why| vec![FieldError::new(path, why)])?;
+        inner.push(Value::Reference { name: carrier.to_owned(), row: usize::MAX });
+    }
+    let on = Value::OneOf { variant, fields: Record::new(fields, inner) };
     let [name, of, at] = point.places;
     let mut values = vec![Value::Absent; point.fields.len()];
     values[name] = Value::Text(text.to_owned());

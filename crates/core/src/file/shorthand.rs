@@ -6,7 +6,7 @@ use toml_edit::{Array, InlineTable, Item, TableLike, Value as Toml};
 
 use crate::{
     Field, Shape,
-    placed::{self, Carrier, PlacedFields},
+    placed::{self, PlacedFields},
 };
 
 /// A shorter form of a list or of its rows.
@@ -111,18 +111,13 @@ fn row_of_value(value: &Toml, fields: &'static [Field], shape: &Shape) -> Option
     if let (Some(point), Some(text)) = (PlacedFields::of(shape), value.as_str()) {
         let (carrier, position) = placed::split(text)?;
         let [_, on, at] = point.places.map(|place| fields[place].name);
-        match point.carrier(carrier) {
-            _ if carrier.is_empty() => {}
-            Some(Carrier::Plain(_)) => {
-                row.insert(on, carrier.into());
-            }
-            Some(Carrier::Named(place, name)) => {
-                let variant = &point.carriers()[place];
-                let [only] = (variant.fields)() else { return None };
-                let named = |key: &str, value: Toml| Toml::InlineTable([(key, value)].into_iter().collect());
-                row.insert(on, named(variant.name, named(only.name, name.into())));
-            }
-            None => return None,
+        if !carrier.is_empty() {
+            let variant = &point.carriers()[point.carrier(carrier)?];
+            let value = match (variant.fields)() {
+                [] => carrier.into(),
+                [only, ..] => table_of(variant.name, table_of(only.name, carrier.into())),
+            };
+            row.insert(on, value);
         }
         row.insert(at, position.into());
     } else {
@@ -133,4 +128,9 @@ fn row_of_value(value: &Toml, fields: &'static [Field], shape: &Shape) -> Option
         row.insert(only.name, value.clone());
     }
     Some(Item::Value(Toml::InlineTable(row)))
+}
+
+/// A table with one key.
+fn table_of(key: &str, value: Toml) -> Toml {
+    Toml::InlineTable([(key, value)].into_iter().collect())
 }

@@ -130,17 +130,17 @@ impl Pane for Working {
             let before = self.visited.pop();
             return Some(self.put(before));
         }
-        let solution = working(problem)?.into_owned();
-        let found = &mut problem.found;
         Some(match (action, self.symbol) {
-            (Action::Reveal, _) if found.revealed.is_some() => {
-                let step = steps::shown(found.revealed, &solution);
+            (Action::Reveal, _) if problem.found.revealed.is_some() => {
+                let found = &mut problem.found;
+                let solution = found.solution.as_ref()?;
+                let step = steps::shown(found.revealed, solution);
                 found.revealed = Some(step + 1).filter(|next| *next < solution.steps.len());
                 let last = found.revealed.is_none().then(|| Intent::Say("every step is revealed".into()));
                 last.into_iter().chain([Intent::BringIn(step)]).collect()
             }
             (Action::Left | Action::Right, _) | (Action::Enter, None) => {
-                let revealed = problem.found.revealed;
+                let (solution, revealed) = (working(problem)?, problem.found.revealed);
                 let first = self.first_seen(problem, ui);
                 match self.beside(&solution, revealed, first, action != Action::Left) {
                     Some(symbol) => self.put(Some(symbol)),
@@ -148,6 +148,7 @@ impl Pane for Working {
                 }
             }
             (Action::Enter, Some(symbol)) => {
+                let solution = working(problem)?;
                 let Some(id) = symbols(&solution, symbol.0).get(symbol.1).copied() else {
                     return Some(Intent::say("this step depends on no other symbol"));
                 };

@@ -138,7 +138,7 @@ impl Parts {
                 vec![self.contour(&connection.name, *centre, contour, follower)?]
             }
             Joint::Geneva { driver, wheel, carrier, slots, direction, pin } => {
-                let geometry = GenevaWheel::new(*slots, direction - pin)
+                let geometry = geneva_wheel(*slots, *direction, *pin)
                     .ok_or_else(|| Refusal::because("a Geneva wheel has at least three slots"))?;
                 vec![planar::PlanarJoint::Geneva {
                     driver: Some(driver.0),
@@ -160,8 +160,7 @@ impl Parts {
         follower: &Follower,
     ) -> Result<planar::PlanarJoint, Refusal> {
         let refuse = |why: &'static str| Refusal::because(Text::new(why).with("name", name));
-        let points: Vec<[f64; 2]> = contour.iter().map(|point| [point.angle, point.radius]).collect();
-        let outline = Profile::through(&points, Some(TAU)).ok_or_else(|| {
+        let outline = outline(contour).ok_or_else(|| {
             refuse("the contour of the cam {name} needs at least three points with increasing angles within one revolution")
         })?;
         let cam = self.point(centre);
@@ -312,6 +311,17 @@ impl Parts {
         let (system, positions) = system.with_drivers_at(&positions, &values).map_err(refuse)?;
         Ok((system, rows, positions))
     }
+}
+
+/// The contour of a cam as a closed curve, radius over angle.
+pub(super) fn outline(contour: &[ContourPoint]) -> Option<Profile> {
+    let points: Vec<[f64; 2]> = contour.iter().map(|point| [point.angle, point.radius]).collect();
+    Profile::through(&points, Some(TAU))
+}
+
+/// A Geneva wheel from the direction of the line of centres and the angle of the pin on its driver.
+pub(super) fn geneva_wheel(slots: u32, direction: f64, pin: f64) -> Option<GenevaWheel> {
+    GenevaWheel::new(slots, direction - pin)
 }
 
 /// The joints of the mechanism that the joint in a row of the form stands for, with the rows of all in ascending order.

@@ -3,9 +3,13 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use dalembert_core::{Ink, Reference, Sketch};
-use dalembert_mechanics::planar::{BodyFrame, BodyPoint, GenevaWheel, Model, PlanarState, Pose, Profile};
+use dalembert_mechanics::planar::{BodyFrame, BodyPoint, Model, PlanarState, Pose, Profile};
 
-use super::{Connection, ContourPoint, Follower, Joint, PartLoad, Parts, verbatim};
+use super::{
+    Connection, Follower, Joint, PartLoad, Parts,
+    assembled::{geneva_wheel, outline},
+    verbatim,
+};
 
 impl Parts {
     /// The size of the drawing; that of the mechanism where all points are in one place.
@@ -92,7 +96,9 @@ impl Parts {
                     let corner = |[angle, radius]: [f64; 2]| {
                         (x + radius * (angle + turned).cos(), y + radius * (angle + turned).sin())
                     };
-                    sketch.curve(outline_of(contour).into_iter().map(corner).collect::<Vec<_>>(), Ink::Body);
+                    if let Some(outline) = outline(contour) {
+                        sketch.curve(corners_of(&outline).map(corner).collect::<Vec<_>>(), Ink::Body);
+                    }
                     if let Follower::Roller { centre, radius } = follower {
                         sketch.circle(at(*centre), *radius, Ink::Body);
                     }
@@ -142,7 +148,7 @@ impl Parts {
             return None;
         };
         let carried = carrier.frame().map_or(0.0, |body| state.positions[body][2]);
-        let geometry = GenevaWheel::new(*slots, direction - pin)?;
+        let geometry = geneva_wheel(*slots, *direction, *pin)?;
         Some(direction + carried + PI + geometry.at(state.positions[driver.0][2] - carried)[0])
     }
 
@@ -195,17 +201,10 @@ fn draw_geneva([driver, wheel]: [(f64, f64); 2], (slots, slot, arm): (u32, f64, 
     sketch.curve([driver, pin], Ink::Body).joint("", pin);
 }
 
-/// The contour of a cam at equal angles, closed; its table where no curve goes through it.
-fn outline_of(contour: &[ContourPoint]) -> Vec<[f64; 2]> {
+/// The contour of a cam at equal angles, closed.
+fn corners_of(outline: &Profile) -> impl Iterator<Item = [f64; 2]> {
     const PARTS: usize = 72;
-    let points: Vec<[f64; 2]> = contour.iter().map(|point| [point.angle, point.radius]).collect();
-    match Profile::through(&points, Some(TAU)) {
-        Some(outline) => (0..=PARTS)
-            .map(|n| TAU * n as f64 / PARTS as f64)
-            .map(|angle| [angle, outline.at(angle)[0]])
-            .collect(),
-        None => points,
-    }
+    (0..=PARTS).map(|n| TAU * n as f64 / PARTS as f64).map(|angle| [angle, outline.at(angle)[0]])
 }
 
 /// Position of a point.
