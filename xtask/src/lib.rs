@@ -7,6 +7,7 @@ pub mod bench;
 pub mod cluster;
 pub mod docs;
 pub mod find;
+pub mod first_entry;
 pub mod new_analysis;
 pub mod new_plugin;
 pub mod parquet;

@@ -3,8 +3,8 @@
 use std::{env, process::ExitCode};
 
 use xtask::{
-    bench, cluster, docs, find, new_analysis, new_plugin, parquet, pictures, python, root, soak, tidy,
-    verify, words,
+    bench, cluster, docs, find, first_entry, new_analysis, new_plugin, parquet, pictures, python, root, soak,
+    tidy, verify, words,
 };
 
 const USAGE: &str = "\
@@ -27,6 +27,7 @@ usage: cargo xtask COMMAND
   python                     the wheel of the Python module, built and installed, its tests, notebook and Dask example
   parquet                    the program built with Parquet: clippy, and tables written and read back
   cluster [POINTS]           a study killed and resumed, in shards by GNU parallel and by a real Slurm: the same bytes?
+  first-entry                the rate of published problems that were right at their first entry, from the history
   bench [PART]...            measure; parts: plain units solve keys tui
 ";
 
@@ -59,6 +60,7 @@ fn main() -> ExitCode {
             Ok(points) => cluster::run(&root(), points),
             Err(_) => Err(anyhow::anyhow!("write a number of points behind `cargo xtask cluster`")),
         },
+        ["first-entry"] => first_entry::run(&root()),
         ["bench", parts @ ..] => bench::run(&root(), parts),
         ["help" | "--help" | "-h"] => {
             print!("{USAGE}");
