@@ -27,7 +27,7 @@ use std::{
     sync::Arc,
 };
 
-use dalembert_units::{self as units, Dim, Quantity, Unit};
+use dalembert_units::{self as units, Dim, Quantity, Unit, VectorQuantity};
 
 use self::{
     configurations::Replacement,
@@ -45,7 +45,7 @@ pub(crate) use self::{
     unknowns::{AXES, GivenAnswer, Tolerance, Unknown, has_unknown, is_unknown, read_vector},
 };
 use crate::{
-    Determined, FieldError, Measure, Number, Plain, Record, Stop, Symbol, Text,
+    Determined, FieldError, Measure, Number, Plain, Record, Stop, Symbol, Text, Value,
     formula::{Formula, FormulaError, Operand, evaluate, missing, nearest_names, unit_of},
     intern::intern,
 };
@@ -101,6 +101,8 @@ struct PlannedInput {
     label: &'static str,
     symbol: Symbol,
     measure: Measure,
+    /// Number of components of a vector; 1 of a number.
+    components: usize,
     unit: Unit,
     value: Number,
     formula: Option<Formula>,
@@ -188,7 +190,7 @@ impl Plan {
     fn take(&mut self, pending: Pending, names: &Names, record: &mut Record) -> Result<(), FieldError> {
         let Pending { path, text, error } = pending;
         let Some(mut input) = names.input(&path) else { return Err(error) };
-        if let Some((measure, len)) = names::vector_at(record, &path) {
+        if let Some((measure, len)) = names::vector_at(record, &path).filter(|_| has_unknown(&text)) {
             let (unknowns, vector) =
                 read_vector(&text, &path, measure, len).map_err(|why| FieldError::new(&path, why))?;
             (input.unit, input.value) = (vector.unit, Number::Vector(vector.si));
@@ -200,7 +202,7 @@ impl Plan {
         if let Some(typed) = typed.map_err(|why| FieldError::new(&path, why))? {
             let quantity = typed.quantity;
             (input.unit, input.value) = (quantity.unit.clone(), Number::Scalar(quantity.si));
-            names::write_quantity(record, &path, quantity);
+            names::write(record, &path, Value::Quantity(quantity));
             self.unknowns.extend(typed.unknown);
             self.tolerances.extend(typed.tolerance);
             self.inputs.push(input);
@@ -234,9 +236,9 @@ impl Plan {
         levers.map(|definition| (self.outside(definition), &definition.unit, definition.si))
     }
 
-    /// Returns true if an input takes its value from a formula.
+    /// Returns true if an input, or the vector that it is a component of, takes its value from a formula.
     pub(crate) fn has_formula(&self, path: &str) -> bool {
-        self.inputs.iter().any(|input| input.path == path && input.formula.is_some())
+        self.planned_input(path).is_some_and(|input| input.formula.is_some())
     }
 
     /// Returns true if the value of an input or a definition is to be found.
@@ -402,8 +404,8 @@ impl Plan {
     fn write_input(&self, at: usize, record: &mut Record) {
         let input = &self.inputs[at];
         let is_own = self.names.scopes[input.scope].problem == input.scope;
-        if let (true, Some(quantity)) = (is_own && input.formula.is_some(), quantity_of(input)) {
-            names::write_quantity(record, &input.path, quantity);
+        if is_own && input.formula.is_some() {
+            names::write(record, &input.path, value_of(input));
         }
     }
 
@@ -431,9 +433,10 @@ impl Plan {
         };
         let known = |name: &str| self.names.known(self.scope_of_formula(place), name);
         let found = evaluate::<&Plain<'_>>(formula, &scope, &known, plain).map_err(fail)?;
-        let Operand::Number(si, dim) = found else {
-            let why = Text::new("`{text}` is no single number").with("text", &formula.text);
-            return Err(FieldError::new(self.path_of(place), why));
+        let (value, dim) = match found {
+            Operand::Number(si, dim) if !self.is_vector(place) => (Number::Scalar(si), dim),
+            Operand::Vector(si, dim) if self.is_vector(place) => (Number::Vector(si.into()), dim),
+            _ => return Err(self.of_another_kind(place, formula)),
         };
         // The unit does not depend on the numbers.
         let unit = self.unit(place).filter(|_| self.with_unit.contains(&place));
@@ -442,13 +445,29 @@ impl Plan {
                 self.find(place, name).and_then(|named| self.place(&named)).and_then(|place| self.unit(place))
             })
         });
-        self.take_value(place, si, unit)
+        self.take_value(place, value, unit)
+    }
+
+    /// Returns true if a place is an input that is a vector.
+    fn is_vector(&self, place: Place) -> bool {
+        matches!(place, Place::Input(at) if matches!(self.inputs[at].value, Number::Vector(_)))
+    }
+
+    /// The refusal of a formula that is a vector or a list where a number is asked, or the other way round.
+    fn of_another_kind(&self, place: Place, formula: &Formula) -> FieldError {
+        let why = if self.is_vector(place) {
+            Text::new("`{text}` is no vector: write its components, as in (R; 0) or (R; 0; 2*R)")
+        } else {
+            Text::new("`{text}` is no single number")
+        };
+        FieldError::new(self.path_of(place), why.with("text", &formula.text))
     }
 
     /// Takes the value of a formula, within the limits of its field.
-    fn take_value(&mut self, place: Place, si: f64, unit: Unit) -> Result<(), FieldError> {
+    fn take_value(&mut self, place: Place, value: Number, unit: Unit) -> Result<(), FieldError> {
         match place {
             Place::Definition(at) => {
+                let Number::Scalar(si) = value else { return Ok(()) };
                 let definition = &mut self.definitions[at];
                 (definition.unit, definition.si) = (unit, si);
             }
@@ -461,16 +480,28 @@ impl Plan {
                     return Err(FieldError::new(self.path_of(place), why));
                 }
                 // An unknown has no value yet that a limit could be compared with.
-                if self.unknowns.is_empty() && !input.measure.permits(si) {
+                if let Number::Scalar(si) = value
+                    && self.unknowns.is_empty()
+                    && !input.measure.permits(si)
+                {
                     let value = dalembert_units::write_quantity(si, &own, <_>::default());
                     let written = format!("{} = {value}", formula.text);
                     if let Some(why) = input.measure.outside(si, &written) {
                         return Err(FieldError::new(self.path_of(place), why));
                     }
                 }
+                if let Number::Vector(si) = value
+                    && si[input.components..].iter().any(|component| *component != 0.0)
+                {
+                    let why =
+                        Text::new("`{text}` has a component along z: {components} components are asked")
+                            .with("text", &formula.text)
+                            .with("components", input.components);
+                    return Err(FieldError::new(self.path_of(place), why));
+                }
                 let unit = if unit.dim == own.dim { unit } else { own };
                 let input = &mut self.inputs[at];
-                (input.unit, input.value) = (unit, Number::Scalar(si));
+                (input.unit, input.value) = (unit, value);
             }
             Place::Solution(_) | Place::Question(_) => {}
         }
@@ -499,8 +530,13 @@ impl Plan {
     }
 }
 
-/// The value of an input as a quantity; `None` for a vector.
-fn quantity_of(input: &PlannedInput) -> Option<Quantity> {
-    let Number::Scalar(si) = input.value else { return None };
-    Some(Quantity { si, unit: input.unit.clone(), last_place: 0.0 })
+/// The value of an input, as a record has it.
+fn value_of(input: &PlannedInput) -> Value {
+    let unit = input.unit.clone();
+    match input.value {
+        Number::Scalar(si) => Value::Quantity(Quantity { si, unit, last_place: 0.0 }),
+        Number::Vector(si) => {
+            Value::Vector(VectorQuantity { si, len: input.components, unit, last_place: 0.0 })
+        }
+    }
 }

@@ -483,6 +483,18 @@ fn leaf(text: &str, shape: &Shape, path: &str, faults: &mut Faults) -> Value {
         Shape::Vector(measure, len) => {
             match units::read_vector(text, &measure.own_unit(), measure.kind(), *len) {
                 Ok(vector) => Value::Vector(vector),
+                Err(err) if text.chars().any(char::is_alphabetic) => {
+                    let error = FieldError { path: path.into(), why: reading::text(&err), span: err.span() };
+                    faults.pending.push(Pending { path: path.into(), text: text.to_owned(), error });
+                    // The components follow, if it is a formula.
+                    let unit = measure.own_unit();
+                    Value::Vector(units::VectorQuantity {
+                        si: [f64::NAN; 3],
+                        len: *len,
+                        unit,
+                        last_place: 0.0,
+                    })
+                }
                 Err(err) => fail(reading::text(&err), err.span()),
             }
         }

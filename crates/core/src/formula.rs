@@ -1,7 +1,8 @@
 //! Formulas that a user writes over definitions, inputs, answers and steps: `c*(omega*X)^2/2`.
 //!
 //! sum = product (± product)…, product = signed (× ÷ signed)…, signed = − signed | power,
-//! power = atom ^ signed, atom = quantity | π | √ atom | ( sum ) | name | function ( sum, … ).
+//! power = atom ^ signed, atom = quantity | π | √ atom | ( sum ) | vector | name | function ( sum, … ),
+//! vector = ( sum; sum ) unit | ( sum; sum; sum ) unit. The unit goes with the components that are numbers without one.
 //!
 //! A word directly behind a number is a unit: `2 kg`. A word behind an operator or a bracket, or at the start, is a
 //! name, and a unit only where no name fits. Behind a stroke in a unit stands a unit: `7850 kg/m^3`. A product of units in which a name is visible, as `3 N*m` where m is a mass,
@@ -13,7 +14,7 @@ mod parse;
 
 use std::ops::Range;
 
-use dalembert_units::Quantity;
+use dalembert_units::{Quantity, Unit};
 
 pub use self::names::normalised;
 pub(crate) use self::{
@@ -46,6 +47,8 @@ pub(crate) enum Expression {
     Binary(Operator, Box<Expression>, Box<Expression>, Range<usize>),
     /// A function of its arguments.
     Call(Function, Vec<Expression>, Range<usize>),
+    /// A vector of its components, with the unit behind its brackets.
+    Vector(Vec<Expression>, Unit, Range<usize>),
 }
 
 /// An operation on two expressions.
@@ -174,6 +177,7 @@ impl Formula {
                 Expression::Call(..) => true,
                 Expression::Negative(inner) => within(inner),
                 Expression::Binary(_, left, right, _) => within(left) || within(right),
+                Expression::Vector(components, ..) => components.iter().any(within),
                 Expression::Quantity(_) | Expression::Pi | Expression::Name(..) => false,
             }
         }
@@ -201,7 +205,7 @@ impl Expression {
                 left.collect_names(found);
                 right.collect_names(found);
             }
-            Expression::Call(_, arguments, _) => {
+            Expression::Call(_, arguments, _) | Expression::Vector(arguments, ..) => {
                 for argument in arguments {
                     argument.collect_names(found);
                 }

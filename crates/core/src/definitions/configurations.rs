@@ -158,6 +158,7 @@ impl Reader {
             label,
             symbol: Symbol { of: intern(name), ..symbol },
             measure,
+            components: 1,
             unit,
             value: Number::Scalar(si),
             formula: Some(formula),
@@ -216,7 +217,7 @@ impl Reader {
         let configuration = &self.names.scopes[at];
         let name = of.inside(configuration.name).unwrap_or(configuration.name);
         let mut inputs = Vec::new();
-        for (inner, label, symbol, measure, unit, value) in found {
+        for (inner, label, symbol, (measure, components), unit, value) in found {
             let typed = pending.iter().find(|pending| pending.path == inner);
             let formula = match (typed, value) {
                 (Some(pending), _) => match self.formula_of_part(scope, pending) {
@@ -243,6 +244,7 @@ impl Reader {
                 label,
                 symbol: Symbol { of: intern(name), ..symbol },
                 measure,
+                components,
                 unit,
                 value,
                 formula,

@@ -1,7 +1,7 @@
 //! The names that formulas of a problem can use: paths and symbols of its inputs, its definitions, and behind the name of
 //! a linked problem or a configuration those of that one.
 
-use dalembert_units::{Quantity, Unit};
+use dalembert_units::Unit;
 
 use super::{
     PlannedInput,
@@ -66,7 +66,7 @@ impl Names {
             let own = scope::record_of(record, scope);
             let root = FieldPath::TOP;
             let here = if at == TOP { root } else { root.field(scope.name) };
-            collect(own, &here, &mut |field, field_path, measure, unit, value| {
+            collect(own, &here, &mut |field, field_path, (measure, components), unit, value| {
                 let path = field_path.path();
                 inputs.push(PlannedInput {
                     scope: at,
@@ -76,6 +76,7 @@ impl Names {
                     label: field.label,
                     symbol: field_path.symbol(field.symbol),
                     measure,
+                    components,
                     unit: unit.clone(),
                     value,
                     formula: None,
@@ -241,11 +242,11 @@ fn symbol_of(input: &PlannedInput) -> String {
     if input.symbol.base.is_empty() { String::new() } else { normalised(&printer::symbol(&input.symbol)) }
 }
 
-/// Calls `visit` with every number and vector of a record.
+/// Calls `visit` with every number and vector of a record, each with its measure and its number of components.
 pub(super) fn collect(
     record: &Record,
     field_path: &FieldPath<'_>,
-    visit: &mut dyn FnMut(&'static Field, &FieldPath<'_>, Measure, &Unit, Number),
+    visit: &mut dyn FnMut(&'static Field, &FieldPath<'_>, (Measure, usize), &Unit, Number),
 ) {
     for (field, value) in record.fields.iter().zip(&record.values) {
         let of = if is_nested(&field.shape) { field.symbol } else { "" };
@@ -269,14 +270,14 @@ fn value_of(
     shape: &Shape,
     field: &'static Field,
     field_path: &FieldPath<'_>,
-    visit: &mut dyn FnMut(&'static Field, &FieldPath<'_>, Measure, &Unit, Number),
+    visit: &mut dyn FnMut(&'static Field, &FieldPath<'_>, (Measure, usize), &Unit, Number),
 ) {
     match (value, shape.present()) {
         (Value::Quantity(quantity), Shape::Quantity(measure)) => {
-            visit(field, field_path, measure, &quantity.unit, Number::Scalar(quantity.si));
+            visit(field, field_path, (measure, 1), &quantity.unit, Number::Scalar(quantity.si));
         }
-        (Value::Vector(vector), Shape::Vector(measure, _)) => {
-            visit(field, field_path, measure, &vector.unit, Number::Vector(vector.si));
+        (Value::Vector(vector), Shape::Vector(measure, len)) => {
+            visit(field, field_path, (measure, len), &vector.unit, Number::Vector(vector.si));
         }
         (Value::Group(record), _) => collect(record, field_path, visit),
         (Value::OneOf { variant, fields }, Shape::OneOf(variants)) => {
@@ -346,10 +347,10 @@ pub(super) fn replace(record: &mut Record, path: &str, new: Value) {
     }
 }
 
-/// Writes a quantity at a path.
-pub(super) fn write_quantity(record: &mut Record, path: &str, quantity: Quantity) {
+/// Writes a value at a path.
+pub(super) fn write(record: &mut Record, path: &str, value: Value) {
     if let Some((place, _)) = at(record, path) {
-        *place = Value::Quantity(quantity);
+        *place = value;
     }
 }
 

@@ -7,6 +7,7 @@ use dalembert_units::Dim;
 use super::{
     Plan, PlannedInput,
     names::{self, Named, Place},
+    unknowns::AXES,
     working::entry_of,
 };
 use crate::{
@@ -163,8 +164,10 @@ impl Readings {
                 input.scope == at || input.scope == problem && is_there(&input.inner.as_str())
             };
             for input in with_formula.clone().filter(is_own) {
-                if !inputs.contains(&input.inner) {
-                    inputs.push(input.inner.clone());
+                for inner in input.numbers() {
+                    if !inputs.contains(&inner) {
+                        inputs.push(inner);
+                    }
                 }
             }
             solution.inputs = inputs;
@@ -299,16 +302,34 @@ impl PlainSolution {
     }
 }
 
+impl PlannedInput {
+    /// The path of the number that it is, or those of the components of the vector, within its problem.
+    fn numbers(&self) -> Vec<String> {
+        match self.value {
+            Number::Scalar(_) => vec![self.inner.clone()],
+            Number::Vector(_) => {
+                AXES.iter().take(self.components).map(|axis| format!("{}.{axis}", self.inner)).collect()
+            }
+        }
+    }
+}
+
 impl Plan {
     /// The number at a path within the problem or the configuration of a scope.
     fn number_within(&self, scope: usize, inner: &str, record: &mut Record) -> Option<f64> {
         let problem = self.names.scopes[scope].problem;
-        let changed = self.inputs.iter().filter(|_| scope != problem);
-        let mut changed = changed.filter(|input| input.scope == scope && input.inner == inner);
-        match changed.next().map(|input| input.value) {
-            Some(Number::Scalar(si)) => Some(si),
-            _ => vary::number(record, &self.names.scopes[problem].outside(inner)).copied(),
-        }
+        let changed = self.inputs.iter().filter(|input| scope != problem && input.scope == scope);
+        let number = |input: &PlannedInput| {
+            let at = input.numbers().iter().position(|known| known == inner)?;
+            match input.value {
+                Number::Scalar(si) => Some(si),
+                Number::Vector(si) => input.formula.as_ref().map(|_| si[at]),
+            }
+        };
+        changed
+            .filter_map(number)
+            .next()
+            .or_else(|| vary::number(record, &self.names.scopes[problem].outside(inner)).copied())
     }
 
     /// The problem that a path of an input is of.

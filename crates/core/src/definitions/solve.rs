@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use dalembert_numerics::Vector as _;
+use dalembert_numerics::{Real as _, Vector as _};
 use dalembert_units::Unit;
 
 use super::{
@@ -14,8 +14,8 @@ use super::{
     working::{Working, entry_of, operand_at},
 };
 use crate::{
-    Entry, FieldError, FieldPath, Number, ProblemSteps, Record, Refusal, Sheet, SolveError, Symbol, Text,
-    Value, VectorTerm, Worksheet,
+    Entry, FieldPath, Number, ProblemSteps, Record, Refusal, Sheet, SolveError, Symbol, Text, Value,
+    VectorTerm, Worksheet,
     formula::{Operand, evaluate, unit_of},
     intern::{intern, unit_text},
     trace::Id,
@@ -97,14 +97,14 @@ impl<'s> Working<'_, 's> {
         let fail = |error| SolveError::Fields(vec![super::field_error(&self.plan.path_of(place), error)]);
         let known = |name: &str| self.plan.names.known(self.plan.scope_of_formula(place), name);
         let found = evaluate::<&Sheet<'_>>(formula, &scope, &known, sheet).map_err(fail)?;
-        let Operand::Number(value, dim) = found else {
-            let why = Text::new("`{text}` is no single number").with("text", &formula.text);
-            return Err(SolveError::Fields(vec![FieldError::new(self.plan.path_of(place), why)]));
+        let (number, dim) = match &found {
+            Operand::Number(x, dim) if !self.plan.is_vector(place) => (Number::Scalar(x.value()), *dim),
+            Operand::Vector(v, dim) if self.plan.is_vector(place) => (Number::Vector(v.value().into()), *dim),
+            _ => return Err(SolveError::Fields(vec![self.plan.of_another_kind(place, formula)])),
         };
         if self.plan.after_solution.contains(&place) {
             let unit = unit_of(formula, dim, &|name| self.unit(place, name));
-            let si = dalembert_numerics::Real::value(value);
-            self.plan.take_value(place, si, unit).map_err(|error| SolveError::Fields(vec![error]))?;
+            self.plan.take_value(place, number, unit).map_err(|error| SolveError::Fields(vec![error]))?;
             if let Place::Input(at) = place {
                 self.plan.write_input(at, &mut self.record);
             }
@@ -131,7 +131,12 @@ impl<'s> Working<'_, 's> {
             Place::Solution(_) | Place::Question(_) => return Ok(None),
         };
         let unit = unit_text(&self.plan.unit(place).unwrap_or(Unit::ONE));
-        let Some(id) = sheet.step(symbol, unit, value, why).node() else { return Ok(None) };
+        let written = match found {
+            Operand::Number(x, _) => sheet.step(symbol, unit, x, why).node(),
+            Operand::Vector(v, _) => sheet.step_vector(symbol, unit, v, why).node(),
+            Operand::List(..) => None,
+        };
+        let Some(id) = written else { return Ok(None) };
         let path = match place {
             Place::Definition(at) => self.plan.outside(&self.plan.definitions[at]),
             Place::Input(at) => self.plan.inputs[at].path.clone(),

@@ -270,6 +270,18 @@ fn read_unknown(text: &str, name: &str, measure: Option<Measure>) -> Result<(Unk
             let si = unit.si(usual(measure));
             Ok((unknown(None, None), Quantity { si, unit, last_place: 0.0 }))
         }
+        // `? kg`: the unit alone, in which it is shown.
+        (None, unit) if units::unit(unit).is_ok() => {
+            let text = format!("1 {unit}");
+            let error = |error| reading::text(&error);
+            let Some(measure) = measure.map(|measure| measure.meant(&text)) else {
+                let one = units::read_any(&text).map_err(error)?;
+                return Ok((unknown(Some(one.si), None), one));
+            };
+            let own = measure.own_unit();
+            let one = units::read_quantity(&text, &own, measure.kind()).map_err(error)?;
+            Ok((unknown(None, None), Quantity { si: own.si(usual(measure)), ..one }))
+        }
         (None, start) => {
             let start = quantity(start, None)?;
             Ok((unknown(Some(start.si), None), start))

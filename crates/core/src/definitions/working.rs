@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::{
     Plan,
     names::{self, Named, Place},
-    quantity_of, scope,
+    scope, value_of,
 };
 use crate::{Entry, Number, Record, Sheet, formula::Operand, trace::Id};
 
@@ -35,9 +35,7 @@ impl Plan {
                 names::replace(&mut inputs, &part.inner, part.value.clone());
             }
             for input in self.inputs.iter().filter(|input| input.scope == scope) {
-                if let Some(quantity) = quantity_of(input) {
-                    names::write_quantity(&mut inputs, &input.inner, quantity);
-                }
+                names::write(&mut inputs, &input.inner, value_of(input));
             }
         }
         inputs

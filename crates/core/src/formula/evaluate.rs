@@ -77,7 +77,43 @@ impl<W: Worksheet> Evaluator<'_, W> {
                 let found = self.call(*function, arguments, span)?;
                 self.finite(found, span)
             }
+            Expression::Vector(components, unit, span) => self.vector(components, unit, span),
         }
+    }
+
+    /// A vector of its components. The unit goes with those that are numbers without one; a zero needs none.
+    fn vector(
+        &self,
+        components: &[Expression],
+        unit: &Unit,
+        span: &Range<usize>,
+    ) -> Result<Operand<W>, FormulaError> {
+        let is_zero = |component: &Expression| matches!(component, Expression::Quantity(quantity) if quantity.unit.text.is_empty() && quantity.si == 0.0);
+        let mut found: [W::Num; 3] = [0.0.into(); 3];
+        let mut of: Option<Operand<W>> = None;
+        for (place, component) in
+            found.iter_mut().zip(components).filter(|(_, component)| !is_zero(component))
+        {
+            let (number, dim) = match (component, self.value(component)?) {
+                (Expression::Quantity(quantity), Operand::Number(..)) if quantity.unit.text.is_empty() => {
+                    (self.sheet.constant(unit.si(quantity.si), unit), unit.dim)
+                }
+                (_, Operand::Number(x, dim)) if dim == Dim::NONE && unit.dim != Dim::NONE => {
+                    (x * self.sheet.constant(unit.si(1.0), unit), unit.dim)
+                }
+                (_, Operand::Number(x, dim)) => (x, dim),
+                _ => return Err(self.mixed(span)),
+            };
+            *place = number;
+            let number = Operand::Number(number, dim);
+            if let Some(before) = &of {
+                self.same_dim(before, &number, span)?;
+            }
+            of.get_or_insert(number);
+        }
+        let [x, y, z] = found;
+        let dim = of.map_or(unit.dim, |of| of.dim());
+        Ok(Operand::Vector(W::Vec::from_components(x, y, z), dim))
     }
 
     fn named(&self, name: &str, span: &Range<usize>) -> Result<Operand<W>, FormulaError> {
@@ -465,6 +501,12 @@ fn first_unit(
         Expression::Binary(_, left, right, _) => {
             first_unit(left, dim, unit_of_name, found);
             first_unit(right, dim, unit_of_name, found);
+        }
+        Expression::Vector(components, unit, _) => {
+            take(unit.clone());
+            for component in components {
+                first_unit(component, dim, unit_of_name, found);
+            }
         }
         Expression::Call(_, arguments, _) => {
             for argument in arguments {

@@ -171,10 +171,11 @@ impl<'t> Parser<'t> {
             Some('(') => {
                 self.at += 1;
                 let inner = self.nested(Self::sum)?;
-                if self.eat(&[')']).is_none() {
-                    return Err(self.unexpected("a closing bracket"));
+                match self.eat(&[')', ';']) {
+                    Some(')') => Ok(inner),
+                    Some(_) => self.vector(inner, start),
+                    None => Err(self.unexpected("a closing bracket")),
                 }
-                Ok(inner)
             }
             Some('√') => {
                 self.at += '√'.len_utf8();
@@ -186,6 +187,23 @@ impl<'t> Parser<'t> {
             Some('@') => self.link(),
             _ => Err(self.unexpected("a number, a name or a bracket")),
         }
+    }
+
+    /// The components of a vector behind the first one, and the unit behind its brackets.
+    fn vector(&mut self, first: Expression, start: usize) -> Result<Expression, FormulaError> {
+        let mut components = vec![first, self.nested(Self::sum)?];
+        if self.eat(&[';']).is_some() {
+            components.push(self.nested(Self::sum)?);
+        }
+        if self.eat(&[')']).is_none() {
+            return Err(self.unexpected("a closing bracket behind 2 or 3 components"));
+        }
+        let end = self.at;
+        self.unit(end, start)?;
+        let unit = self.text[end..self.at].trim();
+        let unit = if unit.is_empty() { Ok(units::Unit::ONE) } else { units::unit(unit) }
+            .map_err(|error| FormulaError::at(end..self.at, reading::text(&error)))?;
+        Ok(Expression::Vector(components, unit, start..self.at))
     }
 
     /// A number and the unit directly behind it.

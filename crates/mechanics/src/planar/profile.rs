@@ -2,6 +2,8 @@
 
 use std::f64::consts::{PI, TAU};
 
+use dalembert_numerics::linalg::{Elimination, SparseMatrix};
+
 /// The function by which one measure follows another.
 #[derive(Debug, Clone, PartialEq)]
 pub enum TransmissionFunction {
@@ -206,21 +208,21 @@ fn second_derivatives(points: &[[f64; 2]], closed: bool) -> Option<Vec<f64>> {
     let n = points.len();
     let width = |k: usize| points[k + 1][0] - points[k][0];
     let slope = |k: usize| (points[k + 1][1] - points[k][1]) / width(k);
-    let mut a = nalgebra::DMatrix::zeros(n, n);
-    let mut b = nalgebra::DVector::zeros(n);
+    let mut rows = Vec::with_capacity(n);
+    let mut b = vec![0.0; n];
     for k in 1..n - 1 {
-        (a[(k, k - 1)], a[(k, k)], a[(k, k + 1)]) = (width(k - 1), 2.0 * (width(k - 1) + width(k)), width(k));
+        rows.push(vec![(k - 1, width(k - 1)), (k, 2.0 * (width(k - 1) + width(k))), (k + 1, width(k))]);
         b[k] = 6.0 * (slope(k) - slope(k - 1));
     }
     if closed {
         let last = n - 2;
-        a[(0, last)] = width(last);
-        a[(0, 0)] = 2.0 * (width(last) + width(0));
-        a[(0, 1)] += width(0);
+        let before = (last, width(last));
+        rows.insert(0, vec![(0, 2.0 * (width(last) + width(0))), (1, width(0)), before]);
         b[0] = 6.0 * (slope(0) - slope(last));
-        (a[(n - 1, 0)], a[(n - 1, n - 1)]) = (1.0, -1.0);
+        rows.push(vec![(0, 1.0), (n - 1, -1.0)]);
     } else {
-        (a[(0, 0)], a[(n - 1, n - 1)]) = (1.0, 1.0);
+        rows.insert(0, vec![(0, 1.0)]);
+        rows.push(vec![(n - 1, 1.0)]);
     }
-    dalembert_numerics::linalg::solve(&a, &b).ok().map(|solved| solved.x.iter().copied().collect())
+    Elimination::of_sparse(&SparseMatrix::new(n, rows)).ok()?.solve(&b).ok()
 }
