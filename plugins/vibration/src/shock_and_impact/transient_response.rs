@@ -518,9 +518,10 @@ impl<N: Real> LoadModel<N> {
     fn plot(&self, of: OscillatorMotion, last: f64, found: Option<Extreme>, relative: bool) -> Plot {
         let time = |n: u16| last * f64::from(n) / 480.0;
         let motion = (0..=480).map(|n| (time(n), self.motion.at(time(n)).displacement)).collect();
-        let label = match relative {
-            true => of.of("relative displacement", "relative angle"),
-            false => of.of("displacement", "angle"),
+        let label = if relative {
+            of.of("relative displacement", "relative angle")
+        } else {
+            of.of("displacement", "angle")
         };
         let mut series = vec![Series::line(label, motion).of("displacement[1]")];
         if self.size.is_some() || self.end.is_some() {
