@@ -6497,3 +6497,149 @@ preload = Pré-carga
 sums-over-the-parts-j-m-l-12-d-m-l-k-k-a-c-c-b-k-j-c-2-jk = Somas sobre as partes: J = m(L²/12 + d²) + m₁l₁², K = k a², C = c b², ωₙ = √(K/J), ζ = C/(2√(JK))
 least-contact-force-with-that-amplitude = mínima força de contato com essa amplitude
 the-tip-is-a-thousandth-of-the-base-and-not-a-point = a ponta é um milésimo da base e não um ponto
+n-1-cos-2-t-t-d-2-it-begins-and-ends-smoothly = (1 − cos 2πt/t_d)/2: começa e termina suavemente.
+n-1-e-t-it-tends-to-its-maximum = 1 − e^(−t/τ): tende ao seu máximo.
+a-spring-of-800-n-m-at-0-6-m-and-a-damper-of-20-n-s-m-at-0-4-m-below-the-pivot-3-2-n-m-s-rad = Uma mola de 800 N/m a 0,6 m e um amortecedor de 20 N·s/m a 0,4 m abaixo da articulação: 3,2 N·m·s/rad.
+about-its-centre-of-mass-or-about-a-parallel-axis = Em relação ao seu centro de massa, ou a um eixo paralelo.
+about-the-axis-through-the-centre-of-mass = Em relação ao eixo pelo centro de massa.
+amplitude-of-the-body = Amplitude do corpo
+amplitude-of-the-rotation-of-the-base = Amplitude da rotação da base
+amplitude-of-the-torque-in-spring-and-damper-it-accelerates-the-body = Amplitude do torque na mola e no amortecedor: ele acelera o corpo
+angle-at-time = Ângulo no instante
+angle-of-the-body-at-that-time = Ângulo do corpo nesse instante
+angle-time-history = Ângulo ao longo do tempo
+angular-acceleration-of-the-base = Aceleração angular da base
+angular-impulse-of-the-whole-pulse-given = Impulso angular do pulso inteiro dado
+angular-impulse-on-the-body = Impulso angular sobre o corpo
+body-beside-its-axis-by-the-radius-of-gyration = Corpo ao lado do seu eixo, pelo raio de giração
+body-that-rolls-without-slipping = Corpo que rola sem deslizar
+linear-coefficient = Coeficiente linear
+quadratic-coefficient = Coeficiente quadrático
+constant-term = Termo constante
+cylinder-that-oscillates-across-a-wire = Cilindro que oscila atravessado num fio
+cylinder-that-rolls-between-two-springs = Cilindro que rola entre duas molas
+disc-on-a-shaft-critically-damped = Disco num eixo, criticamente amortecido
+disc-or-solid-cylinder-its-own-axis = Disco ou cilindro maciço, no próprio eixo
+disc-that-rolls-under-a-sudden-force = Disco que rola sob uma força súbita
+distance-from-the-axis-to-the-centre = Distância do eixo ao centro
+equal-springs-side-by-side = Molas iguais lado a lado
+equal-springs-side-by-side-their-stiffnesses-add-up = Molas iguais lado a lado: as suas rigidezes se somam
+equivalent-mass-of-the-body-that-rolls-m-j-g-r-its-kinetic-energy-over-half-the-square-of-its = Massa equivalente do corpo que rola, m + J_G/r²: a sua energia cinética sobre metade do quadrado da sua velocidade
+exponential-rise = Subida exponencial
+for-a-rotation-the-angle-is-that-relative-to-the-base = Para uma rotação. O ângulo é relativo à base.
+fourier-coefficients-of-a-periodic-force-torque-or-base-motion-and-the-steady-state-response-to-each = Coeficientes de Fourier de uma força, de um torque ou de um movimento da base periódicos, e a resposta em regime permanente a cada harmônico e a todos eles.
+frequency-of-the-cosine-of-which-the-pulse-is-one-wave = Frequência do cosseno de que o pulso é uma onda
+frequency-ratio-of-that-cosine = Razão de frequências desse cosseno
+f-3i-2t-d-the-motion-by-numerical-integration-of-its-equation-step-by-step = F₀ = 3I/(2t_d); o movimento por integração numérica da sua equação, passo a passo
+initial-rotation = Rotação inicial
+j-w-g-g-d-the-motion-by-numerical-integration-of-its-equation = J = (W/g)(κ_G² + d²); o movimento por integração numérica da sua equação
+j-m-d-16-l-12-ln-50-t-the-motion-by-numerical-integration-of-its-equation = J = m(D²/16 + L²/12), ζ = ln 50/(ωₙtₛ); o movimento por integração numérica da sua equação
+j-m-a-b-12-md-with-d-half-the-diagonal-k-mgd-the-motion-by-numerical-integration-of-its-equation = J = m(a² + b²)/12 + md² com d igual à metade da diagonal, K = mgd; o movimento por integração numérica da sua equação
+j-md-10-k-t-j-ln-2-10-the-motion-by-numerical-integration-of-its-equation = J = mD²/10, k_t = Jωₙ², δ = (ln 2)/10; o movimento por integração numérica da sua equação
+j-md-4-m-d-2-k-mgd-2-ln-1-s-ln-1-s = J = mD²/4 + m(D/2)², K = mgD/2, ζ = ln(1/s)/√(π² + (ln(1/s))²)
+j-ml-3-k-ka-mgl-2-c-cb-the-motion-by-numerical-integration-of-its-equation = J = mL²/3, K = ka² + mgL/2, C = cb²; o movimento por integração numérica da sua equação
+mass-or-inertia-and-period = Massa ou inércia, e período
+mass-or-moment-of-inertia = Massa ou momento de inércia
+mass-that-moves = Massa que se move
+mass-under-a-force-that-rises-exponentially = Massa sob uma força que sobe exponencialmente
+mass-under-a-parabolic-arch-of-known-impulse = Massa sob um arco parabólico de impulso conhecido
+mass-under-a-parabolic-force-that-falls-to-zero = Massa sob uma força parabólica que cai a zero
+mass-under-a-versed-sine-pulse = Massa sob um pulso de seno verso
+mass-with-a-known-natural-frequency = Massa com uma frequência natural conhecida
+maximum-absolute-angular-acceleration = Aceleração angular absoluta máxima
+maximum-angle-after-the-load = Ângulo máximo depois da carga
+maximum-angular-acceleration = Aceleração angular máxima
+maximum-of-the-load-the-impulse-is-the-area-of-the-half-sine-2f-t-d = Máximo da carga: o impulso é a área do meio seno, 2F₀t_d/π
+maximum-of-the-load-the-impulse-is-the-area-of-the-rectangle-f-t-d = Máximo da carga: o impulso é a área do retângulo, F₀t_d
+maximum-of-the-load-the-impulse-is-the-area-of-the-triangle-f-t-d-2 = Máximo da carga: o impulso é a área do triângulo, F₀t_d/2
+maximum-of-the-load-the-impulse-is-the-area-of-the-versed-sine-half-that-of-its-rectangle = Máximo da carga: o impulso é a área do seno verso, metade da do seu retângulo
+maximum-of-the-load-the-impulse-is-the-area-under-the-exponential-f = Máximo da carga: o impulso é a área sob a exponencial, F₀τ
+maximum-of-the-load-the-impulse-is-the-area-under-the-parabola-a-a-2-a-3-of-its-rectangle = Máximo da carga: o impulso é a área sob a parábola, (a₀ + a₁/2 + a₂/3) do seu retângulo
+maximum-torque = Torque máximo
+maximum-torque-given = Torque máximo dado
+maximum-torque-of-spring-and-damper-on-the-support-k-t-c-t-where-its-rate-is-zero = Torque máximo da mola e do amortecedor no apoio, k_t θ + c_t θ̇, onde a sua taxa é nula
+maximum-torque-on-the-support = Torque máximo no apoio
+moment-of-inertia-by-the-parallel-axis-theorem-that-about-the-centre-and-m-d = Momento de inércia pelo teorema dos eixos paralelos: o relativo ao centro, mais m d²
+moment-of-inertia-of-a-rectangular-plate-about-the-normal-through-its-centre = Momento de inércia de uma placa retangular em relação à normal pelo seu centro
+moment-of-inertia-of-a-slender-rod-about-its-centre = Momento de inércia de uma barra esbelta em relação ao seu centro
+moment-of-inertia-of-a-solid-cylinder-about-a-diameter-through-its-centre = Momento de inércia de um cilindro maciço em relação a um diâmetro pelo seu centro
+motion-of-the-body-from-rest = Movimento do corpo a partir do repouso
+mounts-of-a-machine-for-instance = Os coxins de uma máquina, por exemplo.
+omitted-for-an-axis-through-the-centre-of-mass-half-the-length-for-the-end-of-a-rod = Omitida para um eixo pelo centro de massa; metade do comprimento para a ponta de uma barra.
+parabola-over-its-duration-then-zero = Parábola na sua duração, depois zero
+periodic-force-torque-or-base = Força, torque ou base periódicos
+phase-lag-of-the-body = Atraso de fase do corpo
+plate-that-swings-about-its-corner = Placa que oscila em torno do seu canto
+rectangular-plate-axis-normal-to-it = Placa retangular, eixo normal a ela
+required-for-a-force-or-torque-not-required-for-base-excitation-if-the-natural-frequency-is-known = Exigida para uma força ou um torque; não exigida para excitação de base se a frequência natural for conhecida.
+required-only-for-a-force-or-torque-on-it-or-if-the-stiffness-is-given-instead-of-a-frequency = Exigida somente para uma força ou um torque sobre ela, ou se a rigidez for dada em vez de uma frequência.
+required-only-if-the-moment-of-inertia-is-given = Exigido somente se o momento de inércia for dado.
+ring-that-swings-on-a-knife-edge = Anel que oscila num cutelo
+rod-on-a-pivot-at-its-end-with-spring-and-damper = Barra articulada na ponta, com mola e amortecedor
+rod-plate-sphere-cylinder = Barra, placa, esfera, cilindro
+root-mean-square-of-the-angle = Valor eficaz do ângulo
+rotation-of-the-base = Rotação da base
+rotation-of-the-base-given = Rotação da base dada
+rotor-after-an-angular-impulse = Rotor depois de um impulso angular
+rotor-from-an-initial-rotation = Rotor a partir de uma rotação inicial
+rotor-on-a-base-with-a-sawtooth-rotation = Rotor numa base com rotação em dente de serra
+rotor-on-a-shaft-whose-end-is-suddenly-accelerated = Rotor num eixo cuja ponta é acelerada de repente
+rotor-on-a-shaft-whose-other-end-oscillates = Rotor num eixo cuja outra ponta oscila
+rotor-under-a-half-sine-torque = Rotor sob um torque em meio seno
+rotor-under-a-square-wave-of-torque = Rotor sob uma onda quadrada de torque
+rotor-under-a-torque-from-a-table = Rotor sob um torque dado por tabela
+rotor-under-a-triangular-torque-of-known-impulse = Rotor sob um torque triangular de impulso conhecido
+slender-rod-axis-across-it = Barra esbelta, eixo transversal
+solid-cylinder-axis-across-it = Cilindro maciço, eixo transversal
+sphere-on-a-wire-by-frequency-and-decay = Esfera num fio, pela frequência e pelo decaimento
+springs-dampers-and-forces-act-at-its-centre = Molas, amortecedores e forças atuam no seu centro.
+static-angle = Ângulo estático
+static-angle-under-the-maximum-torque = Ângulo estático sob o torque máximo
+stiffness-from-the-static-deflection-k-st-m-g = Rigidez pela deflexão estática: k δ_st = m g
+the-angular-impulse-instantaneously-gives-the-body-its-angular-momentum = O impulso angular dá instantaneamente ao corpo a sua quantidade de movimento angular
+the-area-under-the-torque = A área sob o torque.
+the-body-lags-the-base-by = O corpo atrasa-se em relação à base de
+the-body-relative-to-the-base-rotates-as-under-the-torque-j-static-angle-under-its-maximum-value = O corpo relativo à base gira como sob o torque −J α: ângulo estático sob o seu valor máximo
+the-force-and-the-spring-act-at-the-centre = A força e a mola atuam no centro.
+the-motion-by-numerical-integration-of-its-equation-step-by-step = O movimento por integração numérica da sua equação, passo a passo
+the-relative-angle-is-at-most-2-without-damping-and-the-body-itself-reaches-2 = Sem amortecimento o ângulo relativo é no máximo 2α₀/ωₙ², e o próprio corpo chega a 2α₀
+the-springs-act-at-the-centre-of-the-cylinder = As molas atuam no centro do cilindro.
+thin-ring-axis-normal-to-it = Anel fino, eixo normal a ele
+time-from-its-start-to-the-peak = Tempo do seu início ao pico
+torque-on-the-body = Torque sobre o corpo
+torque-on-the-body-from-a-table = Torque sobre o corpo por tabela
+torsional-stiffness-given = Rigidez torcional dada
+two-masses-on-a-base-with-a-half-sine-shock = Duas massas numa base com choque em meio seno
+two-masses-on-a-base-with-a-triangular-shock = Duas massas numa base com choque triangular
+two-masses-on-a-base-with-a-versed-sine-shock = Duas massas numa base com choque em seno verso
+two-masses-under-a-half-sine-pulse = Duas massas sob um pulso em meio seno
+two-masses-under-a-triangle-and-a-versed-sine = Duas massas sob um triângulo e um seno verso
+t-2i-t-d-the-motion-by-numerical-integration-of-its-equation-step-by-step = T₀ = 2I/t_d; o movimento por integração numérica da sua equação, passo a passo
+versed-sine-pulse = Pulso em seno verso
+weight-with-a-known-static-deflection-and-decay = Peso com deflexão estática e decaimento conhecidos
+wheel-that-rolls-on-a-spring = Roda que rola presa a uma mola
+a-torque-moves-a-moment-of-inertia-give-it-in-addition-to-the-natural-frequency = um torque move um momento de inércia: dê-o além da frequência natural
+a-parabola-without-coefficients-is-no-load-write-at-least-one-of-them = uma parábola sem coeficientes não é carga: escreva ao menos um deles
+a-sustained-load-has-no-finite-impulse-give-its-maximum-or-choose-a-pulse = uma carga mantida não tem impulso finito: dê o seu máximo, ou escolha um pulso
+a-torque-moves-a-moment-of-inertia-write-it-or-choose-rotation-of-the-base = um torque move um momento de inércia: escreva-o, ou escolha a rotação da base
+a-a-s-a-s-with-s-t-t-d-in-multiples-of-the-maximum-1-0-1-for-1-s-0-4-4-for-an-arch = a₀ + a₁s + a₂s² com s = t/t_d, em múltiplos do máximo: 1, 0, −1 para 1 − s²; 0, 4, −4 para um arco.
+c-2-m-the-motion-by-numerical-integration-of-its-equation = c = 2ζmωₙ; o movimento por integração numérica da sua equação
+equal-springs = molas iguais
+equivalent-mass-by-the-moment-of-inertia-about-the-point-of-contact-j-c-r = massa equivalente pelo momento de inércia em relação ao ponto de contato, J_C/r²
+load-as-equivalent-static-angle = carga, como ângulo estático equivalente
+m-eq-3m-2-2k-m-eq-c-2-k-m-eq-the-motion-by-numerical-integration-of-its-equation = m_eq = 3m/2, ωₙ = √(2k/m_eq), c = 2ζ√(k m_eq); o movimento por integração numérica da sua equação
+relative-angle = ângulo relativo
+the-area-under-this-parabola-is-not-positive-and-gives-no-maximum-for-an-impulse-give-the-maximum-or = a área sob esta parábola não é positiva, e não dá máximo para um impulso: dê o máximo, ou outros coeficientes
+at-the-natural-frequency-stiffness-and-inertia-have-one-impedance-k-m = na frequência natural a rigidez e a inércia têm a mesma impedância, k/ωₙ = mωₙ
+the-weight-of-a-rolling-body-does-not-deflect-its-springs-and-its-equivalent-mass-is-not-that-of-its = o peso de um corpo que rola não deflete as suas molas, e a sua massa equivalente não é a do seu peso: dê a rigidez das molas
+torque-from-the-relative-motion = torque pelo movimento relativo
+what-the-moment-of-inertia-adds-to-the-mass-of-a-rolling-body-depends-on-its-radius-write-the-radius = o que o momento de inércia acrescenta à massa de um corpo que rola depende do seu raio: escreva o raio
+x-f-k-1-2-t-d-1-cos-t-t-t-d-until-t-d-then-free-the-maximum-by-numerical-integration = x = (F₀/k)((1 + 2/(ωₙt_d)²)(1 − cos ωₙt) − (t/t_d)²) até t_d, depois livre; o máximo por integração numérica
+n-1-2-r-1-r-2-r-t-j-the-motion-from-rest-by-numerical-integration = Θ = Φ√((1 + (2ζr)²)/((1 − r²)² + (2ζr)²)), T = Jω²Θ; o movimento a partir do repouso por integração numérica
+max-i-j-without-damping = θ_max = I/(Jωₙ) sem amortecimento
+g-st-ln-4-3-4-c-2-m-the-motion-by-numerical-integration-of-its-equation = ωₙ = √(g/δ_st), δ = (ln 4)/3, ζ = δ/√(4π² + δ²), c = 2ζmωₙ; o movimento por integração numérica da sua equação
+disc-on-a-wire-by-its-period-and-damping-ratio = Disco num fio, pelo período e pelo fator de amortecimento
+rod-across-a-steel-shaft = Barra atravessada num eixo de aço
+a-cushion-of-four-springs-its-damping-by-a-decay = Embalagem de quatro molas, com o amortecimento por um decaimento
+the-springs-and-the-damping-of-the-cushion-before-20-kn-m-and-a-damping-ratio-of-0-2 = As molas e o amortecimento do caso anterior: 20 kN/m e um fator de amortecimento de 0,2.
+white-acceleration-on-a-mount-known-by-its-free-vibration = Aceleração branca sobre um apoio conhecido pela sua vibração livre

@@ -118,6 +118,20 @@ fn a_value_alone_stands_for_the_only_input_of_an_alternative() {
     assert!(answers.contains("Scalar(0.05)") && notes.len() == 1, "{answers}: {notes:?}");
     let (expected, _) = solved(&fan("damping.coefficient.coefficient = \"500 N*s/m\""));
     assert_eq!(solved(&fan("damping = \"500 N*s/m\"")).0, expected);
+    // A formula or an unknown is for the alternative whose only input has the name of the choice, and formulas name it so.
+    let full =
+        "[let]\nk = \"15 lbf/in\"\ntwice = \"2*oscillator.translation.stiffness.stiffness.stiffness\"\n";
+    let release = |stiffness: &str, lets: &str| {
+        let rest = "oscillator.translation.mass.mass.mass = \"5 kg\"\noscillator.translation.damping.ratio.ratio = \"0.1\"\noscillator.translation.displacement = \"1 mm\"";
+        let inputs = format!("oscillator.translation.{stiffness} = \"2*k\"\n{rest}\n{lets}");
+        solved(&of("vibration/free-vibration", &inputs))
+    };
+    let (expected, notes) = release("stiffness.stiffness.stiffness", full);
+    assert!(notes.is_empty(), "{notes:?}");
+    let (answers, notes) =
+        release("stiffness", &full.replace(".stiffness.stiffness.stiffness", ".stiffness"));
+    assert_eq!(answers, expected);
+    assert!(notes.len() == 1 && notes[0].ends_with("stiffness.stiffness.stiffness"), "{notes:?}");
     // What several alternatives take, or none, is refused with all of them.
     let refused = refusal(FAN, "damping = \"5 kg\"");
     assert!(
@@ -143,7 +157,10 @@ fn a_refusal_of_a_form_shows_the_form() {
             "support.cantilever = \"1.2 m\"",
             "a table of inputs is needed here, written { length = \"… m\", young = \"… Pa\", section = { ",
         ),
-        ("support = [1, 2]", "one alternative is needed here: { stiffness = { … } }; { cantilever = { … } }"),
+        (
+            "support = [1, 2]",
+            "one alternative is needed here: { stiffness = { … } }; { equal = { … } }; { cantilever = { … } }",
+        ),
         (
             "support.series.members = \"two\"",
             "a list is needed here, written [{ stiffness = { stiffness = \"… N/m\" } }, …]",

@@ -137,7 +137,10 @@ fn unknowns_have_the_formulas_of_textbooks() {
         ),
         (
             "vibration/free-vibration",
-            &[("oscillator.translation.mass.mass.mass", "5 kg"), ("oscillator.translation.stiffness", "?")],
+            &[
+                ("oscillator.translation.mass.mass.mass", "5 kg"),
+                ("oscillator.translation.stiffness.stiffness.stiffness", "?"),
+            ],
             ("natural_frequency", "40 rad/s"),
             "k = m ωₙ²",
             vec![8000.0],

@@ -30,7 +30,10 @@ static QUESTIONS: [Question; 38] = [
     // k = m ω².
     question(
         "vibration/free-vibration",
-        &[("oscillator.translation.mass.mass.mass", "5 kg"), ("oscillator.translation.stiffness", "?")],
+        &[
+            ("oscillator.translation.mass.mass.mass", "5 kg"),
+            ("oscillator.translation.stiffness.stiffness.stiffness", "?"),
+        ],
         &[("natural_frequency", "40 rad/s")],
         &[&["8000 N/m"]],
     ),
@@ -49,7 +52,10 @@ static QUESTIONS: [Question; 38] = [
     // m = c_c/(2 ω), k = ω c_c/2.
     question(
         "vibration/free-vibration",
-        &[("oscillator.translation.mass.mass.mass", "?"), ("oscillator.translation.stiffness", "?")],
+        &[
+            ("oscillator.translation.mass.mass.mass", "?"),
+            ("oscillator.translation.stiffness.stiffness.stiffness", "?"),
+        ],
         &[("natural_frequency", "20 rad/s"), ("critical_damping", "400 N*s/m")],
         &[&["10 kg", "4000 N/m"]],
     ),

@@ -125,8 +125,22 @@ impl Names {
         }
         match &self.with_symbol(scope, name)[..] {
             [only] => Some(Named::Input(only.path.clone())),
-            _ => None,
+            _ => self.namesake(scope, name),
         }
+    }
+
+    /// The only input of the chosen alternative of a choice, if it has the name of the choice: a quantity that alternatives
+    /// were added to is still what it was called before.
+    fn namesake(&self, scope: usize, name: &str) -> Option<Named> {
+        let last = name.rsplit('.').next()?;
+        let problem = self.scopes[scope].problem;
+        let is_it = |input: &&PlannedInput| {
+            let inside = input.inner.strip_prefix(name).and_then(|rest| rest.strip_prefix('.'));
+            inside.and_then(|inside| inside.split_once('.')).is_some_and(|(_, field)| field == last)
+        };
+        let of = |scope: usize| self.inputs.iter().filter(move |input| input.scope == scope).find(is_it);
+        let input = of(scope).or_else(|| of(problem).filter(|_| !self.is_replaced(scope, name)))?;
+        Some(Named::Input(input.path.clone()))
     }
 
     /// Returns true if a configuration replaces the input at a path within its problem.

@@ -35,7 +35,7 @@ pub fn named_input(shape: &Shape, path: &str, text: &str) -> Option<NamedInput> 
     }
     let full = match inner.present() {
         Shape::OneOf(variants) => {
-            let variant = of_quantity(variants(), text)?;
+            let variant = of_quantity(variants(), text).or_else(|| namesake(variants(), path, text))?;
             format!("{path}.{}.{}", variant.name, only_field(variant)?.name)
         }
         Shape::Group(fields) if within_choice => match fields() {
@@ -60,6 +60,21 @@ fn of_quantity(variants: &'static [Variant], text: &str) -> Option<&'static Vari
     let takes = |variant: &&Variant| match only_field(variant).map(|field| field.shape.present()) {
         Some(Shape::Quantity(measure)) => measure.all().any(|measure| measure.own_unit().dim == dim),
         _ => false,
+    };
+    let mut found = variants.iter().filter(takes);
+    found.next().filter(|_| found.next().is_none())
+}
+
+/// The alternative that a text which is no quantity stands for, a formula or an unknown: the only one whose single input
+/// has the name of the choice, as a quantity has that alternatives were added to.
+fn namesake(variants: &'static [Variant], path: &str, text: &str) -> Option<&'static Variant> {
+    let name = path.rsplit('.').next()?;
+    if text.trim().is_empty() || path::nearest(text, variants.iter().map(|variant| variant.name)).is_some() {
+        return None;
+    }
+    let takes = |variant: &&Variant| {
+        only_field(variant)
+            .is_some_and(|field| field.name == name && matches!(field.shape.present(), Shape::Quantity(_)))
     };
     let mut found = variants.iter().filter(takes);
     found.next().filter(|_| found.next().is_none())
@@ -92,7 +107,7 @@ pub(super) fn value_alone<'d>(
             if variants.iter().any(|variant| variant.name == text) {
                 return None;
             }
-            let variant = of_quantity(variants, &text)?;
+            let variant = of_quantity(variants, &text).or_else(|| namesake(variants, path, &text))?;
             (variants.iter().position(|known| known.name == variant.name)?, item)
         }
     };

@@ -112,19 +112,13 @@ pub(super) static ROLES: &[Role] = &[
             (ABSORBER, &[]),
             ("vibration/damped-absorber", &["main.masses.springs.stiffness.stiffness"]),
             (ISOLATION, &["stiffness", "question.judge.elasticity.stiffness.stiffness"]),
-            (
-                "vibration/",
-                &["stiffness", "elasticity.stiffness.stiffness", "oscillator.translation.stiffness"],
-            ),
+            ("vibration/", &["stiffness", "elasticity.stiffness.stiffness"]),
         ],
     ),
     role(
         "torsional stiffness",
         "N*m/rad",
-        &[
-            (ABSORBER, &[]),
-            ("vibration/", &["torsional_stiffness", "oscillator.rotation.stiffness", "stiffness"]),
-        ],
+        &[(ABSORBER, &[]), ("vibration/", &["torsional_stiffness", "stiffness"])],
     ),
     // Of a viscous damper in parallel with the spring.
     role(
@@ -149,10 +143,7 @@ pub(super) static ROLES: &[Role] = &[
             ("vibration/damped-absorber", &["main.masses.mass.mass.mass"]),
             (ABSORBER, &["problem.translation.mass.mass.mass"]),
             ("vibration/equivalent-stiffness", &["mass"]),
-            (
-                "vibration/",
-                &["mass", "mass.mass.mass", "oscillator.translation.mass.mass.mass", "body.mass.mass"],
-            ),
+            ("vibration/", &["mass", "mass.mass.mass", "body.mass.mass"]),
             ("rigid-body/mass-properties", &["mass"]),
             ("rigid-body/momentum", &["mass"]),
             ("rigid-body/steady-rolling", &["mass"]),

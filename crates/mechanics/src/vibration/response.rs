@@ -30,7 +30,7 @@ pub struct Push {
     pub pieces: Vec<ForceSegment>,
 }
 
-/// A force `F cos(Ωt − φ)` from time zero on.
+/// A force `F cos(Ω(t − t₀) − φ)` from the time `t₀` on; nothing before.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HarmonicLoad {
     /// The amplitude on each mass.
@@ -39,6 +39,8 @@ pub struct HarmonicLoad {
     pub frequency: f64,
     /// φ.
     pub lag: f64,
+    /// t₀, zero or later.
+    pub start: f64,
 }
 
 /// A start and the forces after it.
@@ -63,8 +65,8 @@ pub struct TimeResponse<'a> {
     breaks: Vec<(f64, Vec<Complex<f64>>)>,
     /// b of the forces and of their slopes after each break.
     laws: Vec<Vec<[Complex<f64>; 2]>>,
-    /// b of each harmonic force, turned by its lag and turned back, and its frequency.
-    harmonics: Vec<(Vec<[Complex<f64>; 2]>, f64)>,
+    /// b of each harmonic force, turned by its lag and turned back, its frequency and its start.
+    harmonics: Vec<(Vec<[Complex<f64>; 2]>, [f64; 2])>,
 }
 
 impl<'a> TimeResponse<'a> {
@@ -92,7 +94,7 @@ impl<'a> TimeResponse<'a> {
         let harmonics = excitation.harmonics.iter().map(|harmonic| {
             let turn = Complex::from_polar(1.0, -harmonic.lag);
             let inputs = poles.input(&harmonic.force).into_iter().map(|b| [b * turn, b * turn.conj()]);
-            (inputs.collect(), harmonic.frequency)
+            (inputs.collect(), [harmonic.frequency, harmonic.start])
         });
         Self { poles, breaks: reached, laws, harmonics: harmonics.collect() }
     }
@@ -102,9 +104,12 @@ impl<'a> TimeResponse<'a> {
         let last = self.breaks.iter().rposition(|(start, _)| *start <= time).unwrap_or(0);
         let (start, state) = &self.breaks[last];
         let mut state = later(self.poles, state, &self.laws[last], time - start);
-        for (inputs, frequency) in &self.harmonics {
+        for (inputs, [frequency, begun]) in &self.harmonics {
+            if time <= *begun {
+                continue;
+            }
             for ((z, root), [forward, backward]) in state.iter_mut().zip(&self.poles.roots).zip(inputs) {
-                *z += advance_harmonic(*root, *forward, *backward, *frequency, time);
+                *z += advance_harmonic(*root, *forward, *backward, *frequency, time - begun);
             }
         }
         state
@@ -135,7 +140,7 @@ impl TimeResponse<'_> {
             let look = Sampling::of(self.poles.displacement(row, &state), self.poles.velocity(row, &state));
             (look, looks)
         };
-        let fastest = self.harmonics.iter().map(|(_, frequency)| *frequency);
+        let fastest = self.harmonics.iter().map(|(_, [frequency, _])| *frequency);
         let fastest = fastest.chain(self.poles.roots.iter().map(|root| root.norm())).fold(0.0, f64::max);
         let mut places: Vec<f64> = (0..=PARTS).map(|n| until * f64::from(n) / f64::from(PARTS)).collect();
         places.extend(self.breaks.iter().map(|(time, _)| *time).filter(|time| *time < until));
@@ -188,14 +193,17 @@ impl TimeResponse<'_> {
         for ((z, root), [constant, slope]) in state.iter().zip(&self.poles.roots).zip(&self.laws[broken]) {
             free.push(z + constant / root + slope / (root * root));
         }
-        for (inputs, frequency) in &self.harmonics {
+        for (inputs, [frequency, begun]) in &self.harmonics {
+            if begun > start {
+                continue;
+            }
             let turning = Complex::new(0.0, *frequency);
             let (mut ahead, mut back) = (Complex::<f64>::ZERO, Complex::<f64>::ZERO);
             for (n, (root, [forward, backward])) in self.poles.roots.iter().zip(inputs).enumerate() {
                 let [forward, backward] =
                     [forward / (turning - root), backward / (-turning - root)].map(|z| z / 2.0);
                 (ahead, back) = (ahead + shapes[n] * forward, back + shapes[n] * backward);
-                free[n] -= (forward + backward) * (root * *start).exp();
+                free[n] -= (forward + backward) * (root * (start - begun)).exp();
             }
             bends.steady += (ahead.norm() + back.norm()) * frequency.powi(4);
         }
@@ -298,8 +306,11 @@ pub fn state_by_series(
                     acceleration += over * (force * force_size);
                 }
                 for (harmonic, over) in excitation.harmonics.iter().zip(&harmonics) {
+                    if harmonic.start > ends[0] {
+                        continue;
+                    }
                     let w = harmonic.frequency;
-                    let turn = w * now - harmonic.lag + FRAC_PI_2 * order as f64;
+                    let turn = w * (now - harmonic.start) - harmonic.lag + FRAC_PI_2 * order as f64;
                     acceleration += over * (w.powi(order as i32) * turn.cos() * force_size);
                 }
                 let next = (order + 1) as f64 * (order + 2) as f64;
@@ -332,6 +343,7 @@ impl Push {
 /// The times up to `time` at which a force changes its law, with both ends.
 fn breaks(excitation: &TimeExcitation, time: f64) -> Vec<f64> {
     let starts = excitation.pushes.iter().flat_map(|push| &push.pieces).map(|piece| piece.start);
+    let starts = starts.chain(excitation.harmonics.iter().map(|harmonic| harmonic.start));
     let mut breaks: Vec<f64> =
         starts.filter(|start| *start > 0.0 && *start < time).chain([0.0, time]).collect();
     breaks.sort_by(f64::total_cmp);

@@ -1,4 +1,4 @@
-//! Response of one degree of freedom to any load made of straight, sinusoidal and exponential pieces, exactly.
+//! Response of one degree of freedom to any load made of straight, parabolic, sinusoidal and exponential pieces, exactly.
 //!
 //! `ẍ + 2ζωₙẋ + ωₙ²x = ωₙ²q(t)`, where `q` is the displacement that the load would hold statically: `F(t)/k` for a
 //! force on the mass, `−ÿ(t)/ωₙ²` for the displacement relative to a base that accelerates by `ÿ(t)`. Over each piece
@@ -60,6 +60,29 @@ pub enum LoadLaw {
         amplitude: f64,
         /// Rate `λ`, 1/s.
         rate: f64,
+    },
+    /// `size (1 − e^(−λτ))`.
+    Rise {
+        /// Value that it tends to, m.
+        size: f64,
+        /// Rate `λ`, 1/s.
+        rate: f64,
+    },
+    /// `size (1 − cos Ωτ)/2`.
+    Versine {
+        /// Largest value, m.
+        size: f64,
+        /// Frequency `Ω`, rad/s.
+        frequency: f64,
+    },
+    /// `start + slope τ + bend τ²/2`.
+    Parabola {
+        /// Value at the start, m.
+        start: f64,
+        /// Slope at the start, m/s.
+        slope: f64,
+        /// Rate of the slope, m/s².
+        bend: f64,
     },
 }
 
@@ -137,6 +160,35 @@ impl LoadLaw {
             LoadLaw::Line { start, slope } => start + slope * tau,
             LoadLaw::Sine { amplitude, frequency } => amplitude * (frequency * tau).sin(),
             LoadLaw::Decay { amplitude, rate } => amplitude * (-rate * tau).exp(),
+            LoadLaw::Rise { size, rate } => -size * (-rate * tau).exp_m1(),
+            LoadLaw::Versine { size, frequency } => size * (0.5 * frequency * tau).sin().powi(2),
+            LoadLaw::Parabola { start, slope, bend } => start + (slope + 0.5 * bend * tau) * tau,
+        }
+    }
+
+    /// The same law with its values multiplied by a factor.
+    #[must_use]
+    pub fn scaled(self, factor: f64) -> Self {
+        match self {
+            LoadLaw::Line { start, slope } => LoadLaw::Line { start: start * factor, slope: slope * factor },
+            LoadLaw::Sine { amplitude, frequency } => {
+                LoadLaw::Sine { amplitude: amplitude * factor, frequency }
+            }
+            LoadLaw::Decay { amplitude, rate } => LoadLaw::Decay { amplitude: amplitude * factor, rate },
+            LoadLaw::Rise { size, rate } => LoadLaw::Rise { size: size * factor, rate },
+            LoadLaw::Versine { size, frequency } => LoadLaw::Versine { size: size * factor, frequency },
+            LoadLaw::Parabola { start, slope, bend } => {
+                LoadLaw::Parabola { start: start * factor, slope: slope * factor, bend: bend * factor }
+            }
+        }
+    }
+
+    /// The fastest rate of its waves and exponentials, 1/s; zero for a polynomial.
+    pub fn fastest(self) -> f64 {
+        match self {
+            LoadLaw::Line { .. } | LoadLaw::Parabola { .. } => 0.0,
+            LoadLaw::Sine { frequency, .. } | LoadLaw::Versine { frequency, .. } => frequency,
+            LoadLaw::Decay { rate, .. } | LoadLaw::Rise { rate, .. } => rate,
         }
     }
 }
@@ -171,6 +223,23 @@ impl Oscillator {
             LoadLaw::Decay { amplitude, rate } => LoadedOscillator::decay(self.ratio, rate / self.natural)
                 .response(&unit, theta)
                 .map(|y| y * amplitude),
+            LoadLaw::Rise { size, rate } => {
+                let [x, u] = LoadedOscillator::decay(self.ratio, rate / self.natural).response(&unit, theta);
+                [(unit.step - x) * size, (unit.impulse - u) * size]
+            }
+            LoadLaw::Versine { size, frequency } => {
+                let cosine = LoadedOscillator::cosine(self.ratio, frequency / self.natural);
+                let [x, u] = cosine.response(&unit, theta);
+                [(unit.step - x) * size / 2.0, (unit.impulse - u) * size / 2.0]
+            }
+            LoadLaw::Parabola { start, slope, bend } => {
+                let (slope, bend) = (slope / self.natural, bend / (self.natural * self.natural));
+                let bent = coupled::parabola(self.ratio, &unit, theta);
+                [
+                    unit.step * start + unit.ramp * slope + bent * bend,
+                    unit.impulse * start + unit.step * slope + unit.ramp * bend,
+                ]
+            }
         };
         OscillatorState { displacement: free[0] + forced[0], velocity: (free[1] + forced[1]) * self.natural }
     }
@@ -285,11 +354,7 @@ impl TransientMotion {
             if end <= piece.from {
                 continue;
             }
-            let fastest = match piece.law {
-                LoadLaw::Line { .. } => 0.0,
-                LoadLaw::Sine { frequency, .. } => frequency,
-                LoadLaw::Decay { rate, .. } => rate,
-            };
+            let fastest = piece.law.fastest();
             let panels = ((end - piece.from) * (natural * (1.0 + 2.0 * ratio) + fastest)).ceil().max(1.0);
             if panels > 300.0 {
                 return None;

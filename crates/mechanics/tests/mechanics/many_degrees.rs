@@ -184,7 +184,7 @@ proptest! {
                     ForceSegment { start: 0.6, value: 0.0, slope: 0.0 },
                 ],
             }],
-            harmonics: vec![HarmonicLoad { force: on(at, 30.0), frequency, lag: 0.3 }],
+            harmonics: vec![HarmonicLoad { force: on(at, 30.0), frequency, lag: 0.3, start: 0.0 }],
         };
         let modes = found(natural_modes(mass, stiffness));
         let poles = found(Poles::new(&modes, &modes.damping(damping), time));

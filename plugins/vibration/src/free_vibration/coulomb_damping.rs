@@ -7,7 +7,7 @@ use crate::{
     shared::{
         decay::DecayCount,
         dry_friction::{FrictionFromDecay, FrictionOscillator, natural_frequency},
-        oscillator::{Mass, given_weight, mass, motion::OscillatorMotion},
+        oscillator::{Mass, SpringData, given_weight, mass, motion::OscillatorMotion},
     },
     sources::{GROVER, RAO},
 };
@@ -17,9 +17,8 @@ use crate::{
 pub struct CoulombDamping {
     /// Mass or weight.
     pub mass: Mass,
-    /// Stiffness.
-    #[input("k", "N/m", positive)]
-    pub stiffness: f64,
+    /// Springs.
+    pub stiffness: SpringData,
     /// Friction.
     pub friction: FrictionForce,
     /// Static friction over kinetic friction.
@@ -103,12 +102,13 @@ impl Analysis for CoulombDamping {
 
     fn solve<W: Worksheet>(&self, given: &CoulombDampingGiven<W>, sheet: W) -> Result<(), Refusal> {
         let mass = mass(&given.mass, sheet);
-        let natural = natural_frequency(given.stiffness, mass, sheet);
-        let force = friction(given, mass, sheet)?;
+        let stiffness = given.stiffness.stiffness_under(mass, sheet)?;
+        let natural = natural_frequency(stiffness, mass, sheet);
+        let force = friction(given, [mass, stiffness], sheet)?;
         let oscillator = FrictionOscillator {
             motion: OscillatorMotion::Translation,
             mass,
-            stiffness: given.stiffness,
+            stiffness,
             natural,
             force,
             static_ratio: given.static_ratio,
@@ -123,7 +123,11 @@ impl Analysis for CoulombDamping {
 }
 
 /// The friction force.
-fn friction<W: Worksheet>(given: &CoulombDampingGiven<W>, mass: W::Num, sheet: W) -> Result<W::Num, Refusal> {
+fn friction<W: Worksheet>(
+    given: &CoulombDampingGiven<W>,
+    [mass, stiffness]: [W::Num; 2],
+    sheet: W,
+) -> Result<W::Num, Refusal> {
     let why = ("Friction force", RAO.at("§2.9"));
     Ok(match &given.friction {
         FrictionForceGiven::Force { force } => *force,
@@ -138,20 +142,15 @@ fn friction<W: Worksheet>(given: &CoulombDampingGiven<W>, mass: W::Num, sheet: W
             sheet.step("F", "N", *coefficient * *normal, why)
         }
         FrictionForceGiven::Decay { first_amplitude: first, last_amplitude: last, counted, gravity } => {
-            let decay = FrictionFromDecay {
-                first: *first,
-                last: *last,
-                counted,
-                stiffness: given.stiffness,
-                damping: given.damping,
-            };
+            let decay =
+                FrictionFromDecay { first: *first, last: *last, counted, stiffness, damping: given.damping };
             let (force, cycles) = decay.force(OscillatorMotion::Translation, "F", sheet)?;
             let weight = given_weight(&given.mass, *gravity).unwrap_or_else(|| mass * *gravity);
             let coefficient =
                 sheet.step("µ", "1", force / weight, "Coefficient of friction on a horizontal surface");
             sheet.check(
                 "the energy difference between the two amplitudes is the friction work over the path",
-                given.stiffness * (first.powi(2) - last.powi(2)) / 2.0,
+                stiffness * (first.powi(2) - last.powi(2)) / 2.0,
                 coefficient * weight * cycles * (*first + *last) * 2.0,
             );
             sheet.answer("friction_coefficient", "Coefficient of friction", coefficient);

@@ -4,20 +4,18 @@ use dalembert_core::{
     About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet,
     register,
 };
-use dalembert_mechanics::{Real, sdof, vibration::free::FreeMotion};
+use dalembert_mechanics::{Real, vibration::free::FreeMotion};
 
 mod checks;
 mod damping;
 mod form;
+mod system;
 
 use self::{
-    damping::{coefficient_of, critical_damping, ratio_of},
     form::{FreeResponse, Units},
+    system::{FreeOscillator, Oscillator, system},
 };
-use crate::{
-    shared::oscillator::{Mass, mass},
-    sources::RAO,
-};
+use crate::sources::RAO;
 
 /// An oscillator, how it starts, and what is asked of it.
 #[derive(Clone, Debug, Inputs)]
@@ -30,113 +28,6 @@ pub struct FreeVibration {
     /// Fraction of the maximum displacement taken as settled.
     #[input("p", "%", positive, below = 100, default = "2 %")]
     pub settled: f64,
-}
-
-/// Vibrating system.
-#[derive(Clone, Debug, Inputs)]
-pub enum Oscillator {
-    /// Mass, spring and damper
-    Translation {
-        /// Mass or weight.
-        mass: Mass,
-        /// Stiffness.
-        #[input("k", "N/m", positive)]
-        stiffness: f64,
-        /// Damping.
-        damping: TranslationalDamping,
-        /// Initial displacement.
-        #[input("x₀", "m", default = "0 mm")]
-        displacement: f64,
-        /// Initial velocity.
-        #[input("v₀", "m/s", default = "0 m/s")]
-        velocity: f64,
-    },
-    /// Inertia, torsion spring and damper
-    Rotation {
-        /// Moment of inertia.
-        #[input("J", "kg*m^2", positive)]
-        inertia: f64,
-        /// Torsional stiffness.
-        #[input("kₜ", "N*m/rad", positive)]
-        stiffness: f64,
-        /// Damping.
-        damping: TorsionalDamping,
-        /// Initial angle.
-        #[input("θ₀", "rad", default = "0 deg")]
-        angle: f64,
-        /// Angular velocity at the start.
-        #[input("Ω₀", "rad/s", default = "0 rad/s")]
-        rate: f64,
-    },
-    /// Natural frequency and damping ratio given
-    Ratios {
-        /// Natural frequency without damping.
-        #[input("ωₙ", "rad/s", positive)]
-        natural_frequency: f64,
-        /// Damping ratio.
-        /// Zero for no damping; a negative one feeds energy into the motion.
-        #[input("ζ", "1")]
-        ratio: f64,
-        /// Initial displacement.
-        #[input("x₀", "m", default = "0 mm")]
-        displacement: f64,
-        /// Initial velocity.
-        #[input("v₀", "m/s", default = "0 m/s")]
-        velocity: f64,
-    },
-}
-
-/// Damping of a mass on a spring.
-#[derive(Clone, Debug, Inputs)]
-pub enum TranslationalDamping {
-    /// Damping ratio given
-    Ratio {
-        /// Damping ratio.
-        /// Zero for no damping; a negative one feeds energy into the motion.
-        #[input("ζ", "1")]
-        ratio: f64,
-    },
-    /// Damping coefficient given
-    Coefficient {
-        /// Damping coefficient.
-        /// A negative one feeds energy into the motion.
-        #[input("c", "N*s/m")]
-        coefficient: f64,
-    },
-    /// Critical
-    Critical,
-    /// From the overshoot after release from rest
-    Overshoot {
-        /// Overshoot.
-        /// First displacement to the opposite side, as a fraction of the release displacement.
-        #[input("s", "%", positive, below = 100)]
-        overshoot: f64,
-    },
-    /// From the settling time of the envelope
-    Settling {
-        /// Time for the envelope to decay to the fraction taken as settled.
-        #[input("tₛ", "s", positive)]
-        time: f64,
-    },
-}
-
-/// Damping of an inertia on a torsion spring.
-#[derive(Clone, Debug, Inputs)]
-pub enum TorsionalDamping {
-    /// Damping ratio given
-    Ratio {
-        /// Damping ratio.
-        /// Zero for no damping; a negative one feeds energy into the motion.
-        #[input("ζ", "1")]
-        ratio: f64,
-    },
-    /// Damping coefficient given
-    Coefficient {
-        /// Torsional damping coefficient.
-        /// A negative one feeds energy into the motion.
-        #[input("cₜ", "N*m*s/rad")]
-        coefficient: f64,
-    },
 }
 
 register!(FreeVibration);
@@ -155,7 +46,8 @@ impl Analysis for FreeVibration {
     };
 
     fn solve<W: Worksheet>(&self, given: &FreeVibrationGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let FreeOscillator { natural, zeta, x0, v0, elastic, units } = system(given, sheet);
+        let FreeOscillator { natural, zeta, x0, v0, elastic, units } =
+            system(&given.oscillator, given.settled, sheet)?;
         if x0.value() == 0.0 && v0.value() == 0.0 {
             return Err(Refusal::because(
                 "the mass starts at rest in its equilibrium position and does not move: write an initial displacement or velocity",
@@ -205,113 +97,6 @@ impl Analysis for FreeVibration {
         sheet.show(|| Exhibit::Drawing(drawing(&self.oscillator)));
         Ok(())
     }
-}
-
-/// The oscillator by its ratios, and its mass and stiffness where they are known.
-struct FreeOscillator<N> {
-    natural: N,
-    zeta: N,
-    x0: N,
-    v0: N,
-    elastic: Option<(N, N)>,
-    units: Units,
-}
-
-fn system<W: Worksheet>(given: &FreeVibrationGiven<W>, sheet: W) -> FreeOscillator<W::Num> {
-    match &given.oscillator {
-        OscillatorGiven::Translation { mass: body, stiffness, damping, displacement, velocity } => {
-            let mass = mass(body, sheet);
-            let natural = natural_frequency(*stiffness, mass, sheet);
-            let critical = critical_damping(*stiffness, mass, Units::TRANSLATION, sheet);
-            let one = W::Num::from(1.0);
-            let zeta = match damping {
-                TranslationalDampingGiven::Ratio { ratio } => *ratio,
-                TranslationalDampingGiven::Coefficient { coefficient } => {
-                    ratio_of(*coefficient, critical, *stiffness, mass, sheet)
-                }
-                TranslationalDampingGiven::Critical {} => {
-                    sheet.step("ζ", "1", one, "The damping is critical")
-                }
-                TranslationalDampingGiven::Overshoot { overshoot } => {
-                    let log = sheet.step(
-                        "Λ",
-                        "1",
-                        (one / *overshoot).ln(),
-                        "Half a cycle reduces the amplitude from 1 to the overshoot: half the logarithmic decrement",
-                    );
-                    sheet.step(
-                        "ζ",
-                        "1",
-                        sdof::damping_ratio_from_decrement(log * 2.0),
-                        ("Damping ratio from that decrement", RAO.at("§2.6.3")),
-                    )
-                }
-                TranslationalDampingGiven::Settling { time } => sheet.step(
-                    "ζ",
-                    "1",
-                    (one / given.settled).ln() / (natural * *time),
-                    "The envelope e^(−ζωₙt) has decayed to the fraction taken as settled",
-                ),
-            };
-            match damping {
-                TranslationalDampingGiven::Coefficient { coefficient } => {
-                    sheet.answer("damping", "Damping coefficient", *coefficient);
-                }
-                _ => coefficient_of(zeta, critical, Units::TRANSLATION, sheet),
-            }
-            FreeOscillator {
-                natural,
-                zeta,
-                x0: *displacement,
-                v0: *velocity,
-                elastic: Some((mass, *stiffness)),
-                units: Units::TRANSLATION,
-            }
-        }
-        OscillatorGiven::Rotation { inertia, stiffness, damping, angle, rate } => {
-            let natural = natural_frequency(*stiffness, *inertia, sheet);
-            let critical = critical_damping(*stiffness, *inertia, Units::ROTATION, sheet);
-            let zeta = match damping {
-                TorsionalDampingGiven::Ratio { ratio } => *ratio,
-                TorsionalDampingGiven::Coefficient { coefficient } => {
-                    ratio_of(*coefficient, critical, *stiffness, *inertia, sheet)
-                }
-            };
-            match damping {
-                TorsionalDampingGiven::Coefficient { coefficient } => {
-                    sheet.answer("damping", "Damping coefficient", *coefficient);
-                }
-                TorsionalDampingGiven::Ratio { .. } => {
-                    coefficient_of(zeta, critical, Units::ROTATION, sheet);
-                }
-            }
-            FreeOscillator {
-                natural,
-                zeta,
-                x0: *angle,
-                v0: *rate,
-                elastic: Some((*inertia, *stiffness)),
-                units: Units::ROTATION,
-            }
-        }
-        OscillatorGiven::Ratios { natural_frequency, ratio, displacement, velocity } => FreeOscillator {
-            natural: *natural_frequency,
-            zeta: *ratio,
-            x0: *displacement,
-            v0: *velocity,
-            elastic: None,
-            units: Units::TRANSLATION,
-        },
-    }
-}
-
-fn natural_frequency<W: Worksheet>(stiffness: W::Num, mass: W::Num, sheet: W) -> W::Num {
-    sheet.step(
-        "ωₙ",
-        "rad/s",
-        sdof::natural_frequency(stiffness, mass),
-        ("Natural frequency without damping", RAO.at("§2.2")),
-    )
 }
 
 /// First passage through rest, first turning point, largest displacement; the last is the result.

@@ -12,8 +12,14 @@ mod fit;
 
 use crate::{
     shared::{
+        continuous::{ShearModulus, shear_modulus},
         decay::{Decay, decrement},
-        oscillator::{Mass, mass},
+        inertia::{Inertia, TranslatingBody, moment_of_inertia},
+        oscillator::{
+            SpringData, frequency_of,
+            parts::{OscillatingBody, TorsionalElasticity},
+            stiffness_of,
+        },
     },
     sources::{GROVER, RAO},
 };
@@ -86,18 +92,17 @@ pub enum SystemData {
     /// Mass and stiffness
     MassStiffness {
         /// Mass or weight.
-        mass: Mass,
-        /// Stiffness.
-        #[input("k", "N/m", positive)]
-        stiffness: f64,
+        mass: TranslatingBody,
+        /// Springs.
+        stiffness: SpringData,
         /// Measured period, for comparison.
         #[input("T_m", "s", positive)]
         period: Option<f64>,
     },
-    /// Mass and period
+    /// Mass or inertia, and period
     MassPeriod {
-        /// Mass or weight.
-        mass: Mass,
+        /// Mass or moment of inertia.
+        mass: OscillatingBody,
         /// Period.
         #[input("T_d", "s", positive)]
         period: f64,
@@ -114,11 +119,9 @@ pub enum SystemData {
     /// Inertia and torsional stiffness
     Torsion {
         /// Moment of inertia.
-        #[input("J", "kg*m^2", positive)]
-        inertia: f64,
-        /// Torsional stiffness.
-        #[input("kₜ", "N*m/rad", positive)]
-        stiffness: f64,
+        inertia: Inertia,
+        /// Torsional springs.
+        stiffness: TorsionalElasticity,
     },
     /// Inertia on a round shaft
     Shaft {
@@ -126,8 +129,7 @@ pub enum SystemData {
         #[input("J", "kg*m^2", positive)]
         inertia: f64,
         /// Shear modulus.
-        #[input("G", "Pa", positive)]
-        shear: f64,
+        shear: ShearModulus,
         /// Length.
         #[input("L", "m", positive)]
         length: f64,
@@ -206,7 +208,7 @@ impl Analysis for LogarithmicDecrement {
             sheet.answer("energy_loss", "Energy lost per cycle", lost);
             sheet.answer("half_cycles", "Cycles to half amplitude", half);
         }
-        let period = system(given, zeta, sheet);
+        let period = system(given, zeta, sheet)?;
         if let Some(fall) = given.fall
             && decrement.value() > 0.0
         {
@@ -321,8 +323,8 @@ fn system<W: Worksheet>(
     given: &LogarithmicDecrementGiven<W>,
     zeta: W::Num,
     sheet: W,
-) -> Option<Oscillation<W::Num>> {
-    match &given.system {
+) -> Result<Option<Oscillation<W::Num>>, Refusal> {
+    Ok(match &given.system {
         SystemDataGiven::Unknown {} => None,
         SystemDataGiven::Period { period } => {
             let natural = natural_of_period(*period, zeta, "ωₙ", sheet);
@@ -330,8 +332,8 @@ fn system<W: Worksheet>(
             Some(Oscillation { period: *period, natural })
         }
         SystemDataGiven::MassStiffness { mass: body, stiffness, period } => {
-            let mass = mass(body, sheet);
-            let oscillation = elastic(mass, *stiffness, zeta, LINE, sheet);
+            let body = body.on_springs(stiffness, sheet)?;
+            let oscillation = elastic(body, zeta, LINE, sheet);
             if let Some(measured) = period {
                 let natural = natural_of_period(*measured, zeta, "ωₙ′", sheet);
                 let off = sheet.step(
@@ -361,17 +363,13 @@ fn system<W: Worksheet>(
             Some(oscillation)
         }
         SystemDataGiven::MassPeriod { mass: body, period } => {
-            let mass = mass(body, sheet);
+            let mass = body.inertia(sheet)?;
+            let motion = body.motion();
             let natural = natural_of_period(*period, zeta, "ωₙ", sheet);
-            let stiffness = sheet.step(
-                "k",
-                "N/m",
-                sdof::stiffness_from_natural_frequency(mass, natural),
-                ("Stiffness that gives the mass this natural frequency", RAO.at("§2.2")),
-            );
-            sheet.answer("stiffness", "Stiffness", stiffness);
+            let stiffness = stiffness_of(motion, mass, natural, sheet);
+            sheet.answer("stiffness", motion.of("Stiffness", "Torsional stiffness"), stiffness);
             sheet.answer("natural_frequency", "Natural frequency", natural);
-            coefficients([mass, stiffness, zeta, *period], LINE, sheet);
+            coefficients([mass, stiffness, zeta, *period], motion.of(LINE, AXIS), sheet);
             Some(Oscillation { period: *period, natural })
         }
         SystemDataGiven::StiffnessPeriod { stiffness, period } => {
@@ -388,9 +386,12 @@ fn system<W: Worksheet>(
             Some(Oscillation { period: *period, natural })
         }
         SystemDataGiven::Torsion { inertia, stiffness } => {
-            Some(elastic(*inertia, *stiffness, zeta, AXIS, sheet))
+            let inertia = moment_of_inertia(inertia, sheet, "J".into());
+            let [natural, stiffness] = stiffness.frequency_and_stiffness(inertia, sheet)?;
+            Some(elastic([inertia, natural, stiffness], zeta, AXIS, sheet))
         }
         SystemDataGiven::Shaft { inertia, shear, length, diameter } => {
+            let shear = shear_modulus(shear, sheet, "G");
             let polar = sheet.step(
                 "I_p",
                 "cm^4",
@@ -400,20 +401,21 @@ fn system<W: Worksheet>(
             let stiffness = sheet.step(
                 "kₜ",
                 "N*m/rad",
-                spring::torsional(*shear, polar, *length),
+                spring::torsional(shear, polar, *length),
                 ("Torsional stiffness of the shaft", RAO.at("§1.7")),
             );
             sheet.verify(|| {
                 sheet.check(
                     "torsional stiffness from the shear strain at the rim, 16T/(πGd³), over the radius",
-                    *shear * diameter.powi(3) * PI / 16.0 * *diameter / 2.0 / *length,
+                    shear * diameter.powi(3) * PI / 16.0 * *diameter / 2.0 / *length,
                     stiffness,
                 );
             });
             sheet.answer("stiffness", "Stiffness", stiffness);
-            Some(elastic(*inertia, stiffness, zeta, AXIS, sheet))
+            let natural = frequency_of(stiffness, *inertia, sheet);
+            Some(elastic([*inertia, natural, stiffness], zeta, AXIS, sheet))
         }
-    }
+    })
 }
 
 /// The first amplitude that the least squares give to measured ones.
@@ -481,18 +483,11 @@ const AXIS: Kind = Kind { symbol: "cₜ", unit: "N*m*s/rad" };
 
 /// Frequencies, period and damping of a mass and a stiffness (or an inertia and a torsional stiffness).
 fn elastic<W: Worksheet>(
-    mass: W::Num,
-    stiffness: W::Num,
+    [mass, natural, stiffness]: [W::Num; 3],
     zeta: W::Num,
     kind: Kind,
     sheet: W,
 ) -> Oscillation<W::Num> {
-    let natural = sheet.step(
-        "ωₙ",
-        "rad/s",
-        sdof::natural_frequency(stiffness, mass),
-        ("Natural frequency without damping", RAO.at("§2.2")),
-    );
     let damped = sheet.step(
         "ω_d",
         "rad/s",

@@ -9,9 +9,10 @@ use dalembert_mechanics::{Real, sdof, vibration::isolation};
 
 use crate::{
     shared::oscillator::{
-        AtFrequency, Damping, Elasticity, Loss, Mass, Suspension, mass,
+        AtFrequency, Loss, Suspension,
         motion::OscillatorMotion,
-        plots, suspension,
+        parts::{BodyDamping, BodySprings, OscillatingBody, motion_of, suspension_of_body},
+        plots,
         transient_from_rest::{BuildUp, Wave},
     },
     sources::{RAO, THOMSON},
@@ -22,11 +23,11 @@ use crate::{
 pub struct BaseExcitation {
     /// Inertia.
     /// May be omitted if the natural frequency or the static deflection is known; the forces are then not computed.
-    pub mass: Option<Mass>,
+    pub mass: Option<OscillatingBody>,
     /// Springs.
-    pub elasticity: Elasticity,
+    pub elasticity: BodySprings,
     /// Damping.
-    pub damping: Damping,
+    pub damping: BodyDamping,
     /// Base.
     pub base: Base,
     /// Start from rest.
@@ -70,6 +71,16 @@ pub enum Base {
         #[input("v", "km/h", positive)]
         speed: f64,
     },
+    /// Rotation of the base given
+    /// For a rotation.
+    Rotation {
+        /// Amplitude of the rotation of the base.
+        #[input("Φ", "rad", positive)]
+        amplitude: f64,
+        /// Frequency of the base.
+        #[input("ω", "rad/s", positive)]
+        frequency: f64,
+    },
 }
 
 /// The time at which the motion from rest is asked for.
@@ -96,8 +107,9 @@ impl Analysis for BaseExcitation {
     };
 
     fn solve<W: Worksheet>(&self, given: &BaseExcitationGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let mass = given.mass.as_ref().map(|given| mass(given, sheet));
-        let suspension = suspension(mass, &given.elasticity, &given.damping, sheet)?;
+        let BaseExcitationGiven { mass, elasticity, damping, .. } = given;
+        let motion = motion_of(mass.as_ref(), elasticity, damping, Some(given.base.motion()))?;
+        let suspension = suspension_of_body(motion, mass.as_ref(), elasticity, damping, sheet)?;
         suspension.answer(sheet);
         let (base, frequency) = base(&given.base, sheet);
         sheet.answer("frequency", "Frequency of the base", frequency);
@@ -108,8 +120,8 @@ impl Analysis for BaseExcitation {
         }
         let steady = if suspension.is_undamped() && at.is_resonance() {
             let growth = sheet.step(
-                "Ẋ",
-                "mm/s",
+                motion.of("Ẋ", "Θ′"),
+                motion.velocity_unit(),
                 base * suspension.natural / 2.0,
                 ("The amplitude is unbounded: it grows with t, per second by", RAO.at("§3.3")),
             );
@@ -126,7 +138,7 @@ impl Analysis for BaseExcitation {
         };
         if let Some(start) = &given.start {
             let build_up = BuildUp {
-                motion: OscillatorMotion::Translation,
+                motion,
                 deflection: base,
                 frequency,
                 natural: suspension.natural,
@@ -136,8 +148,10 @@ impl Analysis for BaseExcitation {
                 through_dashpot: true,
             };
             let x = build_up.displacement(start.time, sheet);
-            sheet.answer("displacement", "Displacement of the mass at that time", x);
-            build_up.show(start.time.value(), "Motion of the mass from rest", x.value(), sheet);
+            let label = motion.of("Displacement of the mass at that time", "Angle of the body at that time");
+            sheet.answer("displacement", label, x);
+            let title = motion.of("Motion of the mass from rest", "Motion of the body from rest");
+            build_up.show(start.time.value(), title, x.value(), sheet);
         }
         let own = own_damping(&suspension);
         let ratio = at.ratio.value();
@@ -145,6 +159,7 @@ impl Analysis for BaseExcitation {
             Base::Displacement { .. } => ("base.displacement.frequency", "base.displacement.amplitude"),
             Base::Acceleration { .. } => ("base.acceleration.frequency", ""),
             Base::Road { .. } => ("base.road.speed", "base.road.amplitude"),
+            Base::Rotation { .. } => ("base.rotation.frequency", "base.rotation.amplitude"),
         };
         sheet.show(|| {
             let plot = plots::transmissibility_family(ratio, own);
@@ -171,15 +186,27 @@ impl Analysis for BaseExcitation {
                 Exhibit::Plot(self.over_speed(natural * wavelength / (2.0 * PI), base.value(), own))
             });
         }
-        sheet.show(|| Exhibit::Drawing(drawing()));
+        sheet.show(|| Exhibit::Drawing(drawing(motion)));
         Ok(())
+    }
+}
+
+impl<W: Worksheet> BaseGiven<W> {
+    /// The motion that it is of.
+    fn motion(&self) -> OscillatorMotion {
+        match self {
+            BaseGiven::Rotation { .. } => OscillatorMotion::Rotation,
+            _ => OscillatorMotion::Translation,
+        }
     }
 }
 
 /// Amplitude and frequency of the base.
 fn base<W: Worksheet>(given: &BaseGiven<W>, sheet: W) -> (W::Num, W::Num) {
     match given {
-        BaseGiven::Displacement { amplitude, frequency } => (*amplitude, *frequency),
+        BaseGiven::Displacement { amplitude, frequency } | BaseGiven::Rotation { amplitude, frequency } => {
+            (*amplitude, *frequency)
+        }
         BaseGiven::Acceleration { acceleration, frequency } => {
             let why = "Amplitude of the base with this acceleration";
             (sheet.step("Y", "mm", *acceleration / frequency.powi(2), why), *frequency)
@@ -243,22 +270,25 @@ fn steady_motion<W: Worksheet>(
     sheet: W,
 ) -> (W::Num, W::Num) {
     let AtFrequency { ratio, damping_ratio, damping } = at;
+    let motion = suspension.motion;
     let transmissibility = sheet.step(
         "TR",
         "1",
         sdof::transmissibility(ratio, damping_ratio),
         ("Transmissibility: motion of the mass over motion of the base", RAO.at("§3.6")),
     );
-    let amplitude = sheet.step("X", "mm", base * transmissibility, "Amplitude of the mass");
+    let words = motion.of("Amplitude of the mass", "Amplitude of the body");
+    let unit = motion.displacement_unit();
+    let amplitude = sheet.step(motion.of("X", "Θ"), unit, base * transmissibility, words);
     let lag = sheet.step(
         "ψ",
         "deg",
         sdof::transmissibility_phase(ratio, damping_ratio),
-        ("The mass lags the base by", RAO.at("§3.6")),
+        (motion.of("The mass lags the base by", "The body lags the base by"), RAO.at("§3.6")),
     );
     let relative = sheet.step(
-        "Z",
-        "mm",
+        motion.of("Z", "Θ_r"),
+        unit,
         base * sdof::unbalance_magnification(ratio, damping_ratio),
         ("Amplitude of the motion relative to the base: travel of the springs", RAO.at("§3.6")),
     );
@@ -268,7 +298,9 @@ fn steady_motion<W: Worksheet>(
         sdof::phase_lag_from_ratios(ratio, damping_ratio),
         ("The relative motion lags the base by", RAO.at("§3.6")),
     );
-    let acceleration = sheet.step("A", "m/s^2", amplitude * frequency.powi(2), "Acceleration of the mass");
+    let label = motion.of("Acceleration of the mass", "Angular acceleration of the body");
+    let (symbol, per_second) = motion.of(("A", "m/s^2"), ("α", "rad/s^2"));
+    let acceleration = sheet.step(symbol, per_second, amplitude * frequency.powi(2), label);
     sheet.verify(|| {
         let scale = amplitude.value() + base.value() + relative.value();
         sheet.check_zero(
@@ -284,20 +316,25 @@ fn steady_motion<W: Worksheet>(
     });
     sheet.answer("base_amplitude", "Amplitude of the base", base);
     sheet.answer("transmissibility", "Transmissibility", transmissibility);
-    sheet.answer("amplitude", "Amplitude of the mass", amplitude);
-    sheet.answer("phase", "Phase lag of the mass", lag);
+    sheet.answer("amplitude", words, amplitude);
+    sheet.answer("phase", motion.of("Phase lag of the mass", "Phase lag of the body"), lag);
     sheet.answer("relative_amplitude", "Amplitude of the relative motion", relative);
     sheet.answer("relative_phase", "Phase lag of the relative motion", relative_lag);
-    sheet.answer("acceleration", "Acceleration of the mass", acceleration);
+    sheet.answer("acceleration", label, acceleration);
     if let (Some(body), Some(c)) = (suspension.body, damping) {
-        let why = ("Amplitude of the force in spring and damper: it accelerates the mass", RAO.at("§3.6"));
-        let force = sheet.step("F", "N", body.mass * acceleration, why);
+        let why = motion.of(
+            "Amplitude of the force in spring and damper: it accelerates the mass",
+            "Amplitude of the torque in spring and damper: it accelerates the body",
+        );
+        let unit = motion.force_unit();
+        let force = sheet.step(motion.of("F", "T"), unit, body.mass * acceleration, (why, RAO.at("§3.6")));
         sheet.check(
-            "force from the relative motion",
+            motion.of("force from the relative motion", "torque from the relative motion"),
             sdof::transmitted_force(relative, body.stiffness, c, frequency),
             force,
         );
-        sheet.answer("force", "Force on the mass", force);
+        let (name, label) = motion.of(("force", "Force on the mass"), ("torque", "Torque on the body"));
+        sheet.answer(name, label, force);
     }
     (amplitude, lag)
 }
@@ -334,7 +371,10 @@ impl BaseExcitation {
 }
 
 /// The mass on its base.
-fn drawing() -> Drawing {
+fn drawing(motion: OscillatorMotion) -> Drawing {
+    if motion == OscillatorMotion::Rotation {
+        return plots::inertia_spring_damper("Φ sin ωt");
+    }
     plots::supported("The mass on its base")
         .block("", (-1.2, -1.9), (1.2, -1.5), Ink::Faint)
         .motion("y", (1.5, -2.0), (1.5, -1.3))

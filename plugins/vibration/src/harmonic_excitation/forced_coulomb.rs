@@ -12,7 +12,7 @@ use dalembert_mechanics::{
 use dalembert_numerics::quadrature::integral;
 
 use crate::{
-    shared::oscillator::{Mass, given_weight, mass},
+    shared::oscillator::{Mass, SpringData, given_weight, mass},
     sources::{DEN_HARTOG_1931, GROVER, RAO},
 };
 
@@ -21,9 +21,8 @@ use crate::{
 pub struct ForcedCoulomb {
     /// Mass or weight.
     pub mass: Mass,
-    /// Stiffness.
-    #[input("k", "N/m", positive)]
-    pub stiffness: f64,
+    /// Springs.
+    pub stiffness: SpringData,
     /// Friction.
     pub friction: FrictionLevel,
     /// Frequency of the force.
@@ -95,10 +94,11 @@ impl Analysis for ForcedCoulomb {
 
     fn solve<W: Worksheet>(&self, given: &ForcedCoulombGiven<W>, sheet: W) -> Result<(), Refusal> {
         let mass = mass(&given.mass, sheet);
+        let stiffness = given.stiffness.stiffness_under(mass, sheet)?;
         let natural = sheet.step(
             "ωₙ",
             "rad/s",
-            sdof::natural_frequency(given.stiffness, mass),
+            sdof::natural_frequency(stiffness, mass),
             ("Natural frequency: friction does not change it", RAO.at("§2.9")),
         );
         let ratio = sheet.step("r", "1", sdof::frequency_ratio(given.frequency, natural), "Frequency ratio");
@@ -116,17 +116,12 @@ impl Analysis for ForcedCoulomb {
                 sheet.step("F", "N", *coefficient * *normal, why)
             }
         };
-        let offset = sheet.step(
-            "f",
-            "mm",
-            friction / given.stiffness,
-            "Deflection of the spring under the friction force",
-        );
+        let offset =
+            sheet.step("f", "mm", friction / stiffness, "Deflection of the spring under the friction force");
         sheet.answer("natural_frequency", "Natural frequency", natural);
         sheet.answer("frequency_ratio", "Frequency ratio", ratio);
         sheet.answer("friction", "Friction force", friction);
-        let system =
-            Excited { mass, stiffness: given.stiffness, frequency: given.frequency, ratio, friction, offset };
+        let system = Excited { mass, stiffness, frequency: given.frequency, ratio, friction, offset };
         let (force, amplitude) = match &given.excitation {
             ForceOrAmplitudeGiven::Force { force } => (force.value(), amplitude_of(&system, *force, sheet)?),
             ForceOrAmplitudeGiven::Amplitude { amplitude } => {
@@ -135,7 +130,7 @@ impl Analysis for ForcedCoulomb {
         };
         let excited = CoulombOscillator {
             ratio: ratio.value(),
-            deflection: force / self.stiffness,
+            deflection: force / stiffness.value(),
             offset: offset.value(),
         };
         sheet.show(|| {
@@ -144,7 +139,7 @@ impl Analysis for ForcedCoulomb {
             let is_given = matches!(self.excitation, ForceOrAmplitude::Amplitude { .. });
             Exhibit::Plot(if is_given { plot } else { plot.over("frequency") })
         });
-        sheet.show(|| Exhibit::Plot(hysteresis(friction.value(), self.stiffness, amplitude)));
+        sheet.show(|| Exhibit::Plot(hysteresis(friction.value(), stiffness.value(), amplitude)));
         sheet.show(|| Exhibit::Plot(history(&excited, natural.value())));
         sheet.show(|| Exhibit::Drawing(drawing()));
         Ok(())

@@ -7,16 +7,12 @@ use dalembert_core::{About, Analysis, Drawing, Exhibit, Inputs, Refusal, Text, W
 use dalembert_mechanics::{Real, sdof};
 
 use crate::{
-    shared::{
-        inertia::{Inertia, moment_of_inertia},
-        oscillator::{
-            AtFrequency, Damping, DampingGiven, Elasticity, ElasticityGiven, Loss, Mass, MassAndStiffness,
-            Suspension, mass,
-            motion::OscillatorMotion,
-            plots, suspension_of,
-            transient_from_rest::{BuildUp, Wave},
-        },
-        spring::torsional::{self, TorsionalSpring},
+    shared::oscillator::{
+        AtFrequency, Loss, MassAndStiffness, Suspension,
+        motion::OscillatorMotion,
+        parts::{BodyDamping, BodySprings, OscillatingBody, motion_of, suspension_of_body},
+        plots,
+        transient_from_rest::{BuildUp, Wave},
     },
     sources::{GROVER, RAO, THOMSON},
 };
@@ -25,11 +21,11 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub struct HarmonicForce {
     /// Inertia.
-    pub mass: ForcedBody,
+    pub mass: OscillatingBody,
     /// Springs.
-    pub elasticity: ForcedElasticity,
+    pub elasticity: BodySprings,
     /// Damping.
-    pub damping: ForcedDamping,
+    pub damping: BodyDamping,
     /// Frequency of the force.
     #[input("ω", "rad/s", positive)]
     pub frequency: f64,
@@ -38,50 +34,6 @@ pub struct HarmonicForce {
     /// Start from rest.
     /// The displacement at a time after the force is applied.
     pub start: Option<StartFromRest>,
-}
-
-/// Mass of a translation, or moment of inertia of a rotation.
-#[derive(Clone, Debug, Inputs)]
-pub enum ForcedBody {
-    /// Translation
-    #[input(flatten)]
-    Translation(Mass),
-    /// Rotation: moment of inertia
-    /// Springs, damping and excitation are then torsional.
-    Rotation {
-        /// Moment of inertia.
-        inertia: Inertia,
-    },
-}
-
-/// Given quantity of the springs, straight or torsional.
-#[derive(Clone, Debug, Inputs)]
-pub enum ForcedElasticity {
-    /// Translation
-    #[input(flatten)]
-    Any(Elasticity),
-    /// Torsional springs and shafts
-    /// For a rotation.
-    Torsional {
-        /// Torsional springs.
-        /// A network: series and parallel groups may be nested.
-        springs: TorsionalSpring,
-    },
-}
-
-/// Damping mechanism of a translation or of a rotation.
-#[derive(Clone, Debug, Inputs)]
-pub enum ForcedDamping {
-    /// Translation
-    #[input(flatten)]
-    Any(Damping),
-    /// Torsional damping coefficient given
-    /// For a rotation.
-    Torsional {
-        /// Torsional damping coefficient.
-        #[input("c_t", "N*m*s/rad", nonnegative)]
-        coefficient: f64,
-    },
 }
 
 /// Amplitude of the force, or the amplitude or power that determines it.
@@ -148,8 +100,9 @@ impl Analysis for HarmonicForce {
     };
 
     fn solve<W: Worksheet>(&self, given: &HarmonicForceGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let motion = given.motion()?;
-        let suspension = given.suspension(motion, sheet)?;
+        let HarmonicForceGiven { mass, elasticity, damping, .. } = given;
+        let motion = motion_of(Some(mass), elasticity, damping, given.excitation.motion())?;
+        let suspension = suspension_of_body(motion, Some(mass), elasticity, damping, sheet)?;
         let body = suspension.body.expect("the mass is given");
         suspension.answer(sheet);
         let at = suspension.at(given.frequency, sheet);
@@ -226,65 +179,18 @@ fn static_deflection<W: Worksheet>(
     sheet.step(motion.deflection(), motion.displacement_unit(), force / stiffness, why)
 }
 
-impl<W: Worksheet> HarmonicForceGiven<W> {
-    /// The motion that every input is of.
-    fn motion(&self) -> Result<OscillatorMotion, Refusal> {
-        let rotates = matches!(self.mass, ForcedBodyGiven::Rotation { .. });
-        let elasticity = match &self.elasticity {
-            ForcedElasticityGiven::Torsional { .. } => Some(true),
-            ForcedElasticityGiven::Any(
-                ElasticityGiven::Stiffness { .. }
-                | ElasticityGiven::Springs { .. }
-                | ElasticityGiven::StaticDeflection { .. },
-            ) => Some(false),
-            ForcedElasticityGiven::Any(_) => None,
-        };
-        let damping = match &self.damping {
-            ForcedDampingGiven::Torsional { .. } => Some(true),
-            ForcedDampingGiven::Any(DampingGiven::Coefficient { .. }) => Some(false),
-            ForcedDampingGiven::Any(_) => None,
-        };
-        let excitation = match &self.excitation {
-            ForceStrengthGiven::Torque { .. } | ForceStrengthGiven::Rotation { .. } => Some(true),
-            ForceStrengthGiven::Force { .. } | ForceStrengthGiven::Motion { .. } => Some(false),
+impl<W: Worksheet> ForceStrengthGiven<W> {
+    /// The motion that it is of, if it is of one only.
+    fn motion(&self) -> Option<OscillatorMotion> {
+        match self {
+            ForceStrengthGiven::Torque { .. } | ForceStrengthGiven::Rotation { .. } => {
+                Some(OscillatorMotion::Rotation)
+            }
+            ForceStrengthGiven::Force { .. } | ForceStrengthGiven::Motion { .. } => {
+                Some(OscillatorMotion::Translation)
+            }
             ForceStrengthGiven::Power { .. } => None,
-        };
-        if !rotates && [elasticity, damping, excitation].contains(&Some(true)) {
-            return Err(Refusal::because(
-                "a mass moves along a line: give its springs, its damping coefficient and its excitation for a translation, or choose rotation as the inertia",
-            ));
         }
-        if rotates && [elasticity, damping, excitation].contains(&Some(false)) {
-            return Err(Refusal::because(
-                "a moment of inertia rotates: give torsional springs or the natural frequency, the torsional damping coefficient or the damping ratio, and a torque or an angle",
-            ));
-        }
-        Ok(if rotates { OscillatorMotion::Rotation } else { OscillatorMotion::Translation })
-    }
-
-    /// Inertia, stiffness and damping.
-    fn suspension(&self, motion: OscillatorMotion, sheet: W) -> Result<Suspension<W::Num>, Refusal> {
-        let mass = match &self.mass {
-            ForcedBodyGiven::Translation(body) => mass(body, sheet),
-            ForcedBodyGiven::Rotation { inertia } => moment_of_inertia(inertia, sheet, "J".into()),
-        };
-        let torsional;
-        let elasticity = match &self.elasticity {
-            ForcedElasticityGiven::Any(elasticity) => elasticity,
-            ForcedElasticityGiven::Torsional { springs } => {
-                torsional = ElasticityGiven::Stiffness { stiffness: torsional::stiffness(springs, sheet)? };
-                &torsional
-            }
-        };
-        let coefficient;
-        let damping = match &self.damping {
-            ForcedDampingGiven::Any(damping) => damping,
-            ForcedDampingGiven::Torsional { coefficient: torsional } => {
-                coefficient = DampingGiven::Coefficient { coefficient: *torsional };
-                &coefficient
-            }
-        };
-        suspension_of(motion, Some(mass), elasticity, damping, sheet)
     }
 }
 

@@ -14,7 +14,12 @@ mod waveform;
 
 use self::waveform::{Waveform, WaveformGiven};
 use crate::{
-    shared::oscillator::{Damping, Elasticity, Loss, Mass, is_one, mass, plots, resisting_force, suspension},
+    shared::oscillator::{
+        Loss, is_one,
+        motion::OscillatorMotion,
+        parts::{BodyDamping, BodySprings, OscillatingBody, motion_of, suspension_of_body},
+        plots, resisting_force,
+    },
     sources::{RAO, THOMSON},
 };
 
@@ -29,12 +34,12 @@ const ADDED: u32 = 4000;
 #[derive(Clone, Debug, Inputs)]
 pub struct PeriodicExcitation {
     /// Inertia.
-    /// Required for a force; not required for base excitation if the natural frequency is known.
-    pub mass: Option<Mass>,
+    /// Required for a force or torque; not required for base excitation if the natural frequency is known.
+    pub mass: Option<OscillatingBody>,
     /// Springs.
-    pub elasticity: Elasticity,
+    pub elasticity: BodySprings,
     /// Damping.
-    pub damping: Damping,
+    pub damping: BodyDamping,
     /// Excitation.
     pub excitation: PeriodicWave,
     /// Wave.
@@ -66,6 +71,32 @@ pub enum PeriodicWave {
         #[input("Y", "m", positive)]
         height: f64,
     },
+    /// Torque on the body
+    /// For a rotation.
+    Torque {
+        /// Height of the wave.
+        /// The value that the picture of the wave shows as one.
+        #[input("T₀", "N*m", positive)]
+        torque: f64,
+    },
+    /// Rotation of the base
+    /// For a rotation.
+    BaseRotation {
+        /// Height of the wave.
+        /// The value that the picture of the wave shows as one.
+        #[input("Φ", "rad", positive)]
+        height: f64,
+    },
+}
+
+impl PeriodicWave {
+    /// The motion that it is of.
+    fn motion(&self) -> OscillatorMotion {
+        match self {
+            PeriodicWave::Force { .. } | PeriodicWave::Base { .. } => OscillatorMotion::Translation,
+            PeriodicWave::Torque { .. } | PeriodicWave::BaseRotation { .. } => OscillatorMotion::Rotation,
+        }
+    }
 }
 
 register!(PeriodicExcitation);
@@ -73,9 +104,9 @@ register!(PeriodicExcitation);
 impl Analysis for PeriodicExcitation {
     const ABOUT: About = About {
         id: "vibration/periodic-excitation",
-        title: "Periodic force or base",
+        title: "Periodic force, torque or base",
         topic: "Harmonic excitation",
-        summary: "Fourier coefficients of a periodic force or base motion, and the steady-state response to each harmonic and to all of them.",
+        summary: "Fourier coefficients of a periodic force, torque or base motion, and the steady-state response to each harmonic and to all of them.",
         keywords: "fourier series square triangle sawtooth rectified cam harmonics spectrum série de fourier onda \
                    quadrada triangular dente de serra retificada came espectro",
         sources: &[&RAO, &THOMSON],
@@ -83,8 +114,9 @@ impl Analysis for PeriodicExcitation {
     };
 
     fn solve<W: Worksheet>(&self, given: &PeriodicExcitationGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let mass = given.mass.as_ref().map(|given| mass(given, sheet));
-        let suspension = suspension(mass, &given.elasticity, &given.damping, sheet)?;
+        let PeriodicExcitationGiven { mass, elasticity, damping, .. } = given;
+        let motion = motion_of(mass.as_ref(), elasticity, damping, Some(self.excitation.motion()))?;
+        let suspension = suspension_of_body(motion, mass.as_ref(), elasticity, damping, sheet)?;
         suspension.answer(sheet);
         let Loss::Viscous(zeta, _) = suspension.loss else {
             return Err(Refusal::because(
@@ -105,17 +137,23 @@ impl Analysis for PeriodicExcitation {
         sheet.answer("frequency_ratio", "Frequency ratio of the first harmonic", ratio);
         refuse_resonance(&pieces, ratio.value(), zeta.value())?;
         let (excited, source, height) = match &given.excitation {
-            PeriodicWaveGiven::Force { force } => {
+            PeriodicWaveGiven::Force { force } | PeriodicWaveGiven::Torque { torque: force } => {
                 let body = suspension.body.ok_or_else(|| {
-                    Refusal::because("a force moves a mass: write the mass, or choose base excitation")
+                    Refusal::because(motion.of(
+                        "a force moves a mass: write the mass, or choose base excitation",
+                        "a torque moves a moment of inertia: write it, or choose rotation of the base",
+                    ))
                 })?;
                 let why = ("Static deflection under the height of the waveform", RAO.at("§4.2"));
-                let height = sheet.step("δ", "mm", *force / body.stiffness, why);
+                let (symbol, unit) = (motion.deflection(), motion.displacement_unit());
+                let height = sheet.step(symbol, unit, *force / body.stiffness, why);
                 (ExcitedSystem::Mass { stiffness: body.stiffness }, *force, height)
             }
-            PeriodicWaveGiven::Base { height } => (ExcitedSystem::Base, *height, *height),
+            PeriodicWaveGiven::Base { height } | PeriodicWaveGiven::BaseRotation { height } => {
+                (ExcitedSystem::Base, *height, *height)
+            }
         };
-        let system = ExcitedOscillator { ratio, zeta, excited, height, source };
+        let system = ExcitedOscillator { motion, ratio, zeta, excited, height, source };
         system.mean(&given.waveform, &pieces, sheet);
         for (row, n) in written(&self.waveform, &pieces).into_iter().enumerate() {
             sheet.keep_going()?;
@@ -135,6 +173,7 @@ impl Analysis for PeriodicExcitation {
 
 /// Parameters of the response to the harmonics.
 struct ExcitedOscillator<N> {
+    motion: OscillatorMotion,
     ratio: N,
     zeta: N,
     excited: ExcitedSystem<N>,
@@ -195,8 +234,8 @@ impl<N: Real> ExcitedOscillator<N> {
     /// Symbol and unit of the wave.
     fn wave(&self) -> (&'static str, &'static str) {
         match self.excited {
-            ExcitedSystem::Mass { .. } => ("F", "N"),
-            ExcitedSystem::Base => ("Y", "mm"),
+            ExcitedSystem::Mass { .. } => (self.motion.of("F", "T"), self.motion.force_unit()),
+            ExcitedSystem::Base => (self.motion.of("Y", "Φ"), self.motion.displacement_unit()),
         }
     }
 
@@ -218,13 +257,13 @@ impl<N: Real> ExcitedOscillator<N> {
     /// The mean of the motion: the deflection at rest under the mean of the wave.
     fn mean<W: Worksheet<Num = N>>(&self, wave: &WaveformGiven<W>, pieces: &[WaveSegment], sheet: W) {
         let mean = periodic::mean(pieces);
-        let offset = wave.mean(self.height, mean, sheet);
+        let offset = wave.mean(self.motion, self.height, mean, sheet);
         sheet.check_zero(
             "mean of the wave from its pieces",
             N::from(offset.value() / self.height.value() - mean),
             1.0,
         );
-        sheet.answer("mean", "Mean displacement", offset);
+        sheet.answer("mean", self.motion.of("Mean displacement", "Mean angle"), offset);
     }
 
     /// One harmonic: its coefficient, and what the oscillator makes of it.
@@ -261,7 +300,8 @@ impl<N: Real> ExcitedOscillator<N> {
                 ("Response to this harmonic: transmitted motion of the base", RAO.at("§4.2")),
             ),
         };
-        let amplitude = sheet.step(("X", index), "mm", amplitude, why);
+        let amplitude =
+            sheet.step((self.motion.of("X", "Θ"), index), self.motion.displacement_unit(), amplitude, why);
         let why = ("Its lag behind this harmonic of the wave", RAO.at("§4.2"));
         let lag = sheet.step(("φ", index), "deg", self.lag(ratio, self.zeta), why);
         sheet.answer(("harmonic", index), "Amplitude of harmonic", amplitude);
@@ -320,7 +360,7 @@ impl<N: Real> ExcitedOscillator<N> {
                     column("wave", self.wave().1),
                     column("frequency ratio", "1"),
                     column("magnification", "1"),
-                    column("motion", "mm"),
+                    column("motion", self.motion.displacement_unit()),
                     column("phase lag", "deg"),
                 ],
                 rows: lines.iter().filter(there).take(10).map(row).collect(),
@@ -336,8 +376,8 @@ impl<N: Real> ExcitedOscillator<N> {
             Exhibit::Plot(Plot::new(
                 "Line spectrum of the motion",
                 Axis::linear("frequency", "Hz"),
-                Axis::linear("amplitude", "mm"),
-                vec![Series::line("X", lines.iter().flat_map(stem).collect())],
+                Axis::linear("amplitude", self.motion.displacement_unit()),
+                vec![Series::line(self.motion.of("X", "Θ"), lines.iter().flat_map(stem).collect())],
             ))
         });
         let (own, here) = (zeta, ratio);
@@ -379,7 +419,8 @@ impl PeriodicExcitation {
         time: Option<W::Num>,
         sheet: W,
     ) {
-        let height = system.height;
+        let (height, motion) = (system.height, system.motion);
+        let unit = motion.displacement_unit();
         let whole = steady.and_then(|steady| Some((steady, steady.mean_square()?, steady.extremes()?)));
         let Some((steady, square, [largest, least])) = whole else {
             sheet.warn(|| {
@@ -389,7 +430,12 @@ impl PeriodicExcitation {
         };
         let how = "Root mean square over the static deflection, of the exact motion: piece by piece, closed over a period";
         let share = sheet.numerical("q_rms", "1", square.sqrt(), (how, RAO.at("§4.3")));
-        let rms = sheet.step("x_rms", "mm", height * share, "Root mean square of the displacement");
+        let rms = sheet.step(
+            motion.of("x_rms", "θ_rms"),
+            unit,
+            height * share,
+            motion.of("Root mean square of the displacement", "Root mean square of the angle"),
+        );
         sheet.verify(|| {
             let (sum, whole) = parseval(system, pieces);
             if whole {
@@ -408,11 +454,25 @@ impl PeriodicExcitation {
             least,
             "Minimum displacement of the exact motion, over the static deflection",
         );
-        let largest = sheet.step("x_max", "mm", height * largest, "Maximum displacement");
-        let least = sheet.step("x_min", "mm", height * least, "Minimum displacement");
-        sheet.answer("rms", "Root mean square of the displacement", rms);
-        sheet.answer("largest", "Maximum displacement", largest);
-        sheet.answer("least", "Minimum displacement", least);
+        let largest = sheet.step(
+            motion.of("x_max", "θ_max"),
+            unit,
+            height * largest,
+            motion.of("Maximum displacement", "Maximum angle"),
+        );
+        let least = sheet.step(
+            motion.of("x_min", "θ_min"),
+            unit,
+            height * least,
+            motion.of("Minimum displacement", "Minimum angle"),
+        );
+        sheet.answer(
+            "rms",
+            motion.of("Root mean square of the displacement", "Root mean square of the angle"),
+            rms,
+        );
+        sheet.answer("largest", motion.of("Maximum displacement", "Maximum angle"), largest);
+        sheet.answer("least", motion.of("Minimum displacement", "Minimum angle"), least);
         let circle = checks::Circle {
             zeta: system.zeta.value(),
             angle: std::f64::consts::TAU / system.ratio.value(),
@@ -428,8 +488,9 @@ impl PeriodicExcitation {
             let share = (time.value() / period).fract();
             let why = "Displacement of the exact motion at that time, over the static deflection";
             let at = sheet.numerical("q", "1", steady.displacement(share), (why, RAO.at("§4.3")));
-            let x = sheet.step("x", "mm", height * at, "Displacement at that time");
-            sheet.answer("displacement", "Displacement at that time", x);
+            let label = motion.of("Displacement at that time", "Angle at that time");
+            let x = sheet.step(motion.displacement(), unit, height * at, label);
+            sheet.answer("displacement", label, x);
             sheet.verify(|| checks::displacement(&circle, share, x.value() / height.value(), sheet));
         }
         let height = height.value();
@@ -455,7 +516,7 @@ impl PeriodicExcitation {
             Exhibit::Plot(Plot::new(
                 "Steady-state motion over two periods",
                 Axis::linear("time", "s"),
-                Axis::linear("displacement", "mm"),
+                Axis::linear(motion.of("displacement", "angle"), unit),
                 vec![
                     Series::line("exact", curve(&|s| steady.displacement(s))),
                     Series::line("sum of the listed harmonics", curve(&few)),

@@ -11,7 +11,7 @@ mod shock;
 
 use crate::{
     shared::oscillator::{
-        DampingGiven, Elasticity, Loss, Mass, MassAndStiffness, Suspension, mass, suspension,
+        Elasticity, Loss, Mass, MassAndStiffness, Suspension, ViscousDamping, mass, suspension,
     },
     sources::{RAO, THOMSON},
 };
@@ -58,7 +58,7 @@ pub enum IsolationTask {
         /// Total of all mounts.
         elasticity: Elasticity,
         /// Damping.
-        damping: MountDamping,
+        damping: ViscousDamping,
         /// Speeds.
         speeds: Speeds,
         /// Disturbance.
@@ -97,25 +97,6 @@ pub enum Requirement {
         /// The fraction of the force or motion that is not transmitted: 85 % for a transmissibility of 0.15.
         #[input("I_r", "%", positive, below = 100)]
         isolation: f64,
-    },
-}
-
-/// Damping of the mounts.
-#[derive(Clone, Debug, Inputs)]
-pub enum MountDamping {
-    /// Damping ratio given
-    Ratio {
-        /// Damping ratio.
-        /// Zero for no damping.
-        #[input("ζ", "1", nonnegative)]
-        ratio: f64,
-    },
-    /// Damping coefficient given
-    Coefficient {
-        /// Damping coefficient.
-        /// Total of all mounts.
-        #[input("c", "N*s/m", nonnegative)]
-        coefficient: f64,
     },
 }
 
@@ -185,13 +166,7 @@ impl Analysis for VibrationIsolation {
                 mounts.design(required, *damping_ratio, speeds, disturbance.as_ref(), sheet)
             }
             IsolationTaskGiven::Judge { elasticity, damping, speeds, disturbance, required } => {
-                let damping = match damping {
-                    MountDampingGiven::Ratio { ratio } => DampingGiven::Ratio { ratio: *ratio },
-                    MountDampingGiven::Coefficient { coefficient } => {
-                        DampingGiven::Coefficient { coefficient: *coefficient }
-                    }
-                };
-                let suspension = suspension(Some(mass), elasticity, &damping, sheet)?;
+                let suspension = suspension(Some(mass), elasticity, &damping.given(), sheet)?;
                 mounts.answer_isolation(&suspension, required.as_ref(), speeds, disturbance.as_ref(), sheet)
             }
             IsolationTaskGiven::Shock { arrival, acceleration, travel } => {

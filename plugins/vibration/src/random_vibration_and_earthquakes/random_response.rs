@@ -11,7 +11,7 @@ use dalembert_mechanics::{
 use crate::{
     shared::{
         free_motion::{DampedOscillator, system},
-        oscillator::{Damping, Elasticity, Mass, mass},
+        oscillator::{Elasticity, Mass, ViscousDamping, mass},
         spectral_density::{
             AccelerationDensity, AccelerationDensityGiven, ForceDensity, ForceDensityGiven, Spectrum,
             not_found,
@@ -29,7 +29,7 @@ pub struct RandomResponse {
     /// Springs.
     pub elasticity: Elasticity,
     /// Damping.
-    pub damping: Damping,
+    pub damping: ViscousDamping,
     /// Excitation.
     /// Stationary, Gaussian, zero mean.
     pub excitation: RandomExcitation,

@@ -6,7 +6,10 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{Real, beam, sdof, section, spring};
 
-use crate::sources::{BEER, BEVAN, RAO, SHIGLEY};
+use crate::{
+    shared::continuous::{ShearModulus, shear_modulus},
+    sources::{BEER, BEVAN, RAO, SHIGLEY},
+};
 
 /// The shaft, and what is fixed to it.
 #[derive(Clone, Debug, Inputs)]
@@ -113,8 +116,7 @@ pub struct Torsion {
     #[input("κ", "m", positive)]
     pub radius: f64,
     /// Shear modulus.
-    #[input("G", "Pa", positive)]
-    pub shear: f64,
+    pub shear: ShearModulus,
 }
 
 register!(MassOnShaft);
@@ -333,7 +335,7 @@ fn torsional<W: Worksheet>(
     };
     let polar =
         sheet.step("I_p", "cm^4", polar, ("Polar second moment of area of the section", BEER.at("app. A")));
-    let shear = torsion.shear;
+    let shear = shear_modulus(&torsion.shear, sheet, "G");
     let k = match held {
         Held::OneSide(length) => spring::torsional(shear, polar, length),
         Held::BothSides(left, right) => {

@@ -1,6 +1,6 @@
 //! Inputs and figures shared by continuous bodies: material, section, mass per unit length, mode shapes.
 
-use dalembert_core::{Axis, Exhibit, Ink, Inputs, Plot, Point, Series, Sketch, Text, Worksheet};
+use dalembert_core::{Axis, Exhibit, Ink, Inputs, Plot, Point, Series, Sketch, Symbol, Text, Worksheet};
 
 use crate::sources::BEER;
 
@@ -50,13 +50,18 @@ pub enum LineMass {
     },
 }
 
-/// The shear modulus, Pa.
-pub(crate) fn shear_modulus<W: Worksheet>(given: &ShearModulusGiven<W>, sheet: W) -> W::Num {
+/// The shear modulus, Pa, written as the step `symbol` where it is not given.
+#[inline]
+pub(crate) fn shear_modulus<W: Worksheet>(
+    given: &ShearModulusGiven<W>,
+    sheet: W,
+    symbol: impl Into<Symbol>,
+) -> W::Num {
     match given {
         ShearModulusGiven::Given { shear } => *shear,
         ShearModulusGiven::Isotropic { young, poisson } => {
             let modulus = *young / ((*poisson + 1.0) * 2.0);
-            sheet.step("G", "GPa", modulus, ("Shear modulus of an isotropic material", BEER.at("ch. 2")))
+            sheet.step(symbol, "GPa", modulus, ("Shear modulus of an isotropic material", BEER.at("ch. 2")))
         }
     }
 }

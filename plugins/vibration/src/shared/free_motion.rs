@@ -5,7 +5,12 @@ use dalembert_core::{Refusal, Worksheet};
 use dalembert_mechanics::{Real, sdof, vibration::transient::closed};
 
 use crate::{
-    shared::oscillator::{DampingGiven, ElasticityGiven, Loss, MassAndStiffness, Suspension, suspension},
+    shared::oscillator::{
+        ElasticityGiven, Loss, MassAndStiffness, Suspension, ViscousDampingGiven,
+        motion::OscillatorMotion,
+        parts::{BodyDampingGiven, BodySpringsGiven, OscillatingBodyGiven, suspension_of_body},
+        suspension,
+    },
     sources::RAO,
 };
 
@@ -18,21 +23,41 @@ pub(crate) struct DampedOscillator<N> {
     pub(crate) ratio: N,
     /// Mass and stiffness, where the mass is known.
     pub(crate) body: Option<MassAndStiffness<N>>,
+    /// Translation or rotation.
+    pub(crate) motion: OscillatorMotion,
 }
 
 /// Writes the numbers of an oscillator.
 ///
 /// # Errors
-/// Those of [`suspension`]; a loss factor, which says nothing of a motion that is not harmonic.
+/// Those of [`suspension`].
 pub(crate) fn system<W: Worksheet>(
     mass: Option<W::Num>,
     elasticity: &ElasticityGiven<W>,
-    damping: &DampingGiven<W>,
+    damping: &ViscousDampingGiven<W>,
     sheet: W,
 ) -> Result<DampedOscillator<W::Num>, Refusal> {
-    let Suspension { natural, loss, body, .. } = suspension(mass, elasticity, damping, sheet)?;
+    viscous(suspension(mass, elasticity, &damping.given(), sheet)?)
+}
+
+/// The same of a translation or of a rotation.
+///
+/// # Errors
+/// Those of [`suspension_of_body`]; a loss factor.
+pub(crate) fn system_of_body<W: Worksheet>(
+    motion: OscillatorMotion,
+    body: Option<&OscillatingBodyGiven<W>>,
+    springs: &BodySpringsGiven<W>,
+    damping: &BodyDampingGiven<W>,
+    sheet: W,
+) -> Result<DampedOscillator<W::Num>, Refusal> {
+    viscous(suspension_of_body(motion, body, springs, damping, sheet)?)
+}
+
+fn viscous<N>(suspension: Suspension<N>) -> Result<DampedOscillator<N>, Refusal> {
+    let Suspension { natural, loss, body, motion } = suspension;
     match loss {
-        Loss::Viscous(ratio, _) => Ok(DampedOscillator { natural, ratio, body }),
+        Loss::Viscous(ratio, _) => Ok(DampedOscillator { natural, ratio, body, motion }),
         Loss::Hysteretic(_) => Err(Refusal::because(
             "a loss factor describes steady-state vibration at one frequency, not a transient or random motion: give the damping ratio, which for light damping is half the loss factor",
         )),

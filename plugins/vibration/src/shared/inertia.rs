@@ -1,7 +1,66 @@
-//! Moments of inertia of discs and rotors, as one number `J`.
+//! Masses, and moments of inertia of discs, rotors and bodies of known shape, as one number.
 
-use dalembert_core::{Inputs, Symbol, Worksheet};
+use dalembert_core::{Inputs, Refusal, Symbol, Worksheet};
 use dalembert_mechanics::Real;
+
+use crate::sources::RAO;
+
+/// Mass, given directly or by the weight.
+#[derive(Clone, Debug, Inputs)]
+pub enum Mass {
+    /// Mass given
+    Mass {
+        /// Mass.
+        #[input("m", "kg", positive)]
+        mass: f64,
+    },
+    /// Weight given
+    Weight {
+        /// Weight.
+        #[input("W", "N", positive)]
+        weight: f64,
+        /// Gravity.
+        #[input("g", "m/s^2", positive, default = "9.81 m/s^2", default_before = "9.80665 m/s^2")]
+        gravity: f64,
+    },
+}
+
+/// Body that moves along a line.
+#[derive(Clone, Debug, Inputs)]
+pub enum TranslatingBody {
+    /// Mass or weight
+    #[input(flatten)]
+    Mass(Mass),
+    /// Body that rolls without slipping
+    /// Springs, dampers and forces act at its centre.
+    Rolling {
+        /// Mass or weight.
+        mass: Mass,
+        /// Shape.
+        shape: RollingShape,
+        /// Radius.
+        /// Required only if the moment of inertia is given.
+        #[input("r", "m", positive)]
+        radius: Option<f64>,
+    },
+}
+
+/// The shape of a rolling body.
+#[derive(Clone, Debug, Inputs)]
+pub enum RollingShape {
+    /// Solid cylinder or disc
+    Cylinder,
+    /// Thin ring or tube
+    Ring,
+    /// Solid sphere
+    Sphere,
+    /// Moment of inertia given
+    Given {
+        /// Moment of inertia about the centre.
+        #[input("J_G", "kg*m^2", positive)]
+        inertia: f64,
+    },
+}
 
 /// The moment of inertia of a rotor about its axis.
 #[derive(Clone, Debug, Inputs)]
@@ -59,6 +118,189 @@ pub enum Inertia {
         #[input("D", "m", positive)]
         diameter: f64,
     },
+    /// Rod, plate, sphere, cylinder
+    /// About its centre of mass, or about a parallel axis.
+    Shape {
+        /// Mass or weight.
+        mass: Mass,
+        /// Shape.
+        #[input("b")]
+        shape: BodyShape,
+        /// Distance from the axis to the centre.
+        /// Omitted for an axis through the centre of mass; half the length for the end of a rod.
+        #[input("d", "m", positive)]
+        distance: Option<f64>,
+    },
+}
+
+/// Shape of a body, and direction of the axis in it.
+#[derive(Clone, Debug, Inputs)]
+pub enum BodyShape {
+    /// Slender rod, axis across it
+    Rod {
+        /// Length.
+        #[input("L", "m", positive)]
+        length: f64,
+    },
+    /// Rectangular plate, axis normal to it
+    Plate {
+        /// Length.
+        #[input("a", "m", positive)]
+        length: f64,
+        /// Width.
+        #[input("b", "m", positive)]
+        width: f64,
+    },
+    /// Disc or solid cylinder, its own axis
+    Disc {
+        /// Diameter.
+        #[input("D", "m", positive)]
+        diameter: f64,
+    },
+    /// Thin ring, axis normal to it
+    Ring {
+        /// Mean diameter.
+        #[input("D", "m", positive)]
+        diameter: f64,
+    },
+    /// Solid cylinder, axis across it
+    Cylinder {
+        /// Diameter.
+        #[input("D", "m", positive)]
+        diameter: f64,
+        /// Length.
+        #[input("L", "m", positive)]
+        length: f64,
+    },
+    /// Solid sphere
+    Sphere {
+        /// Diameter.
+        #[input("D", "m", positive)]
+        diameter: f64,
+    },
+    /// Radius of gyration given
+    Gyration {
+        /// Radius of gyration.
+        /// About the axis through the centre of mass.
+        #[input("κ_G", "m", positive)]
+        radius: f64,
+    },
+}
+
+/// The mass, kg.
+pub(crate) fn mass<W: Worksheet>(given: &MassGiven<W>, sheet: W) -> W::Num {
+    match given {
+        MassGiven::Mass { mass } => *mass,
+        MassGiven::Weight { weight, gravity } => {
+            sheet.step("m", "kg", *weight / *gravity, "Mass of this weight")
+        }
+    }
+}
+
+/// The weight, where it is given and is that under this gravity. With two values of gravity in one problem it is not.
+pub(crate) fn given_weight<W: Worksheet>(given: &MassGiven<W>, gravity: W::Num) -> Option<W::Num> {
+    match given {
+        MassGiven::Weight { weight, gravity: weighed } if weighed.value() == gravity.value() => Some(*weight),
+        _ => None,
+    }
+}
+
+impl<W: Worksheet> RollingShapeGiven<W> {
+    /// The moment of inertia about the centre, kg·m², written as `J_G` where it is not given.
+    pub(crate) fn about_centre(&self, [mass, radius]: [W::Num; 2], sheet: W) -> W::Num {
+        let square = mass * radius.powi(2);
+        let (inertia, why) = match self {
+            RollingShapeGiven::Cylinder {} => {
+                (square / 2.0, "Moment of inertia of a solid cylinder about its centre")
+            }
+            RollingShapeGiven::Ring {} => (square, "Moment of inertia of a thin ring about its centre"),
+            RollingShapeGiven::Sphere {} => {
+                (square * 0.4, "Moment of inertia of a solid sphere about its centre")
+            }
+            RollingShapeGiven::Given { inertia } => return *inertia,
+        };
+        sheet.step("J_G", "kg*m^2", inertia, why)
+    }
+}
+
+impl<W: Worksheet> TranslatingBodyGiven<W> {
+    /// The mass that moves along the line, kg; of a rolling body, with what its rotation adds.
+    ///
+    /// # Errors
+    /// A moment of inertia without the radius.
+    pub(crate) fn mass(&self, sheet: W) -> Result<W::Num, Refusal> {
+        let (body, shape, radius) = match self {
+            TranslatingBodyGiven::Mass(body) => return Ok(mass(body, sheet)),
+            TranslatingBodyGiven::Rolling { mass, shape, radius } => (mass, shape, radius),
+        };
+        let own = mass(body, sheet);
+        let equivalent = match (shape, radius) {
+            (RollingShapeGiven::Cylinder {}, _) => own * 1.5,
+            (RollingShapeGiven::Ring {}, _) => own * 2.0,
+            (RollingShapeGiven::Sphere {}, _) => own * 1.4,
+            (RollingShapeGiven::Given { inertia }, Some(radius)) => own + *inertia / radius.powi(2),
+            (RollingShapeGiven::Given { .. }, None) => {
+                return Err(Refusal::because(
+                    "what the moment of inertia adds to the mass of a rolling body depends on its radius: write the radius",
+                ));
+            }
+        };
+        let why = (
+            "Equivalent mass of the body that rolls, m + J_G/r²: its kinetic energy over half the square of its velocity",
+            RAO.at("§1.8"),
+        );
+        let equivalent = sheet.step("m_eq", "kg", equivalent, why);
+        sheet.verify(|| {
+            // About the point of contact, of a body with a radius of one.
+            let (share, radius) = match (shape, radius) {
+                (RollingShapeGiven::Cylinder {}, _) => (0.5, 1.0),
+                (RollingShapeGiven::Ring {}, _) => (1.0, 1.0),
+                (RollingShapeGiven::Sphere {}, _) => (0.4, 1.0),
+                (RollingShapeGiven::Given { inertia }, radius) => {
+                    let radius = radius.map_or(1.0, Real::value);
+                    (inertia.value() / own.value() / (radius * radius), radius)
+                }
+            };
+            let about = own.value() * radius * radius * (1.0 + share);
+            sheet.check(
+                "equivalent mass by the moment of inertia about the point of contact, J_C/r²",
+                W::Num::from(about / (radius * radius)),
+                equivalent,
+            );
+        });
+        Ok(equivalent)
+    }
+}
+
+impl<W: Worksheet> BodyShapeGiven<W> {
+    /// The square of the radius of gyration about the centre, m², and whose moment of inertia it gives.
+    fn square(&self) -> (W::Num, &'static str) {
+        match *self {
+            BodyShapeGiven::Rod { length } => {
+                (length.powi(2) / 12.0, "Moment of inertia of a slender rod about its centre")
+            }
+            BodyShapeGiven::Plate { length, width } => (
+                (length.powi(2) + width.powi(2)) / 12.0,
+                "Moment of inertia of a rectangular plate about the normal through its centre",
+            ),
+            BodyShapeGiven::Disc { diameter } => {
+                (diameter.powi(2) / 8.0, "Moment of inertia of a solid disc about its axis")
+            }
+            BodyShapeGiven::Ring { diameter } => {
+                (diameter.powi(2) / 4.0, "Moment of inertia of a ring about its axis")
+            }
+            BodyShapeGiven::Cylinder { diameter, length } => (
+                diameter.powi(2) / 16.0 + length.powi(2) / 12.0,
+                "Moment of inertia of a solid cylinder about a diameter through its centre",
+            ),
+            BodyShapeGiven::Sphere { diameter } => {
+                (diameter.powi(2) / 10.0, "Moment of inertia of a solid sphere about its centre")
+            }
+            BodyShapeGiven::Gyration { radius } => {
+                (radius.powi(2), "Moment of inertia from the radius of gyration")
+            }
+        }
+    }
 }
 
 impl<W: Worksheet> RotorInertiaGiven<W> {
@@ -89,6 +331,18 @@ pub fn moment_of_inertia<W: Worksheet>(given: &InertiaGiven<W>, sheet: W, symbol
         InertiaGiven::Ring { mass, diameter } => {
             let inertia = *mass * diameter.powi(2) / 4.0;
             sheet.step(symbol, "kg*m^2", inertia, "Moment of inertia of a ring about its axis")
+        }
+        InertiaGiven::Shape { mass: body, shape, distance } => {
+            let mass = mass(body, sheet);
+            let (square, centred) = shape.square();
+            match distance {
+                None => sheet.step(symbol, "kg*m^2", mass * square, centred),
+                Some(distance) => {
+                    let why =
+                        "Moment of inertia by the parallel-axis theorem: that about the centre, and m d²";
+                    sheet.step(symbol, "kg*m^2", mass * (square + distance.powi(2)), why)
+                }
+            }
         }
     }
 }

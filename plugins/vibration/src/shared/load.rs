@@ -1,5 +1,7 @@
 //! Loads in the course of time: steps, ramps, pulses, tables; what transients and shock spectra share.
 
+use std::f64::consts::{PI, TAU};
+
 use dalembert_core::{Inputs, Refusal};
 use dalembert_mechanics::vibration::transient::{
     LoadLaw, LoadSegment, Oscillator, OscillatorState, TransientOutput, UnitResponses,
@@ -54,6 +56,36 @@ pub enum LoadHistory {
         /// Duration.
         #[input("t_d", "s", positive)]
         duration: f64,
+    },
+    /// Versed-sine pulse
+    /// (1 − cos 2πt/t_d)/2: it begins and ends smoothly.
+    VersedSine {
+        /// Duration.
+        #[input("t_d", "s", positive)]
+        duration: f64,
+    },
+    /// Exponential rise
+    /// 1 − e^(−t/τ): it tends to its maximum.
+    ExponentialRise {
+        /// Time constant.
+        #[input("τ", "s", positive)]
+        constant: f64,
+    },
+    /// Parabola over its duration, then zero
+    /// a₀ + a₁s + a₂s² with s = t/t_d, in multiples of the maximum: 1, 0, −1 for 1 − s²; 0, 4, −4 for an arch.
+    Parabola {
+        /// Duration.
+        #[input("t_d", "s", positive)]
+        duration: f64,
+        /// Constant term.
+        #[input("a₀", "1", default = "0")]
+        constant: f64,
+        /// Linear coefficient.
+        #[input("a₁", "1", default = "0")]
+        linear: f64,
+        /// Quadratic coefficient.
+        #[input("a₂", "1", default = "0")]
+        quadratic: f64,
     },
 }
 
@@ -118,7 +150,27 @@ impl LoadHistory {
                 (pieces, Some(duration))
             }
             LoadHistory::HalfSine { duration } => {
-                let law = LoadLaw::Sine { amplitude: size, frequency: std::f64::consts::PI / duration };
+                let law = LoadLaw::Sine { amplitude: size, frequency: PI / duration };
+                (vec![LoadSegment { from: 0.0, law }, none(duration)], Some(duration))
+            }
+            LoadHistory::VersedSine { duration } => {
+                let law = LoadLaw::Versine { size, frequency: TAU / duration };
+                (vec![LoadSegment { from: 0.0, law }, none(duration)], Some(duration))
+            }
+            LoadHistory::ExponentialRise { constant } => {
+                (vec![LoadSegment { from: 0.0, law: LoadLaw::Rise { size, rate: 1.0 / constant } }], None)
+            }
+            LoadHistory::Parabola { duration, constant, linear, quadratic } => {
+                if [constant, linear, quadratic] == [0.0; 3] {
+                    return Err(Refusal::because(
+                        "a parabola without coefficients is no load: write at least one of them",
+                    ));
+                }
+                let law = LoadLaw::Parabola {
+                    start: size * constant,
+                    slope: size * linear / duration,
+                    bend: 2.0 * size * quadratic / (duration * duration),
+                };
                 (vec![LoadSegment { from: 0.0, law }, none(duration)], Some(duration))
             }
         };
@@ -155,12 +207,7 @@ pub(crate) fn table(points: &[(f64, f64)]) -> Result<Pieces, Refusal> {
 
 /// Pieces whose values are multiplied by a factor.
 pub(crate) fn scaled(pieces: &[LoadSegment], factor: f64) -> Vec<LoadSegment> {
-    let law = |law: LoadLaw| match law {
-        LoadLaw::Line { start, slope } => LoadLaw::Line { start: start * factor, slope: slope * factor },
-        LoadLaw::Sine { amplitude, frequency } => LoadLaw::Sine { amplitude: amplitude * factor, frequency },
-        LoadLaw::Decay { amplitude, rate } => LoadLaw::Decay { amplitude: amplitude * factor, rate },
-    };
-    pieces.iter().map(|piece| LoadSegment { from: piece.from, law: law(piece.law) }).collect()
+    pieces.iter().map(|piece| LoadSegment { from: piece.from, law: piece.law.scaled(factor) }).collect()
 }
 
 fn few() -> Refusal {
@@ -188,12 +235,9 @@ pub(crate) fn by_impulses(
         if end <= piece.from || piece.law == (LoadLaw::Line { start: 0.0, slope: 0.0 }) {
             continue;
         }
-        let fastest = match piece.law {
-            LoadLaw::Line { .. } => 0.0,
-            LoadLaw::Sine { frequency, .. } => frequency,
-            LoadLaw::Decay { rate, .. } => rate,
-        };
-        let here = (2.0 * (end - piece.from) * (natural * (1.0 + 2.0 * ratio) + fastest)).ceil().max(1.0);
+        let here = (2.0 * (end - piece.from) * (natural * (1.0 + 2.0 * ratio) + piece.law.fastest()))
+            .ceil()
+            .max(1.0);
         parts += here;
         if parts.is_nan() || parts > MOST {
             return None;

@@ -4,41 +4,24 @@ use dalembert_core::{Inputs, Refusal, Worksheet};
 use dalembert_mechanics::{Real, sdof};
 
 pub(crate) mod motion;
+pub(crate) mod parts;
 pub(crate) mod plots;
 pub(crate) mod transient_from_rest;
+
+pub(crate) use crate::shared::inertia::{Mass, MassGiven, given_weight, mass};
 
 use self::motion::OscillatorMotion;
 use crate::{
     shared::{
-        decay::{Decay, decrement},
+        decay::{Decay, DecayGiven, decrement},
         spring::{Spring, stiffness},
     },
     sources::RAO,
 };
 
-/// Mass, given directly or by the weight.
+/// Stiffness of the springs, or what it follows from without their damping.
 #[derive(Clone, Debug, Inputs)]
-pub enum Mass {
-    /// Mass given
-    Mass {
-        /// Mass.
-        #[input("m", "kg", positive)]
-        mass: f64,
-    },
-    /// Weight given
-    Weight {
-        /// Weight.
-        #[input("W", "N", positive)]
-        weight: f64,
-        /// Gravity.
-        #[input("g", "m/s^2", positive, default = "9.81 m/s^2", default_before = "9.80665 m/s^2")]
-        gravity: f64,
-    },
-}
-
-/// Given quantity of the springs.
-#[derive(Clone, Debug, Inputs)]
-pub enum Elasticity {
+pub enum SpringData {
     /// Stiffness given
     Stiffness {
         /// Stiffness.
@@ -67,6 +50,14 @@ pub enum Elasticity {
         #[input("ωₙ", "rad/s", positive)]
         frequency: f64,
     },
+}
+
+/// Given quantity of the springs.
+#[derive(Clone, Debug, Inputs)]
+pub enum Elasticity {
+    /// Springs alone
+    #[input(flatten)]
+    Springs(SpringData),
     /// Frequency of the free damped vibration
     DampedFrequency {
         /// Frequency of the free vibration.
@@ -75,9 +66,9 @@ pub enum Elasticity {
     },
 }
 
-/// Damping mechanism.
+/// Damping of a viscous damper.
 #[derive(Clone, Debug, Inputs)]
-pub enum Damping {
+pub enum ViscousDamping {
     /// Damping ratio given
     Ratio {
         /// Damping ratio.
@@ -91,18 +82,34 @@ pub enum Damping {
         #[input("c", "N*s/m", nonnegative)]
         coefficient: f64,
     },
-    /// Hysteretic: loss factor given
-    /// Complex stiffness k(1 + iη): the energy loss per cycle is independent of frequency.
-    LossFactor {
-        /// Loss factor.
-        #[input("η", "1", nonnegative)]
-        loss_factor: f64,
-    },
     /// From a free decay
     Decay {
         /// Amplitudes.
         amplitudes: Decay,
     },
+}
+
+/// Damping mechanism as it is given.
+pub(crate) enum GivenDamping<'d, W: Worksheet> {
+    /// Damping ratio.
+    Ratio(W::Num),
+    /// Damping coefficient.
+    Coefficient(W::Num),
+    /// Loss factor.
+    LossFactor(W::Num),
+    /// Amplitudes of a free decay.
+    Decay(&'d DecayGiven<W>),
+}
+
+impl<W: Worksheet> ViscousDampingGiven<W> {
+    /// Damping as its given form.
+    pub(crate) fn given(&self) -> GivenDamping<'_, W> {
+        match self {
+            ViscousDampingGiven::Ratio { ratio } => GivenDamping::Ratio(*ratio),
+            ViscousDampingGiven::Coefficient { coefficient } => GivenDamping::Coefficient(*coefficient),
+            ViscousDampingGiven::Decay { amplitudes } => GivenDamping::Decay(amplitudes),
+        }
+    }
 }
 
 /// Equivalent stiffness and damping of the springs and dampers.
@@ -145,24 +152,6 @@ pub(crate) struct AtFrequency<N> {
     pub(crate) damping: Option<N>,
 }
 
-/// The mass, kg.
-pub(crate) fn mass<W: Worksheet>(given: &MassGiven<W>, sheet: W) -> W::Num {
-    match given {
-        MassGiven::Mass { mass } => *mass,
-        MassGiven::Weight { weight, gravity } => {
-            sheet.step("m", "kg", *weight / *gravity, "Mass of this weight")
-        }
-    }
-}
-
-/// The weight, where it is given and is that under this gravity. With two values of gravity in one problem it is not.
-pub(crate) fn given_weight<W: Worksheet>(given: &MassGiven<W>, gravity: W::Num) -> Option<W::Num> {
-    match given {
-        MassGiven::Weight { weight, gravity: weighed } if weighed.value() == gravity.value() => Some(*weight),
-        _ => None,
-    }
-}
-
 /// Natural frequency, stiffness and damping, with the steps that lead to them.
 ///
 /// # Errors
@@ -170,7 +159,7 @@ pub(crate) fn given_weight<W: Worksheet>(given: &MassGiven<W>, gravity: W::Num) 
 pub(crate) fn suspension<W: Worksheet>(
     mass: Option<W::Num>,
     elasticity: &ElasticityGiven<W>,
-    damping: &DampingGiven<W>,
+    damping: &GivenDamping<'_, W>,
     sheet: W,
 ) -> Result<Suspension<W::Num>, Refusal> {
     suspension_of(OscillatorMotion::Translation, mass, elasticity, damping, sheet)
@@ -185,50 +174,27 @@ pub(crate) fn suspension_of<W: Worksheet>(
     motion: OscillatorMotion,
     mass: Option<W::Num>,
     elasticity: &ElasticityGiven<W>,
-    damping: &DampingGiven<W>,
+    damping: &GivenDamping<'_, W>,
     sheet: W,
 ) -> Result<Suspension<W::Num>, Refusal> {
     let by_decay = match damping {
-        DampingGiven::Decay { amplitudes } => Some(decrement(amplitudes, sheet).damping_ratio),
-        DampingGiven::Ratio { ratio } => Some(*ratio),
+        GivenDamping::Decay(amplitudes) => Some(decrement(amplitudes, sheet).damping_ratio),
+        GivenDamping::Ratio(ratio) => Some(*ratio),
         _ => None,
     };
-    let from_stiffness = |k: W::Num, mass: W::Num| {
-        let why = ("Natural frequency without damping", RAO.at("§2.2"));
-        sheet.step("ωₙ", "rad/s", sdof::natural_frequency(k, mass), why)
-    };
     let (natural, known_stiffness) = match elasticity {
-        ElasticityGiven::Stiffness { stiffness } => {
-            (from_stiffness(*stiffness, needed(mass)?), Some(*stiffness))
-        }
-        ElasticityGiven::Springs { springs } => {
-            let k = stiffness(springs, sheet)?;
-            (from_stiffness(k, needed(mass)?), Some(k))
-        }
-        ElasticityGiven::StaticDeflection { deflection, gravity } => {
-            let why = ("Natural frequency, from the weight m g = k δ_st", RAO.at("§2.2"));
-            (sheet.step("ωₙ", "rad/s", (*gravity / *deflection).sqrt(), why), None)
-        }
-        ElasticityGiven::NaturalFrequency { frequency } => (*frequency, None),
+        ElasticityGiven::Springs(data) => frequency_and_stiffness(data, mass, sheet)?,
         ElasticityGiven::DampedFrequency { frequency } => {
             (undamped(*frequency, by_decay, mass, damping, sheet)?, None)
         }
     };
     let body = mass.map(|mass| {
-        let words = motion.of(
-            "Stiffness that gives the mass this natural frequency",
-            "Torsional stiffness that gives the moment of inertia this natural frequency",
-        );
-        let (symbol, unit) = motion.stiffness();
-        let stiffness = known_stiffness.unwrap_or_else(|| {
-            let k = sdof::stiffness_from_natural_frequency(mass, natural);
-            sheet.step(symbol, unit, k, (words, RAO.at("§2.2")))
-        });
+        let stiffness = known_stiffness.unwrap_or_else(|| stiffness_of(motion, mass, natural, sheet));
         MassAndStiffness { mass, stiffness }
     });
     let loss = match damping {
-        DampingGiven::LossFactor { loss_factor } => Loss::Hysteretic(*loss_factor),
-        DampingGiven::Coefficient { coefficient } => {
+        GivenDamping::LossFactor(loss_factor) => Loss::Hysteretic(*loss_factor),
+        GivenDamping::Coefficient(coefficient) => {
             let MassAndStiffness { mass, stiffness } = body.ok_or_else(|| {
                 Refusal::because(
                     "a damping coefficient is not sufficient without the mass: write the mass, or the damping ratio",
@@ -242,7 +208,7 @@ pub(crate) fn suspension_of<W: Worksheet>(
             );
             Loss::Viscous(zeta, Some(*coefficient))
         }
-        DampingGiven::Ratio { .. } | DampingGiven::Decay { .. } => {
+        GivenDamping::Ratio(_) | GivenDamping::Decay(_) => {
             let zeta = by_decay.expect("these give the damping ratio");
             let why = ("Damping coefficient", RAO.at("§2.6"));
             let c = body.map(|body| {
@@ -253,6 +219,49 @@ pub(crate) fn suspension_of<W: Worksheet>(
         }
     };
     Ok(Suspension { motion, natural, loss, body })
+}
+
+/// Natural frequency from the springs without damping; and their stiffness, where it is known before the mass.
+///
+/// # Errors
+/// A mass that is needed and was not given; a spring that is none.
+pub(crate) fn frequency_and_stiffness<W: Worksheet>(
+    springs: &SpringDataGiven<W>,
+    mass: Option<W::Num>,
+    sheet: W,
+) -> Result<(W::Num, Option<W::Num>), Refusal> {
+    let stiffness = match springs {
+        SpringDataGiven::Stiffness { stiffness } => *stiffness,
+        SpringDataGiven::Springs { springs } => stiffness(springs, sheet)?,
+        SpringDataGiven::StaticDeflection { deflection, gravity } => {
+            let why = ("Natural frequency, from the weight m g = k δ_st", RAO.at("§2.2"));
+            return Ok((sheet.step("ωₙ", "rad/s", (*gravity / *deflection).sqrt(), why), None));
+        }
+        SpringDataGiven::NaturalFrequency { frequency } => return Ok((*frequency, None)),
+    };
+    Ok((frequency_of(stiffness, needed(mass)?, sheet), Some(stiffness)))
+}
+
+/// The natural frequency, rad/s, of a mass on a spring, or of an inertia on a torsional spring.
+pub(crate) fn frequency_of<W: Worksheet>(stiffness: W::Num, mass: W::Num, sheet: W) -> W::Num {
+    let why = ("Natural frequency without damping", RAO.at("§2.2"));
+    sheet.step("ωₙ", "rad/s", sdof::natural_frequency(stiffness, mass), why)
+}
+
+/// The stiffness behind a natural frequency.
+pub(crate) fn stiffness_of<W: Worksheet>(
+    motion: OscillatorMotion,
+    mass: W::Num,
+    natural: W::Num,
+    sheet: W,
+) -> W::Num {
+    let words = motion.of(
+        "Stiffness that gives the mass this natural frequency",
+        "Torsional stiffness that gives the moment of inertia this natural frequency",
+    );
+    let (symbol, unit) = motion.stiffness();
+    let k = sdof::stiffness_from_natural_frequency(mass, natural);
+    sheet.step(symbol, unit, k, (words, RAO.at("§2.2")))
 }
 
 impl<N: Real> Suspension<N> {
@@ -335,7 +344,7 @@ fn undamped<W: Worksheet>(
     damped: W::Num,
     zeta: Option<W::Num>,
     mass: Option<W::Num>,
-    damping: &DampingGiven<W>,
+    damping: &GivenDamping<'_, W>,
     sheet: W,
 ) -> Result<W::Num, Refusal> {
     let slower = "The damped frequency is below the natural frequency";
@@ -346,7 +355,7 @@ fn undamped<W: Worksheet>(
                 "with a damping ratio of 1 or more the free motion does not oscillate: give the natural frequency",
             ));
         }
-        (DampingGiven::Coefficient { coefficient }, _) => {
+        (GivenDamping::Coefficient(coefficient), _) => {
             (damped.powi(2) + (*coefficient / (needed(mass)? * 2.0)).powi(2)).sqrt()
         }
         _ => {

@@ -11,7 +11,10 @@ pub mod torsional;
 
 use self::element::{Build, SpringMotion};
 pub(crate) use self::element::{Element, Joined, symbol};
-use crate::shared::section::{AxialSection, Section, ShaftSection};
+use crate::shared::{
+    continuous::ShearModulus,
+    section::{AxialSection, Section, ShaftSection},
+};
 
 /// Spring or elastic member under the load.
 #[derive(Clone, Debug, Inputs)]
@@ -20,6 +23,16 @@ pub enum Spring {
     Stiffness {
         /// Stiffness.
         #[input("k", "N/m", positive)]
+        stiffness: f64,
+    },
+    /// Equal springs side by side
+    /// Mounts of a machine, for instance.
+    Equal {
+        /// Number of springs.
+        #[input("n", "1", min = 1)]
+        count: f64,
+        /// Stiffness of each spring.
+        #[input("k₁", "N/m", positive)]
         stiffness: f64,
     },
     /// Cantilever
@@ -138,8 +151,7 @@ pub enum Spring {
         #[input("L", "m", positive)]
         length: f64,
         /// Shear modulus.
-        #[input("G", "Pa", positive)]
-        shear: f64,
+        shear: ShearModulus,
         /// Section.
         section: ShaftSection,
         /// Lever.
@@ -150,8 +162,7 @@ pub enum Spring {
     /// Helical spring
     Helical {
         /// Shear modulus.
-        #[input("G", "Pa", positive)]
-        shear: f64,
+        shear: ShearModulus,
         /// Diameter of the wire.
         #[input("d", "m", positive)]
         wire_diameter: f64,
@@ -202,8 +213,7 @@ pub enum Spring {
     /// Rubber pad in shear
     ShearPad {
         /// Shear modulus.
-        #[input("G", "Pa", positive)]
-        shear: f64,
+        shear: ShearModulus,
         /// Bonded area.
         #[input("A", "m^2", positive)]
         area: f64,
@@ -359,6 +369,7 @@ pub(crate) fn network<W: Worksheet>(
 /// Name of the type of an element.
 fn label<W: Worksheet>(given: &SpringGiven<W>) -> &'static str {
     match given {
+        SpringGiven::Equal { .. } => "equal springs",
         SpringGiven::Stiffness { .. } | SpringGiven::Deflected { .. } | SpringGiven::Tuned { .. } => "spring",
         SpringGiven::Cantilever { .. } => "cantilever",
         SpringGiven::SimplySupported { .. } => "simply supported beam",

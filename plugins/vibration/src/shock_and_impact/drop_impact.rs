@@ -16,7 +16,7 @@ use dalembert_numerics::roots;
 use crate::{
     shared::{
         free_motion::{DampedOscillator, WorkedFreeMotion, system},
-        oscillator::{Damping, Elasticity, Mass, mass},
+        oscillator::{Elasticity, Mass, ViscousDamping, mass},
     },
     sources::{MERIAM, RAO, THOMSON},
 };
@@ -33,7 +33,7 @@ pub struct DropImpact {
     /// Spring.
     pub elasticity: Elasticity,
     /// Damping.
-    pub damping: Damping,
+    pub damping: ViscousDamping,
     /// Drop.
     pub fall: Fall,
     /// Acceleration of gravity.
@@ -111,7 +111,7 @@ impl Analysis for DropImpact {
             }
         };
         let why = "Additional static compression of the spring under the weight of the body";
-        let sag = sheet.step("δ", "mm", body * gravity / stiffness, why);
+        let sag = sheet.step("δ_w", "mm", body * gravity / stiffness, why);
         sheet.check(
             "at contact the force missing in the spring is the weight of the body: ωₙ² δ = m g/m_t",
             system.natural.powi(2) * sag,

@@ -20,9 +20,13 @@ use self::{
 };
 use crate::{
     shared::{
-        free_motion::{DampedOscillator, system},
+        free_motion::{DampedOscillator, system_of_body},
         load::{AccelerationPoint, LoadHistory},
-        oscillator::{Damping, Elasticity, Mass, mass, plots},
+        oscillator::{
+            motion::OscillatorMotion,
+            parts::{BodyDamping, BodySprings, OscillatingBody, motion_of},
+            plots,
+        },
     },
     sources::{CHOPRA, RAO, THOMSON},
 };
@@ -30,13 +34,13 @@ use crate::{
 /// The oscillator, what moves it, and when it is examined.
 #[derive(Clone, Debug, Inputs)]
 pub struct TransientResponse {
-    /// Mass.
-    /// Required only for a force on it, or if the stiffness is given instead of a frequency.
-    pub mass: Option<Mass>,
+    /// Mass or moment of inertia.
+    /// Required only for a force or torque on it, or if the stiffness is given instead of a frequency.
+    pub mass: Option<OscillatingBody>,
     /// Springs.
-    pub elasticity: Elasticity,
+    pub elasticity: BodySprings,
     /// Damping.
-    pub damping: Damping,
+    pub damping: BodyDamping,
     /// Excitation.
     /// From rest, unless an initial motion is specified.
     pub excitation: Excitation,
@@ -101,6 +105,47 @@ pub enum Excitation {
         #[input("v₀", "m/s", default = "0 m/s")]
         velocity: f64,
     },
+    /// Torque on the body
+    /// For a rotation.
+    Torque {
+        /// Magnitude.
+        size: TorqueSize,
+        /// Time history.
+        course: LoadHistory,
+    },
+    /// Torque on the body from a table
+    /// Linear between the points, zero before the first and after the last.
+    TorqueTable {
+        /// Points.
+        /// Increasing times; two points at the same time define a step.
+        #[input(table)]
+        points: Vec<TorquePoint>,
+    },
+    /// Angular impulse on the body
+    /// For a rotation.
+    AngularImpulse {
+        /// Angular impulse.
+        #[input("I", "N*m*s", positive)]
+        impulse: f64,
+    },
+    /// Angular acceleration of the base
+    /// For a rotation. The angle is that relative to the base.
+    BaseRotation {
+        /// Maximum angular acceleration.
+        #[input("α₀", "rad/s^2", positive)]
+        acceleration: f64,
+        /// Time history.
+        course: LoadHistory,
+    },
+    /// Initial rotation
+    InitialRotation {
+        /// Initial angle.
+        #[input("θ₀", "rad", default = "0 rad")]
+        angle: f64,
+        /// Initial angular velocity.
+        #[input("Ω₀", "rad/s", default = "0 rad/s")]
+        rate: f64,
+    },
 }
 
 /// Magnitude of a force.
@@ -119,6 +164,35 @@ pub enum ForceSize {
         #[input("I", "N*s", positive)]
         impulse: f64,
     },
+}
+
+/// Magnitude of a torque.
+#[derive(Clone, Debug, Inputs)]
+pub enum TorqueSize {
+    /// Maximum torque given
+    Largest {
+        /// Maximum torque.
+        #[input("T₀", "N*m", positive)]
+        torque: f64,
+    },
+    /// Angular impulse of the whole pulse given
+    Impulse {
+        /// Angular impulse.
+        /// The area under the torque.
+        #[input("I", "N*m*s", positive)]
+        impulse: f64,
+    },
+}
+
+/// A point of a torque in time.
+#[derive(Clone, Debug, Inputs)]
+pub struct TorquePoint {
+    /// Time.
+    #[input("t", "s", nonnegative)]
+    pub time: f64,
+    /// Torque.
+    #[input("T", "N*m")]
+    pub torque: f64,
 }
 
 /// A point of a force in time.
@@ -148,8 +222,9 @@ impl Analysis for TransientResponse {
     };
 
     fn solve<W: Worksheet>(&self, given: &TransientResponseGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let mass = given.mass.as_ref().map(|given| mass(given, sheet));
-        let system = system(mass, &given.elasticity, &given.damping, sheet)?;
+        let TransientResponseGiven { mass, elasticity, damping, .. } = given;
+        let motion = motion_of(mass.as_ref(), elasticity, damping, Some(self.excitation.motion()))?;
+        let system = system_of_body(motion, mass.as_ref(), elasticity, damping, sheet)?;
         let why = ("Natural period, without damping", RAO.at("§2.2"));
         let period = sheet.step("T", "s", W::Num::from(2.0) * PI / system.natural, why);
         let model = model::model(&self.excitation, &given.excitation, &system, sheet)?;
@@ -159,7 +234,7 @@ impl Analysis for TransientResponse {
         sheet.answer("period", "Natural period", period);
         sheet.answer("damping_ratio", "Damping ratio", system.ratio);
         if let Some(size) = model.size {
-            sheet.answer("static_displacement", "Static displacement", size);
+            sheet.answer("static_displacement", motion.of("Static displacement", "Static angle"), size);
         }
         if let Some(duration) = model.duration {
             let ratio = sheet.step("t_d/T", "1", duration / period, "Duration over the natural period");
@@ -168,7 +243,7 @@ impl Analysis for TransientResponse {
         for (n, time) in given.times.iter().enumerate() {
             let instant = Instant::output_at(*time, n + 1);
             let x = superposition.displacement(&instant, sheet)?;
-            sheet.answer(("displacement", n + 1), "Displacement at time", x);
+            sheet.answer(("displacement", n + 1), motion.of("Displacement at time", "Angle at time"), x);
         }
         let found = match model.motion.extremes(TransientOutput::DISPLACEMENT, [0.0, f64::INFINITY]) {
             Ok(found) => Some(found.farthest()),
@@ -186,7 +261,7 @@ impl Analysis for TransientResponse {
             self.maximum(given, largest, &system, &model, &superposition, sheet)?;
         }
         let last = self.shown(period.value(), &model, found);
-        sheet.show(|| Exhibit::Plot(model.plot(last, found, self.is_relative())));
+        sheet.show(|| Exhibit::Plot(model.plot(motion, last, found, self.is_relative())));
         sheet.show(|| Exhibit::Drawing(self.drawing()));
         Ok(())
     }
@@ -212,7 +287,7 @@ impl TransientResponse {
             (at.velocity / system.natural.value()).into(),
             superposition.scale(largest.time).max(largest.value.abs()),
         );
-        sheet.answer("maximum", "Maximum displacement", x);
+        sheet.answer("maximum", system.motion.of("Maximum displacement", "Maximum angle"), x);
         sheet.answer("time_of_maximum", "Time of maximum displacement", time);
         if let Some(size) = model.size {
             let why = ("Maximum displacement over the static one: the dynamic load factor", RAO.at("§4.6"));
@@ -234,7 +309,8 @@ impl TransientResponse {
             let left = residual.farthest().value.abs();
             // A pulse of whole periods leaves nothing, and its rounding is no displacement.
             let left = if left > 1e-13 * superposition.scale(end) { left } else { 0.0 };
-            let residual = sheet.numerical("x_r", "mm", left, why);
+            let residual =
+                sheet.numerical(system.motion.of("x_r", "θ_r"), system.motion.displacement_unit(), left, why);
             sheet.verify(|| {
                 if system.ratio.value() == 0.0 {
                     let OscillatorState { displacement, velocity } = model.motion.at(end);
@@ -246,7 +322,9 @@ impl TransientResponse {
                     );
                 }
             });
-            sheet.answer("residual", "Maximum displacement after the load", residual);
+            let label =
+                system.motion.of("Maximum displacement after the load", "Maximum angle after the load");
+            sheet.answer("residual", label, residual);
         }
         self.support(system, model, sheet)?;
         if let (Some(fibre), Some(body)) = (given.fibre, system.body) {
@@ -319,7 +397,8 @@ impl TransientResponse {
         };
         if self.is_relative() {
             let why = "Maximum acceleration of the mass itself, −2ζωₙż − ωₙ²z, where its rate is zero";
-            let largest = sheet.numerical("aₘ", "m/s^2", found.value.abs() * natural * natural, why);
+            let (symbol, unit) = system.motion.of(("aₘ", "m/s^2"), ("αₘ", "rad/s^2"));
+            let largest = sheet.numerical(symbol, unit, found.value.abs() * natural * natural, why);
             sheet.verify(|| {
                 level(sheet);
                 if let Some(by_impulses) = model.by_impulses(natural, system.ratio.value(), found.time) {
@@ -328,10 +407,16 @@ impl TransientResponse {
                     sheet.check_sum(what, largest, other.into(), scale * natural * natural);
                 }
             });
-            sheet.answer("acceleration", "Maximum absolute acceleration", largest);
+            let label =
+                system.motion.of("Maximum absolute acceleration", "Maximum absolute angular acceleration");
+            sheet.answer("acceleration", label, largest);
         } else if let Some(body) = system.body {
-            let why = "Maximum force of spring and damper on the support, kx + cẋ, where its rate is zero";
-            let largest = sheet.numerical("F_T", "kN", found.value.abs() * body.stiffness.value(), why);
+            let why = system.motion.of(
+                "Maximum force of spring and damper on the support, kx + cẋ, where its rate is zero",
+                "Maximum torque of spring and damper on the support, k_t θ + c_t θ̇, where its rate is zero",
+            );
+            let (symbol, unit) = system.motion.of(("F_T", "kN"), ("T_T", "N*m"));
+            let largest = sheet.numerical(symbol, unit, found.value.abs() * body.stiffness.value(), why);
             sheet.verify(|| {
                 level(sheet);
                 if let Some(by_impulses) = model.by_impulses(natural, system.ratio.value(), found.time) {
@@ -341,21 +426,33 @@ impl TransientResponse {
                     sheet.check_sum(what, largest, other.into(), scale * stiffness);
                 }
             });
-            sheet.answer("support_force", "Maximum force on the support", largest);
+            let (name, label) = system.motion.of(
+                ("support_force", "Maximum force on the support"),
+                ("support_torque", "Maximum torque on the support"),
+            );
+            sheet.answer(name, label, largest);
         }
         Ok(())
     }
 
     fn course(&self) -> Option<&LoadHistory> {
         match &self.excitation {
-            Excitation::Force { course, .. } | Excitation::BaseAcceleration { course, .. } => Some(course),
+            Excitation::Force { course, .. }
+            | Excitation::BaseAcceleration { course, .. }
+            | Excitation::Torque { course, .. }
+            | Excitation::BaseRotation { course, .. } => Some(course),
             _ => None,
         }
     }
 
     /// Returns true if the displacement is relative to an excited base.
     fn is_relative(&self) -> bool {
-        matches!(self.excitation, Excitation::BaseAcceleration { .. } | Excitation::BaseTable { .. })
+        matches!(
+            self.excitation,
+            Excitation::BaseAcceleration { .. }
+                | Excitation::BaseTable { .. }
+                | Excitation::BaseRotation { .. }
+        )
     }
 
     /// Until when the motion is shown.
@@ -367,18 +464,40 @@ impl TransientResponse {
     }
 
     fn drawing(&self) -> Drawing {
+        if self.excitation.motion() == OscillatorMotion::Rotation {
+            return plots::inertia_spring_damper(match self.excitation {
+                Excitation::AngularImpulse { .. } => "I",
+                Excitation::BaseRotation { .. } => "α(t)",
+                Excitation::InitialRotation { .. } => "Ω₀",
+                _ => "T(t)",
+            });
+        }
         let mut sketch = plots::supported("One degree of freedom");
         sketch.ground((-1.0, -1.5), (1.0, -1.5));
         let (tail, head) = ((0.0, 0.4), (0.0, 1.2));
         match self.excitation {
-            Excitation::Force { .. } | Excitation::ForceTable { .. } => sketch.force("F(t)", tail, head),
             Excitation::Impulse { .. } => sketch.force("I", tail, head),
             Excitation::BaseAcceleration { .. } | Excitation::BaseTable { .. } => {
                 sketch.force("ÿ(t)", (-1.2, -1.8), (-1.2, -1.0))
             }
             Excitation::Initial { .. } => sketch.motion("v₀", tail, head),
+            _ => sketch.force("F(t)", tail, head),
         };
         sketch.finish()
+    }
+}
+
+impl Excitation {
+    /// The motion that it is of.
+    fn motion(&self) -> OscillatorMotion {
+        match self {
+            Excitation::Torque { .. }
+            | Excitation::TorqueTable { .. }
+            | Excitation::AngularImpulse { .. }
+            | Excitation::BaseRotation { .. }
+            | Excitation::InitialRotation { .. } => OscillatorMotion::Rotation,
+            _ => OscillatorMotion::Translation,
+        }
     }
 }
 
@@ -396,21 +515,26 @@ fn cannot(err: TransientError) -> Refusal {
 
 impl<N: Real> LoadModel<N> {
     /// Displacement and load in time.
-    fn plot(&self, last: f64, found: Option<Extreme>, relative: bool) -> Plot {
+    fn plot(&self, of: OscillatorMotion, last: f64, found: Option<Extreme>, relative: bool) -> Plot {
         let time = |n: u16| last * f64::from(n) / 480.0;
         let motion = (0..=480).map(|n| (time(n), self.motion.at(time(n)).displacement)).collect();
-        let mut series = vec![
-            Series::line(if relative { "relative displacement" } else { "displacement" }, motion)
-                .of("displacement[1]"),
-        ];
+        let label = if relative {
+            of.of("relative displacement", "relative angle")
+        } else {
+            of.of("displacement", "angle")
+        };
+        let mut series = vec![Series::line(label, motion).of("displacement[1]")];
         if self.size.is_some() || self.end.is_some() {
             let load = (0..=480).map(|n| (time(n), self.motion.load(time(n)))).collect();
-            series.push(Series::line("load, as equivalent static displacement", load));
+            series.push(Series::line(
+                of.of("load, as equivalent static displacement", "load, as equivalent static angle"),
+                load,
+            ));
         }
         let plot = Plot::new(
-            "Displacement time history",
+            of.of("Displacement time history", "Angle time history"),
             Axis::linear("time", "s"),
-            Axis::linear("displacement", "mm"),
+            Axis::linear(of.of("displacement", "angle"), of.displacement_unit()),
             series,
         )
         .over("times[1]");

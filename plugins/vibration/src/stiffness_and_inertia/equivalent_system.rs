@@ -6,7 +6,7 @@ use dalembert_core::{
 use dalembert_mechanics::{Real, sdof};
 
 use crate::{
-    shared::inertia::Inertia,
+    shared::inertia::{Inertia, RollingShape},
     sources::{KELLY, RAO},
 };
 
@@ -151,23 +151,6 @@ pub struct CordMass {
     /// Radius on the pulley; height above the ground on a rolling body.
     #[input("l", "m", positive)]
     pub arm: f64,
-}
-
-/// The shape of a rolling body.
-#[derive(Clone, Debug, Inputs)]
-pub enum RollingShape {
-    /// Solid cylinder or disc
-    Cylinder,
-    /// Thin ring or tube
-    Ring,
-    /// Solid sphere
-    Sphere,
-    /// Moment of inertia given
-    Given {
-        /// Moment of inertia about the centre.
-        #[input("J_G", "kg*m^2", positive)]
-        inertia: f64,
-    },
 }
 
 /// The surface under a rolling body.

@@ -382,7 +382,7 @@ fn theory<W: Worksheet>(
     let TheoryGiven::Timoshenko { shear, coefficient } = &given.theory else {
         return Ok(Sections { shear: None, rotary: None });
     };
-    let modulus = shear_modulus(shear, sheet);
+    let modulus = shear_modulus(shear, sheet, "G");
     let coefficient = match coefficient {
         ShearCoefficientGiven::Given { coefficient } => *coefficient,
         ShearCoefficientGiven::Cowper { poisson } => shear_coefficient(&given.section, *poisson, sheet)

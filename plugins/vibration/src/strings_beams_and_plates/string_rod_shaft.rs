@@ -384,7 +384,7 @@ fn body<W: Worksheet>(
             Ok(WaveBody { speed, ends })
         }
         WaveCarrierGiven::Shaft { shear, density, section, left, right } => {
-            let modulus = shear_modulus(shear, sheet);
+            let modulus = shear_modulus(shear, sheet, "G");
             let (torsion, polar) = torsion_section(section, sheet)?;
             let why = ("Torsional wave speed along a shaft", RAO.at("§8.4"));
             let speed = match section {
@@ -401,7 +401,7 @@ fn body<W: Worksheet>(
             Ok(WaveBody { speed, ends })
         }
         WaveCarrierGiven::ShearBeam { shear, density, coefficient, area, left, right } => {
-            let modulus = shear_modulus(shear, sheet);
+            let modulus = shear_modulus(shear, sheet, "G");
             let kappa = shear_coefficient(coefficient, sheet);
             let speed = sheet.step(
                 "c",

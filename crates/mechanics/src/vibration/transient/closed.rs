@@ -96,3 +96,21 @@ pub fn exponential<S: Real>(constant: S, natural: S, ratio: S, time: S, release:
     ((-(time / constant)).exp() - release + impulse / constant)
         / (S::from(1.0) - ratio * 2.0 / (natural * constant) + S::from(1.0) / (natural * constant).powi(2))
 }
+
+/// Response to `cos Ωt` from rest, from the free motions `g` and `h` and the frequency ratio `r = Ω/ω`:
+/// `((1 − r²)(cos Ωt − g) + 2ζr(sin Ωt − Ωh))/((1 − r²)² + (2ζr)²)`; not at resonance without damping.
+#[inline]
+pub fn cosine<S: Real>(frequency: S, frequency_ratio: S, ratio: S, time: S, release: S, impulse: S) -> S {
+    let detuning = S::from(1.0) - frequency_ratio.powi(2);
+    (detuning * ((frequency * time).cos() - release)
+        + ratio * frequency_ratio * 2.0 * ((frequency * time).sin() - frequency * impulse))
+        / (detuning.powi(2) + (ratio * frequency_ratio * 2.0).powi(2))
+}
+
+/// Response to `t²/2` from rest, from the free motions `g` and `h`:
+/// `t²/2 − 2ζ(t − h)/ω + (4ζ² − 1)(1 − g)/ω²`, s².
+#[inline]
+pub fn parabola<S: Real>(natural: S, ratio: S, time: S, release: S, impulse: S) -> S {
+    time.powi(2) / 2.0 - ratio * (time - impulse) * 2.0 / natural
+        + (ratio.powi(2) * 4.0 - 1.0) * (S::from(1.0) - release) / natural.powi(2)
+}

@@ -13,6 +13,8 @@ pub(super) struct LoadedOscillator {
 enum Unit {
     /// `sin rθ`.
     Sine(f64),
+    /// `cos rθ`.
+    Cosine(f64),
     /// `e^(−λθ)`.
     Decay(f64),
 }
@@ -27,6 +29,10 @@ impl LoadedOscillator {
         Self { ratio, law: Unit::Sine(frequency) }
     }
 
+    pub(super) fn cosine(ratio: f64, frequency: f64) -> Self {
+        Self { ratio, law: Unit::Cosine(frequency) }
+    }
+
     pub(super) fn decay(ratio: f64, rate: f64) -> Self {
         Self { ratio, law: Unit::Decay(rate) }
     }
@@ -34,7 +40,7 @@ impl LoadedOscillator {
     /// Displacement and its rate at `θ`; `unit` holds the unit responses there.
     pub(super) fn response(&self, unit: &UnitResponses, theta: f64) -> [f64; 2] {
         let fastest = match self.law {
-            Unit::Sine(frequency) => frequency,
+            Unit::Sine(frequency) | Unit::Cosine(frequency) => frequency,
             Unit::Decay(rate) => rate,
         };
         if theta * fastest.max(1.0).max(2.0 * self.ratio) < 1.0 {
@@ -47,14 +53,17 @@ impl LoadedOscillator {
     fn particular(&self, unit: &UnitResponses, theta: f64) -> Option<[f64; 2]> {
         let zeta = self.ratio;
         let ([x, rate], [x0, rate0]) = match self.law {
-            Unit::Sine(r) => {
+            Unit::Sine(r) | Unit::Cosine(r) => {
                 let (detuning, damping) = (1.0 - r * r, 2.0 * zeta * r);
                 let size = detuning * detuning + damping * damping;
                 if detuning.abs() + damping < NEAR * (1.0 + r * r) {
                     return None;
                 }
                 let (sin, cos) = (r * theta).sin_cos();
-                let (a, b) = (detuning / size, -damping / size);
+                let (a, b) = match self.law {
+                    Unit::Cosine(_) => (damping / size, detuning / size),
+                    _ => (detuning / size, -damping / size),
+                };
                 ([a * sin + b * cos, r * (a * cos - b * sin)], [b, r * a])
             }
             Unit::Decay(rate) => {
@@ -77,6 +86,7 @@ impl LoadedOscillator {
         // The load and its next derivative.
         let (mut load, mut next) = match self.law {
             Unit::Sine(frequency) => (0.0, frequency),
+            Unit::Cosine(_) => (1.0, 0.0),
             Unit::Decay(rate) => (1.0, -rate),
         };
         let (mut now, mut after) = (0.0, 0.0);
@@ -90,7 +100,7 @@ impl LoadedOscillator {
             x += second * power;
             (now, after) = (after, second);
             (load, next) = match self.law {
-                Unit::Sine(frequency) => (next, -frequency * frequency * load),
+                Unit::Sine(frequency) | Unit::Cosine(frequency) => (next, -frequency * frequency * load),
                 Unit::Decay(decay) => (next, -decay * next),
             };
         }
@@ -101,14 +111,14 @@ impl LoadedOscillator {
     fn doubled(&self, theta: f64) -> [f64; 2] {
         let zeta = self.ratio;
         let (system, load): (Matrix, [f64; 2]) = match self.law {
-            Unit::Sine(r) => (
+            Unit::Sine(r) | Unit::Cosine(r) => (
                 [
                     [0.0, 1.0, 0.0, 0.0],
                     [-1.0, -2.0 * zeta, 1.0, 0.0],
                     [0.0, 0.0, 0.0, r],
                     [0.0, 0.0, -r, 0.0],
                 ],
-                [0.0, 1.0],
+                if matches!(self.law, Unit::Cosine(_)) { [1.0, 0.0] } else { [0.0, 1.0] },
             ),
             Unit::Decay(rate) => (
                 [[0.0, 1.0, 0.0, 0.0], [-1.0, -2.0 * zeta, 1.0, 0.0], [0.0, 0.0, -rate, 0.0], [0.0; 4]],
@@ -131,6 +141,23 @@ impl LoadedOscillator {
         }
         [0, 1].map(|i| sum[i][2] * load[0] + sum[i][3] * load[1])
     }
+}
+
+/// Displacement at `θ` under the load `θ²/2` from rest; its rate is the response to the ramp.
+pub(super) fn parabola(ratio: f64, unit: &UnitResponses, theta: f64) -> f64 {
+    if theta * f64::max(1.0, 2.0 * ratio) >= 1.0 {
+        return theta * theta / 2.0 - 2.0 * ratio * (theta - unit.impulse)
+            + (4.0 * ratio * ratio - 1.0) * unit.step;
+    }
+    // Σ cₙθⁿ/n! with c₄ = 1 and cₙ₊₂ = −2ζcₙ₊₁ − cₙ.
+    let mut power = theta.powi(4) / 24.0;
+    let (mut before, mut now, mut sum) = (0.0, 1.0, 0.0);
+    for n in 5..30 {
+        sum += now * power;
+        power *= theta / f64::from(n);
+        (before, now) = (now, -2.0 * ratio * now - before);
+    }
+    sum
 }
 
 fn times(a: &Matrix, b: &Matrix) -> Matrix {

@@ -25,10 +25,16 @@ impl Oscillator {
             LoadLaw::Line { start, slope } => {
                 return self.line_turning_points(state, [start, slope], output, length);
             }
-            LoadLaw::Sine { frequency, .. } => {
+            LoadLaw::Sine { frequency, .. } | LoadLaw::Versine { frequency, .. } => {
                 windows(length.min(1e9 / frequency), self.natural.max(frequency))
             }
-            LoadLaw::Decay { rate, .. } => {
+            LoadLaw::Parabola { .. } => {
+                if length.is_infinite() {
+                    return Err(TransientError::Unbounded);
+                }
+                windows(length, self.natural)
+            }
+            LoadLaw::Decay { rate, .. } | LoadLaw::Rise { rate, .. } => {
                 let seen = 10.0 / rate + 16.0 * PI / self.natural;
                 windows(length.min(seen), self.natural.max(rate))
             }

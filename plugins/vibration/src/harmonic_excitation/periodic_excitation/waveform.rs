@@ -8,7 +8,7 @@ use dalembert_mechanics::{
     vibration::periodic::{self, WaveSegment},
 };
 
-use crate::sources::RAO;
+use crate::{shared::oscillator::motion::OscillatorMotion, sources::RAO};
 
 /// The most points of a table.
 const MOST: usize = 400;
@@ -90,7 +90,7 @@ impl Waveform {
 
 impl<W: Worksheet> WaveformGiven<W> {
     /// Mean of the motion, from the deflection under the height of the wave; `found` is the mean of the pieces.
-    pub(super) fn mean(&self, height: W::Num, found: f64, sheet: W) -> W::Num {
+    pub(super) fn mean(&self, motion: OscillatorMotion, height: W::Num, found: f64, sheet: W) -> W::Num {
         let (value, why) = match self {
             WaveformGiven::Square {} | WaveformGiven::Triangle {} => {
                 (W::Num::from(0.0), "Mean of the motion: the wave lies equally above and below zero")
@@ -114,7 +114,7 @@ impl<W: Worksheet> WaveformGiven<W> {
                 (height * mean, "Mean of the motion: the static deflection under the mean of the wave")
             }
         };
-        sheet.step("X₀", "mm", value, (why, RAO.at("§4.2")))
+        sheet.step(motion.of("X₀", "Θ₀"), motion.displacement_unit(), value, (why, RAO.at("§4.2")))
     }
 
     /// Amplitude of a harmonic of the wave, from its height; `found` is what the pieces say.

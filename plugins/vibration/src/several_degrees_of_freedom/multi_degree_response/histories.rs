@@ -1,10 +1,15 @@
 //! Time histories of forces and of accelerations of the base, as straight pieces and harmonics.
 
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
 use dalembert_core::{Inputs, Refusal};
-use dalembert_mechanics::vibration::response::{ForceSegment, HarmonicLoad, Push, TimeExcitation};
+use dalembert_mechanics::vibration::{
+    response::{ForceSegment, HarmonicLoad, Push, TimeExcitation},
+    transient::{LoadLaw, LoadSegment},
+};
 use nalgebra::DVector;
 
-use crate::shared::load::AccelerationPoint;
+use crate::shared::load::{AccelerationPoint, LoadHistory};
 
 /// Time history of a force.
 #[derive(Clone, Debug, Inputs)]
@@ -21,6 +26,46 @@ pub enum ForceHistory {
     /// Rectangular pulse
     Pulse {
         /// Force.
+        #[input("F", "N")]
+        force: f64,
+        /// Its start.
+        #[input("t_s", "s", nonnegative, default = "0 s")]
+        start: f64,
+        /// Its duration.
+        #[input("t_d", "s", positive)]
+        duration: f64,
+    },
+    /// Half-sine pulse
+    HalfSine {
+        /// Maximum force.
+        #[input("F", "N")]
+        force: f64,
+        /// Its start.
+        #[input("t_s", "s", nonnegative, default = "0 s")]
+        start: f64,
+        /// Its duration.
+        #[input("t_d", "s", positive)]
+        duration: f64,
+    },
+    /// Triangular pulse
+    Triangle {
+        /// Maximum force.
+        #[input("F", "N")]
+        force: f64,
+        /// Its start.
+        #[input("t_s", "s", nonnegative, default = "0 s")]
+        start: f64,
+        /// Its duration.
+        #[input("t_d", "s", positive)]
+        duration: f64,
+        /// Time from its start to the peak.
+        /// At the middle if omitted; 0 for a blast, the duration for a sawtooth.
+        #[input("t_p", "s", nonnegative)]
+        peak: Option<f64>,
+    },
+    /// Versed-sine pulse
+    VersedSine {
+        /// Maximum force.
         #[input("F", "N")]
         force: f64,
         /// Its start.
@@ -94,6 +139,46 @@ pub enum AccelerationHistory {
         #[input("t_d", "s", positive)]
         duration: f64,
     },
+    /// Half-sine pulse
+    HalfSine {
+        /// Maximum acceleration.
+        #[input("a", "m/s^2")]
+        acceleration: f64,
+        /// Its start.
+        #[input("t_s", "s", nonnegative, default = "0 s")]
+        start: f64,
+        /// Its duration.
+        #[input("t_d", "s", positive)]
+        duration: f64,
+    },
+    /// Triangular pulse
+    Triangle {
+        /// Maximum acceleration.
+        #[input("a", "m/s^2")]
+        acceleration: f64,
+        /// Its start.
+        #[input("t_s", "s", nonnegative, default = "0 s")]
+        start: f64,
+        /// Its duration.
+        #[input("t_d", "s", positive)]
+        duration: f64,
+        /// Time from its start to the peak.
+        /// At the middle if omitted; 0 for a blast, the duration for a sawtooth.
+        #[input("t_p", "s", nonnegative)]
+        peak: Option<f64>,
+    },
+    /// Versed-sine pulse
+    VersedSine {
+        /// Maximum acceleration.
+        #[input("a", "m/s^2")]
+        acceleration: f64,
+        /// Its start.
+        #[input("t_s", "s", nonnegative, default = "0 s")]
+        start: f64,
+        /// Its duration.
+        #[input("t_d", "s", positive)]
+        duration: f64,
+    },
     /// Ramp to a constant force
     Ramp {
         /// Acceleration at its end.
@@ -129,6 +214,8 @@ pub(super) enum History {
     Pieces(f64, Vec<ForceSegment>),
     /// `size cos(Ωt − φ)`: size, frequency and lag.
     Harmonic([f64; 3]),
+    /// A pulse of harmonics between two times, each by its size, frequency, lag and start, beside straight pieces.
+    Pulse(f64, Vec<ForceSegment>, Vec<[f64; 4]>),
 }
 
 impl ForceHistory {
@@ -137,6 +224,15 @@ impl ForceHistory {
             ForceHistory::Step { force, start } => History::Pieces(*force, step(*start)),
             ForceHistory::Pulse { force, start, duration } => {
                 History::Pieces(*force, pulse(*start, *duration))
+            }
+            ForceHistory::HalfSine { force, start, duration } => {
+                History::half_sine(*force, *start, *duration)
+            }
+            ForceHistory::Triangle { force, start, duration, peak } => {
+                History::Pieces(*force, triangle(*start, *duration, *peak)?)
+            }
+            ForceHistory::VersedSine { force, start, duration } => {
+                History::versed_sine(*force, *start, *duration)
             }
             ForceHistory::Ramp { force, rise } => History::Pieces(*force, ramp(*rise)),
             ForceHistory::Harmonic { force, frequency, lag } => History::Harmonic([*force, *frequency, *lag]),
@@ -154,6 +250,15 @@ impl AccelerationHistory {
             AccelerationHistory::Pulse { acceleration, start, duration } => {
                 History::Pieces(*acceleration, pulse(*start, *duration))
             }
+            AccelerationHistory::HalfSine { acceleration, start, duration } => {
+                History::half_sine(*acceleration, *start, *duration)
+            }
+            AccelerationHistory::Triangle { acceleration, start, duration, peak } => {
+                History::Pieces(*acceleration, triangle(*start, *duration, *peak)?)
+            }
+            AccelerationHistory::VersedSine { acceleration, start, duration } => {
+                History::versed_sine(*acceleration, *start, *duration)
+            }
             AccelerationHistory::Ramp { acceleration, rise } => History::Pieces(*acceleration, ramp(*rise)),
             AccelerationHistory::Harmonic { acceleration, frequency, lag } => {
                 History::Harmonic([*acceleration, *frequency, *lag])
@@ -166,12 +271,40 @@ impl AccelerationHistory {
 }
 
 impl History {
+    /// One half-wave: a sine from its start, and the same again from its end, which takes away the rest of it.
+    fn half_sine(size: f64, start: f64, duration: f64) -> Self {
+        let sine = |start| [size, PI / duration, FRAC_PI_2, start];
+        History::Pulse(size, Vec::new(), vec![sine(start), sine(start + duration)])
+    }
+
+    /// `(1 − cos)/2` for one wave: half of a rectangle without half of a cosine, which ends as it began.
+    fn versed_sine(size: f64, start: f64, duration: f64) -> Self {
+        let cosine = |size: f64, start| [size / 2.0, TAU / duration, 0.0, start];
+        History::Pulse(
+            size / 2.0,
+            pulse(start, duration),
+            vec![cosine(-size, start), cosine(size, start + duration)],
+        )
+    }
+
     /// Adds it to an excitation, as the forces that `of` makes of its size.
     pub(super) fn add_to(self, excitation: &mut TimeExcitation, of: impl Fn(f64) -> DVector<f64>) {
         match self {
             History::Pieces(size, pieces) => excitation.pushes.push(Push { force: of(size), pieces }),
             History::Harmonic([size, frequency, lag]) => {
-                excitation.harmonics.push(HarmonicLoad { force: of(size), frequency, lag });
+                excitation.harmonics.push(HarmonicLoad { force: of(size), frequency, lag, start: 0.0 });
+            }
+            History::Pulse(size, pieces, harmonics) => {
+                if !pieces.is_empty() {
+                    excitation.pushes.push(Push { force: of(size), pieces });
+                }
+                let waves = harmonics.into_iter();
+                excitation.harmonics.extend(waves.map(|[size, frequency, lag, start]| HarmonicLoad {
+                    force: of(size),
+                    frequency,
+                    lag,
+                    start,
+                }));
             }
         }
     }
@@ -180,7 +313,8 @@ impl History {
     pub(super) fn end(&self) -> f64 {
         match self {
             History::Pieces(_, pieces) => pieces.last().map_or(0.0, |piece| piece.start),
-            History::Harmonic([_, frequency, _]) => 6.0 * std::f64::consts::TAU / frequency,
+            History::Harmonic([_, frequency, _]) => 6.0 * TAU / frequency,
+            History::Pulse(_, _, harmonics) => harmonics.last().map_or(0.0, |wave| wave[3]),
         }
     }
 }
@@ -194,6 +328,16 @@ fn pulse(start: f64, duration: f64) -> Vec<ForceSegment> {
         ForceSegment { start, value: 1.0, slope: 0.0 },
         ForceSegment { start: start + duration, value: 0.0, slope: 0.0 },
     ]
+}
+
+/// A triangle; its peak is at the middle if no time from its start is given.
+fn triangle(start: f64, duration: f64, peak: Option<f64>) -> Result<Vec<ForceSegment>, Refusal> {
+    let pieces = LoadHistory::Triangular { duration, peak }.pieces(1.0)?.pieces;
+    let straight = |piece: LoadSegment| match piece.law {
+        LoadLaw::Line { start: value, slope } => ForceSegment { start: start + piece.from, value, slope },
+        other => ForceSegment { start: start + piece.from, value: other.at(0.0), slope: 0.0 },
+    };
+    Ok(pieces.into_iter().map(straight).collect())
 }
 
 fn ramp(rise: f64) -> Vec<ForceSegment> {

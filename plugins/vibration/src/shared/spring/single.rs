@@ -5,7 +5,10 @@ use dalembert_mechanics::{Real, beam, sdof, spring};
 
 use super::{SpringGiven, symbol};
 use crate::{
-    shared::section::{SectionGiven, area, polar_moment, second_moment},
+    shared::{
+        continuous::{ShearModulusGiven, shear_modulus},
+        section::{SectionGiven, area, polar_moment, second_moment},
+    },
     sources::{BEER, RAO, SHIGLEY},
 };
 
@@ -17,9 +20,13 @@ pub(super) fn stiffness<W: Worksheet>(
     place: &[usize],
 ) -> Result<W::Num, Refusal> {
     let written = |k: W::Num, why: Reason| sheet.step(symbol("k", place), "kN/m", k, why);
+    let modulus = |shear: &ShearModulusGiven<W>| shear_modulus(shear, sheet, symbol("G", place));
     let moment = |section: &SectionGiven<W>| second_moment(section, sheet, symbol("I", place));
     let (k, why) = match given {
         SpringGiven::Stiffness { stiffness } => return Ok(*stiffness),
+        SpringGiven::Equal { count, stiffness } => {
+            (*stiffness * *count, ("Equal springs side by side: their stiffnesses add up", RAO.at("§1.7")))
+        }
         SpringGiven::Cantilever { length, young, section } => (
             beam::cantilever(*young, moment(section)?, *length),
             ("Stiffness of a cantilever under a force at its end", RAO.at("§1.7")),
@@ -90,13 +97,13 @@ pub(super) fn stiffness<W: Worksheet>(
             let torsional = sheet.step(
                 symbol("k_t", place),
                 "N*m/rad",
-                spring::torsional(*shear, polar, *length),
+                spring::torsional(modulus(shear), polar, *length),
                 ("Torsional stiffness of the bar", RAO.at("§1.7")),
             );
             (torsional / lever.powi(2), ("Stiffness at the end of the lever", RAO.at("§1.7")))
         }
         SpringGiven::Helical { shear, wire_diameter, coil_diameter, coils } => (
-            spring::helical(*shear, *wire_diameter, *coil_diameter, *coils),
+            spring::helical(modulus(shear), *wire_diameter, *coil_diameter, *coils),
             ("Stiffness of a helical spring", RAO.at("§1.7")),
         ),
         SpringGiven::Deflected { load, deflection } => {
@@ -111,7 +118,7 @@ pub(super) fn stiffness<W: Worksheet>(
             return Ok(written(k, "Stiffness of a semi-elliptic leaf spring of uniform strength".into()));
         }
         SpringGiven::ShearPad { shear, area, thickness } => {
-            let k = spring::shear_pad(*shear, *area, *thickness);
+            let k = spring::shear_pad(modulus(shear), *area, *thickness);
             return Ok(written(k, "Stiffness of a pad in shear".into()));
         }
         SpringGiven::Gas { exponent, pressure, area, volume } => {

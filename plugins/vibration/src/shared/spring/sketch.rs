@@ -32,6 +32,7 @@ impl Suspended for Spring {
         Hanging::One(match self {
             Spring::Series { members } => return Hanging::Series(members),
             Spring::Parallel { members } => return Hanging::Parallel(members),
+            Spring::Equal { .. } => "equal springs",
             Spring::Stiffness { .. } | Spring::Deflected { .. } | Spring::Tuned { .. } => "",
             Spring::Cantilever { .. } => "cantilever",
             Spring::Column { .. } => "column",

@@ -8,7 +8,10 @@ use super::{
     element::{Build, Element, SpringMotion, symbol},
 };
 use crate::{
-    shared::section::{Section, SectionGiven, ShaftSection, ShaftSectionGiven, polar_moment, second_moment},
+    shared::{
+        continuous::{ShearModulus, ShearModulusGiven, shear_modulus},
+        section::{Section, SectionGiven, ShaftSection, ShaftSectionGiven, polar_moment, second_moment},
+    },
     sources::{BEER, RAO},
 };
 
@@ -29,8 +32,7 @@ pub enum TorsionalSpring {
         #[input("L", "m", positive)]
         length: f64,
         /// Shear modulus.
-        #[input("G", "Pa", positive)]
-        shear: f64,
+        shear: ShearModulus,
         /// Section.
         section: ShaftSection,
     },
@@ -40,8 +42,7 @@ pub enum TorsionalSpring {
         #[input("L", "m", positive)]
         length: f64,
         /// Shear modulus.
-        #[input("G", "Pa", positive)]
-        shear: f64,
+        shear: ShearModulus,
         /// Diameter at one end.
         #[input("d_a", "m", positive)]
         first_diameter: f64,
@@ -218,16 +219,17 @@ fn single<W: Worksheet>(
     sheet: W,
     place: &[usize],
 ) -> Result<W::Num, Refusal> {
+    let modulus = |shear: &ShearModulusGiven<W>| shear_modulus(shear, sheet, symbol("G", place));
     let moment = |section: &SectionGiven<W>| second_moment(section, sheet, symbol("I", place));
     let polar = |section: &ShaftSectionGiven<W>| polar_moment(section, sheet, symbol("I_p", place));
     let (k, why): (W::Num, Reason) = match given {
         TorsionalSpringGiven::Stiffness { stiffness } => return Ok(*stiffness),
         TorsionalSpringGiven::Shaft { length, shear, section } => (
-            kernel::torsional(*shear, polar(section)?, *length),
+            kernel::torsional(modulus(shear), polar(section)?, *length),
             ("Torsional stiffness of a shaft", RAO.at("§1.7")).into(),
         ),
         TorsionalSpringGiven::TaperedShaft { length, shear, first_diameter, second_diameter } => (
-            kernel::tapered_torsional(*shear, *first_diameter, *second_diameter, *length),
+            kernel::tapered_torsional(modulus(shear), *first_diameter, *second_diameter, *length),
             "Torsional stiffness of a tapered round shaft".into(),
         ),
         TorsionalSpringGiven::Helical { young, wire_diameter, coil_diameter, coils } => (

@@ -8,11 +8,12 @@ use dalembert_mechanics::{
     },
 };
 
-use super::{Excitation, ExcitationGiven, ForceSizeGiven, cannot};
+use super::{Excitation, ExcitationGiven, ForceSizeGiven, TorqueSizeGiven, cannot};
 use crate::{
     shared::{
         free_motion::DampedOscillator,
         load::{self, LoadHistory, LoadHistoryGiven},
+        oscillator::motion::OscillatorMotion,
     },
     sources::{RAO, THOMSON},
 };
@@ -60,6 +61,12 @@ pub(super) enum Unit<N> {
     Sine(N, N),
     /// An exponential of that time constant.
     Exponential(N),
+    /// `1 − e^(−t/τ)` of that time constant.
+    Rise(N),
+    /// A versed sine of that frequency, at that ratio to the natural one.
+    Versine(N, N),
+    /// `t²/2` with `t` in seconds.
+    Parabola,
 }
 
 /// A factor of a term.
@@ -73,7 +80,7 @@ impl<N: Real> LoadModel<N> {
     /// Time of the last change of the law of the load.
     pub(super) fn last_change(&self) -> f64 {
         let last = self.pieces.last().map_or(0.0, |piece| match piece.law {
-            LoadLaw::Decay { rate, .. } => piece.from + 3.0 / rate,
+            LoadLaw::Decay { rate, .. } | LoadLaw::Rise { rate, .. } => piece.from + 3.0 / rate,
             LoadLaw::Line { slope, .. } if slope != 0.0 => piece.from + 1.0,
             _ => piece.from,
         });
@@ -105,35 +112,53 @@ pub(super) fn model<W: Worksheet>(
     system: &DampedOscillator<W::Num>,
     sheet: W,
 ) -> Result<LoadModel<W::Num>, Refusal> {
-    let natural = system.natural.value();
+    let (natural, motion) = (system.natural.value(), system.motion);
     let start = |state: OscillatorState, pieces: Vec<LoadSegment>| {
         let oscillator = Oscillator { natural, ratio: system.ratio.value() };
         TransientMotion::new(oscillator, state, &pieces).map(|motion| (motion, pieces)).map_err(cannot)
     };
-    let stiffness = || system.body.map(|body| body.stiffness).ok_or_else(massless);
+    let stiffness = || system.body.map(|body| body.stiffness).ok_or_else(|| massless(motion));
     match (excitation, given) {
         (Excitation::Force { course, .. }, ExcitationGiven::Force { size, course: course_given }) => {
             let force = match size {
                 ForceSizeGiven::Largest { force } => *force,
-                ForceSizeGiven::Impulse { impulse } => from_impulse(*impulse, course_given, sheet)?,
+                ForceSizeGiven::Impulse { impulse } => from_impulse(motion, *impulse, course_given, sheet)?,
             };
             let why = ("Static displacement under the maximum force", RAO.at("§4.6"));
             let size = sheet.step("δ", "mm", force / stiffness()?, why);
             of_course(size, size.value(), course, course_given, system, start, sheet)
         }
+        (Excitation::Torque { course, .. }, ExcitationGiven::Torque { size, course: course_given }) => {
+            let torque = match size {
+                TorqueSizeGiven::Largest { torque } => *torque,
+                TorqueSizeGiven::Impulse { impulse } => from_impulse(motion, *impulse, course_given, sheet)?,
+            };
+            let why = ("Static angle under the maximum torque", RAO.at("§4.6"));
+            let size = sheet.step("θ_st", "rad", torque / stiffness()?, why);
+            of_course(size, size.value(), course, course_given, system, start, sheet)
+        }
         (
-            Excitation::BaseAcceleration { course, .. },
-            ExcitationGiven::BaseAcceleration { acceleration, course: course_given },
+            Excitation::BaseAcceleration { course, .. } | Excitation::BaseRotation { course, .. },
+            ExcitationGiven::BaseAcceleration { acceleration, course: course_given }
+            | ExcitationGiven::BaseRotation { acceleration, course: course_given },
         ) => {
-            let why = (
+            let why = motion.of(
                 "The mass relative to the base moves as under the force −m ÿ: static displacement under its maximum value",
-                THOMSON.at("§4.2"),
+                "The body relative to the base rotates as under the torque −J α: static angle under its maximum value",
             );
-            let size = sheet.step("δ", "mm", -(*acceleration / system.natural.powi(2)), why);
+            let (symbol, unit) = (motion.deflection(), motion.displacement_unit());
+            let size = -(*acceleration / system.natural.powi(2));
+            let size = sheet.step(symbol, unit, size, (why, THOMSON.at("§4.2")));
             of_course(size, size.value(), course, course_given, system, start, sheet)
         }
         (Excitation::ForceTable { points }, _) => {
             let points: Vec<_> = points.iter().map(|point| (point.time, point.force)).collect();
+            let table = load::table(&points)?;
+            let pieces = load::scaled(&table.pieces, 1.0 / stiffness()?.value());
+            Ok(of_table(start(OscillatorState::default(), pieces)?, table.end))
+        }
+        (Excitation::TorqueTable { points }, _) => {
+            let points: Vec<_> = points.iter().map(|point| (point.time, point.torque)).collect();
             let table = load::table(&points)?;
             let pieces = load::scaled(&table.pieces, 1.0 / stiffness()?.value());
             Ok(of_table(start(OscillatorState::default(), pieces)?, table.end))
@@ -144,14 +169,22 @@ pub(super) fn model<W: Worksheet>(
             let pieces = load::scaled(&table.pieces, -1.0 / (natural * natural));
             Ok(of_table(start(OscillatorState::default(), pieces)?, table.end))
         }
-        (_, ExcitationGiven::Impulse { impulse }) => {
-            let mass = system.body.ok_or_else(massless)?.mass;
-            let why = ("The impulse instantaneously gives the mass its momentum", RAO.at("§4.5"));
-            let velocity = sheet.step("v₀", "m/s", *impulse / mass, why);
+        (_, ExcitationGiven::Impulse { impulse } | ExcitationGiven::AngularImpulse { impulse }) => {
+            let mass = system.body.ok_or_else(|| massless(motion))?.mass;
+            let why = motion.of(
+                "The impulse instantaneously gives the mass its momentum",
+                "The angular impulse instantaneously gives the body its angular momentum",
+            );
+            let (symbol, unit) = motion.of(("v₀", "m/s"), ("Ω₀", "rad/s"));
+            let velocity = sheet.step(symbol, unit, *impulse / mass, (why, RAO.at("§4.5")));
             let state = OscillatorState { displacement: 0.0, velocity: velocity.value() };
             Ok(free(start(state, Vec::new())?, vec![LoadTerm::new(Unit::Impulse).times(velocity)]))
         }
-        (_, ExcitationGiven::Initial { displacement, velocity }) => {
+        (
+            _,
+            ExcitationGiven::Initial { displacement, velocity }
+            | ExcitationGiven::InitialRotation { angle: displacement, rate: velocity },
+        ) => {
             let state = OscillatorState { displacement: displacement.value(), velocity: velocity.value() };
             if state == OscillatorState::default() {
                 return Err(Refusal::because(
@@ -195,10 +228,15 @@ fn of_course<W: Worksheet>(
     let duration = match given {
         LoadHistoryGiven::Rectangular { duration }
         | LoadHistoryGiven::Triangular { duration, .. }
-        | LoadHistoryGiven::HalfSine { duration } => Some(*duration),
+        | LoadHistoryGiven::HalfSine { duration }
+        | LoadHistoryGiven::VersedSine { duration }
+        | LoadHistoryGiven::Parabola { duration, .. } => Some(*duration),
         _ => None,
     };
-    let is_held = matches!(course, LoadHistory::Step | LoadHistory::RampStep { .. });
+    let is_held = matches!(
+        course,
+        LoadHistory::Step | LoadHistory::RampStep { .. } | LoadHistory::ExponentialRise { .. }
+    );
     let terms = terms(given, system, sheet);
     Ok(LoadModel { size: Some(size), duration, terms: Some(terms), motion, end: built.end, is_held, pieces })
 }
@@ -233,7 +271,35 @@ fn terms<W: Worksheet>(
             let sine = || LoadTerm::new(Unit::Sine(frequency, ratio));
             vec![sine(), sine().after(*duration)]
         }
+        LoadHistoryGiven::VersedSine { duration } => {
+            let why = "Frequency of the cosine of which the pulse is one wave";
+            let frequency = sheet.step("Ω", "rad/s", W::Num::from(std::f64::consts::TAU) / *duration, why);
+            let ratio = sheet.step("r", "1", frequency / system.natural, "Frequency ratio of that cosine");
+            let versine = || LoadTerm::new(Unit::Versine(frequency, ratio));
+            vec![versine(), versine().less(*duration)]
+        }
+        LoadHistoryGiven::ExponentialRise { constant } => vec![LoadTerm::new(Unit::Rise(*constant))],
+        LoadHistoryGiven::Parabola { duration, constant, linear, quadratic } => {
+            parabola(*duration, [*constant, *linear, *quadratic])
+        }
     }
+}
+
+/// A parabola: step, ramp and `t²/2` at its start, and those that take it away at its end.
+fn parabola<N: Real>(duration: N, [constant, linear, quadratic]: [N; 3]) -> Vec<LoadTerm<N>> {
+    let begun = [constant, linear / duration, quadratic * 2.0 / duration.powi(2)];
+    let ended = [
+        constant + linear + quadratic,
+        (linear + quadratic * 2.0) / duration,
+        quadratic * 2.0 / duration.powi(2),
+    ];
+    let units = [|| Unit::Step, || Unit::Ramp, || Unit::Parabola];
+    let terms = |sizes: [N; 3]| {
+        let all = sizes.into_iter().zip(units).filter(|(size, _)| size.value() != 0.0);
+        all.map(|(size, unit)| LoadTerm::new(unit()).times(size)).collect::<Vec<_>>()
+    };
+    let off = terms(ended).into_iter().map(|term| term.less(duration));
+    terms(begun).into_iter().chain(off).collect()
 }
 
 /// A triangle: ramps that begin at its corners.
@@ -262,35 +328,57 @@ fn triangle<N: Real>(duration: N, peak: N) -> Vec<LoadTerm<N>> {
 
 /// The largest force of a pulse whose impulse is known.
 fn from_impulse<W: Worksheet>(
+    motion: OscillatorMotion,
     impulse: W::Num,
     course: &LoadHistoryGiven<W>,
     sheet: W,
 ) -> Result<W::Num, Refusal> {
     let (force, why) = match course {
         LoadHistoryGiven::Rectangular { duration } => {
-            (impulse / *duration, "Maximum force: the impulse is the area of the rectangle, F₀t_d")
+            (impulse / *duration, "Maximum of the load: the impulse is the area of the rectangle, F₀t_d")
         }
-        LoadHistoryGiven::Triangular { duration, .. } => {
-            (impulse * 2.0 / *duration, "Maximum force: the impulse is the area of the triangle, F₀t_d/2")
-        }
+        LoadHistoryGiven::Triangular { duration, .. } => (
+            impulse * 2.0 / *duration,
+            "Maximum of the load: the impulse is the area of the triangle, F₀t_d/2",
+        ),
         LoadHistoryGiven::HalfSine { duration } => (
             impulse * std::f64::consts::PI / (*duration * 2.0),
-            "Maximum force: the impulse is the area of the half sine, 2F₀t_d/π",
+            "Maximum of the load: the impulse is the area of the half sine, 2F₀t_d/π",
         ),
         LoadHistoryGiven::Exponential { constant } => {
-            (impulse / *constant, "Maximum force: the impulse is the area under the exponential, F₀τ")
+            (impulse / *constant, "Maximum of the load: the impulse is the area under the exponential, F₀τ")
         }
-        LoadHistoryGiven::Step {} | LoadHistoryGiven::Ramp { .. } | LoadHistoryGiven::RampStep { .. } => {
+        LoadHistoryGiven::VersedSine { duration } => (
+            impulse * 2.0 / *duration,
+            "Maximum of the load: the impulse is the area of the versed sine, half that of its rectangle",
+        ),
+        LoadHistoryGiven::Parabola { duration, constant, linear, quadratic } => {
+            let share = *constant + *linear / 2.0 + *quadratic / 3.0;
+            if share.value() <= 0.0 {
+                return Err(Refusal::because(
+                    "the area under this parabola is not positive, and gives no maximum for an impulse: give the maximum, or other coefficients",
+                ));
+            }
+            let why = "Maximum of the load: the impulse is the area under the parabola, (a₀ + a₁/2 + a₂/3) of its rectangle";
+            (impulse / (*duration * share), why)
+        }
+        LoadHistoryGiven::Step {}
+        | LoadHistoryGiven::Ramp { .. }
+        | LoadHistoryGiven::RampStep { .. }
+        | LoadHistoryGiven::ExponentialRise { .. } => {
             return Err(Refusal::because(
-                "a sustained load has no finite impulse: give its maximum force, or choose a pulse",
+                "a sustained load has no finite impulse: give its maximum, or choose a pulse",
             ));
         }
     };
-    Ok(sheet.step("F₀", "N", force, why))
+    Ok(sheet.step(motion.of("F₀", "T₀"), motion.force_unit(), force, why))
 }
 
-fn massless() -> Refusal {
-    Refusal::because("a force moves a mass: give the mass in addition to the natural frequency")
+fn massless(motion: OscillatorMotion) -> Refusal {
+    Refusal::because(motion.of(
+        "a force moves a mass: give the mass in addition to the natural frequency",
+        "a torque moves a moment of inertia: give it in addition to the natural frequency",
+    ))
 }
 
 impl<N: Real> LoadTerm<N> {

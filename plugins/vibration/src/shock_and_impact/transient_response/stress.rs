@@ -4,7 +4,11 @@ use dalembert_core::{Refusal, Symbol, Worksheet};
 use dalembert_mechanics::Real;
 
 use crate::{
-    shared::{oscillator::ElasticityGiven, section::second_moment, spring::SpringGiven},
+    shared::{
+        oscillator::{ElasticityGiven, SpringDataGiven, parts::BodySpringsGiven},
+        section::second_moment,
+        spring::SpringGiven,
+    },
     sources::BEER,
 };
 
@@ -13,13 +17,15 @@ use crate::{
 /// # Errors
 /// A spring whose bending moment is not known here.
 pub(super) fn stress<W: Worksheet>(
-    elasticity: &ElasticityGiven<W>,
+    elasticity: &BodySpringsGiven<W>,
     fibre: W::Num,
     stiffness: W::Num,
     largest: W::Num,
     sheet: W,
 ) -> Result<(), Refusal> {
-    let ElasticityGiven::Springs { springs: given } = elasticity else {
+    let BodySpringsGiven::Any(ElasticityGiven::Springs(SpringDataGiven::Springs { springs: given })) =
+        elasticity
+    else {
         return Err(unknown());
     };
     let why = "Equivalent static force for the same deflection of the beam";

@@ -8,7 +8,10 @@ use super::{
     model::{LoadTerm, Unit, Weight},
 };
 use crate::{
-    shared::free_motion::{DampedOscillator, WorkedFreeMotion},
+    shared::{
+        free_motion::{DampedOscillator, WorkedFreeMotion},
+        oscillator::motion::OscillatorMotion,
+    },
     sources::{CHOPRA, RAO},
 };
 
@@ -67,7 +70,12 @@ impl<'m, N: Real> Superposition<'m, N> {
         sheet.keep_going()?;
         let time = instant.time.value();
         let exact = self.model.motion.at(time).displacement;
-        let symbol = instant.symbol("x", "xₘ");
+        let motion = self.system.motion;
+        let symbol = match motion {
+            OscillatorMotion::Translation => instant.symbol("x", "xₘ"),
+            OscillatorMotion::Rotation => instant.symbol("θ", "θₘ"),
+        };
+        let unit = motion.displacement_unit();
         let terms = match &self.model.terms {
             Some(terms) if !self.is_near_a_pole(terms) && time > 0.0 => terms,
             _ => {
@@ -75,7 +83,7 @@ impl<'m, N: Real> Superposition<'m, N> {
                     "Displacement by the exact recurrence over the segments of the load, each linear or sinusoidal",
                     CHOPRA.at("§5.2"),
                 );
-                let x = sheet.numerical(symbol, "mm", exact, why);
+                let x = sheet.numerical(symbol, unit, exact, why);
                 sheet.verify(|| self.hold_to_duhamel(time, x, sheet));
                 return Ok(x);
             }
@@ -102,7 +110,7 @@ impl<'m, N: Real> Superposition<'m, N> {
             }
             None => (sum, ("Displacement of the free motion", RAO.at("§2.6"))),
         };
-        let x = sheet.step(symbol, "mm", x, why);
+        let x = sheet.step(symbol, unit, x, why);
         sheet.verify(|| {
             let what = "displacement by the exact recurrence over the pieces of the load";
             sheet.check_sum(what, x, exact.into(), scale.max(exact.abs()));
@@ -134,11 +142,11 @@ impl<'m, N: Real> Superposition<'m, N> {
     fn is_near_a_pole(&self, terms: &[LoadTerm<N>]) -> bool {
         let zeta = self.system.ratio.value();
         terms.iter().any(|term| match &term.unit {
-            Unit::Sine(_, r) => {
+            Unit::Sine(_, r) | Unit::Versine(_, r) => {
                 let r = r.value();
                 (1.0 - r * r).abs() + 2.0 * zeta * r < NEAR * (1.0 + r * r)
             }
-            Unit::Exponential(constant) => {
+            Unit::Exponential(constant) | Unit::Rise(constant) => {
                 let rate = 1.0 / (constant.value() * self.system.natural.value());
                 ((rate - 2.0 * zeta) * rate + 1.0).abs() < NEAR * (1.0 + rate * rate + 2.0 * zeta * rate)
             }
@@ -183,6 +191,18 @@ impl<'m, N: Real> Superposition<'m, N> {
             Unit::Exponential(constant) => {
                 closed::exponential(*constant, natural, ratio, time, release(), impulse())
             }
+            Unit::Rise(constant) => {
+                let release = release();
+                N::from(1.0)
+                    - release
+                    - closed::exponential(*constant, natural, ratio, time, release, impulse())
+            }
+            Unit::Versine(frequency, r) => {
+                let release = release();
+                let cosine = closed::cosine(*frequency, *r, ratio, time, release, impulse());
+                (N::from(1.0) - release - cosine) / 2.0
+            }
+            Unit::Parabola => closed::parabola(natural, ratio, time, release(), impulse()),
         };
         Some(match term.weight {
             Weight::One => unit,

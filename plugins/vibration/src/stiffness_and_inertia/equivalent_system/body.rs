@@ -5,10 +5,10 @@ use dalembert_mechanics::Real;
 
 use super::{
     AttachedDamperGiven, AttachedSpringGiven, CordMassGiven, EquivalentSystemGiven, LeverBarGiven,
-    LeverMassGiven, LeverPositionGiven, RollingShapeGiven, RollingSurfaceGiven, TurningBodyGiven,
+    LeverMassGiven, LeverPositionGiven, RollingSurfaceGiven, TurningBodyGiven,
 };
 use crate::{
-    shared::inertia::moment_of_inertia,
+    shared::inertia::{RollingShapeGiven, moment_of_inertia},
     sources::{KELLY, RAO},
 };
 
@@ -157,18 +157,7 @@ fn rolling<W: Worksheet>(
     masses: &[CordMassGiven<W>],
     sheet: W,
 ) -> Result<(W::Num, Option<W::Num>), Refusal> {
-    let square = mass * radius.powi(2);
-    let central = |inertia: W::Num, why: &'static str| sheet.step("J_G", "kg*m^2", inertia, why);
-    let own = match shape {
-        RollingShapeGiven::Cylinder {} => {
-            central(square / 2.0, "Moment of inertia of a solid cylinder about its centre")
-        }
-        RollingShapeGiven::Ring {} => central(square, "Moment of inertia of a thin ring about its centre"),
-        RollingShapeGiven::Sphere {} => {
-            central(square * 0.4, "Moment of inertia of a solid sphere about its centre")
-        }
-        RollingShapeGiven::Given { inertia } => *inertia,
-    };
+    let own = shape.about_centre([mass, radius], sheet);
     let about = sheet.step(
         "J_C",
         "kg*m^2",

@@ -5,10 +5,10 @@ use dalembert_mechanics::Real;
 use dalembert_numerics::quadrature;
 
 use super::{
-    AttachedDamper, AttachedSpring, EquivalentSystem, LeverBar, LeverPosition, RollingShape, RollingSurface,
-    TurningBody, body::Terms,
+    AttachedDamper, AttachedSpring, EquivalentSystem, LeverBar, LeverPosition, RollingSurface, TurningBody,
+    body::Terms,
 };
-use crate::shared::inertia::{Inertia, RotorInertia};
+use crate::shared::inertia::{BodyShape, Inertia, Mass, RollingShape, RotorInertia};
 
 /// Kinetic energy at one radian per second, potential energy at one radian of a linear motion, power at one radian per
 /// second.
@@ -97,9 +97,37 @@ fn kinetic(body: &TurningBody) -> f64 {
                 }
                 Inertia::Rotor(RotorInertia::Disc { mass, diameter }) => moving(mass, 0.5 * diameter) / 2.0,
                 Inertia::Ring { mass, diameter } => moving(mass, 0.5 * diameter),
+                Inertia::Shape { ref mass, ref shape, distance } => {
+                    let mass = match *mass {
+                        Mass::Mass { mass } => mass,
+                        Mass::Weight { weight, gravity } => weight / gravity,
+                    };
+                    moving(mass, distance.unwrap_or(0.0)) + mass * around_centre(shape)
+                }
             };
             own + masses.iter().map(|mass| moving(mass.mass, mass.arm)).sum::<f64>()
         }
+    }
+}
+
+/// Kinetic energy of a body of one kilogram that rotates about its centre by one radian per second: the mean of that
+/// of its points.
+fn around_centre(shape: &BodyShape) -> f64 {
+    // Of points spread evenly from −1/2 to 1/2 of a length.
+    let spread = |length: f64| quadrature::integral(|x| 0.5 * (x * length).powi(2), [-0.5, 0.5], 1);
+    // Of a circular area about its centre, and of a ball about a diameter.
+    let disc = |d: f64| quadrature::integral(|x| 0.5 * (0.5 * x * d).powi(2) * 2.0 * x, [0.0, 1.0], 1);
+    let ball = |d: f64| {
+        quadrature::integral(|x| 2.0 / 3.0 * 0.5 * (0.5 * x * d).powi(2) * 3.0 * x * x, [0.0, 1.0], 1)
+    };
+    match *shape {
+        BodyShape::Rod { length } => spread(length),
+        BodyShape::Plate { length, width } => spread(length) + spread(width),
+        BodyShape::Disc { diameter } => disc(diameter),
+        BodyShape::Ring { diameter } => 0.125 * diameter * diameter,
+        BodyShape::Cylinder { diameter, length } => 0.5 * disc(diameter) + spread(length),
+        BodyShape::Sphere { diameter } => ball(diameter),
+        BodyShape::Gyration { radius } => 0.5 * radius * radius,
     }
 }
 
