@@ -2831,3 +2831,220 @@ work-of-the-gas-in-a-cycle = Trabalho do gás num ciclo
 work-of-the-gas-per-cycle = Trabalho do gás por ciclo
 four-strokes-complete-the-data-compression-from-0-1-n-mm-by-14-and-expansion-follow-p-v-1-35-the = Quatro tempos completam os dados: compressão de 0,1 N/mm² por 14 e expansão seguem p v^1,35; a injeção termina a um décimo do curso.
 with-that-value-the-closed-mechanism-lies-at-the-limit-of-name = com esse valor, o mecanismo fechado está no limite de { $name }
+
+# Kinematics of linkages
+ab-40-mm-at-120-rpm-clockwise-bc-ad-150-mm-cd-80-mm-angle-bad-60-the-angular-velocity-is-printed-as-a = AB = 40 mm a 120 rpm no sentido horário, BC = AD = 150 mm, CD = 80 mm, ângulo BAD = 60°. A velocidade angular é impressa em módulo, no sentido horário. B e C do livro são A e B aqui.
+acceleration-of-a = Aceleração de A
+acceleration-of-a-on-link-4 = Aceleração de A no elo 4
+acceleration-of-b = Aceleração de B
+acceleration-of-b-relative-to-a = Aceleração de B em relação a A
+acceleration-of-b-with-an-accelerated-crank = Aceleração de B com manivela acelerada
+acceleration-of-d = Aceleração de D
+acceleration-of-p = Aceleração de P
+acceleration-of-slip = Aceleração de deslizamento
+acceleration-of-slip-along-name = Aceleração de deslizamento ao longo de { $name }
+acceleration-of-the-crank-pin-along-the-lever = Aceleração do pino da manivela ao longo da alavanca
+acceleration-of-the-crank-pin-along-the-slot = Aceleração do pino da manivela ao longo da ranhura
+acceleration-of-the-crank-pin-in-the-slot = Aceleração do pino da manivela na ranhura
+acceleration-of-the-crank-pin-in-the-slot-the-yoke-does-not-rotate-there-is-no-coriolis-acceleration = Aceleração do pino da manivela na ranhura; o garfo não gira: não há aceleração de Coriolis
+acceleration-of-the-first-point-of-name = Aceleração do primeiro ponto de { $name }
+acceleration-of-the-point-of-the-guide-of-name-that-is-under-it = Aceleração do ponto da guia de { $name } que está sob ele
+acceleration-of-the-second-point-of-name = Aceleração do segundo ponto de { $name }
+acceleration-of-what-slides-in-name = Aceleração do que desliza em { $name }
+acceleration-of-name-a-f-a-q = Aceleração de { $name }: a_F − a_Q
+acceleration-of-point-r-r = Aceleração de { $point }, α × r − ω² r
+acceleration-of-point-that-of-the-pin-tangential-and-normal-parts-about-it = Aceleração de { $point }: a do pino, com as partes tangencial e normal em torno dele
+accelerations-of-a-four-bar-chain = Acelerações de uma cadeia de quatro barras
+angle-of-that-line-in-the-axes-of-name = Ângulo dessa reta nos eixos de { $name }
+angle-of-name-that-of-its-driver = Ângulo de { $name }, o do seu acionamento
+angle-of-name-that-of-its-guide = Ângulo de { $name }, o da sua guia
+angle-of-name-its-end-is-on-the-line-of-the-slider = Ângulo de { $name }: a extremidade está na linha do cursor
+angle-of-name-its-slot-goes-through-the-pin = Ângulo de { $name }: a ranhura passa pelo pino
+angle-of-name-loop-of-pins-closed-by-the-triangle-of-its-lengths = Ângulo de { $name }: cadeia de pinos fechada pelo triângulo dos comprimentos
+angular-acceleration-of-link-5 = Aceleração angular do elo 5
+angular-acceleration-of-the-first-crank = Aceleração angular da primeira manivela
+angular-acceleration-of-the-first-rod = Aceleração angular da primeira biela
+angular-acceleration-of-the-second-crank = Aceleração angular da segunda manivela
+angular-acceleration-of-the-second-crank-by-the-gears = Aceleração angular da segunda manivela, pelas engrenagens
+angular-acceleration-of-the-second-rod = Aceleração angular da segunda biela
+angular-velocity-of-link-5 = Velocidade angular do elo 5
+angular-velocity-of-link-n-by-both-cranks = Velocidade angular do elo { $n }: pelas duas manivelas
+angular-velocity-of-the-first-crank = Velocidade angular da primeira manivela
+angular-velocity-of-the-first-rod = Velocidade angular da primeira biela
+angular-velocity-of-the-guide-of-name = Velocidade angular da guia de { $name }
+angular-velocity-of-the-second-crank = Velocidade angular da segunda manivela
+angular-velocity-of-the-second-crank-by-the-gears = Velocidade angular da segunda manivela, pelas engrenagens
+angular-velocity-of-the-second-rod = Velocidade angular da segunda biela
+angular-velocity-of-name-that-of-its-driver = Velocidade angular de { $name }, a do seu acionamento
+angular-velocity-of-name-both-bodies-give-their-pin-the-same-velocity = Velocidade angular de { $name }: os dois corpos dão ao seu pino a mesma velocidade
+angular-velocity-of-name-it-translates-along-its-guide = Velocidade angular de { $name }: ele translada ao longo da guia
+angular-velocity-of-name-its-end-has-no-velocity-across-the-line-of-the-slider = Velocidade angular de { $name }: a extremidade não tem velocidade transversal à linha do cursor
+angular-velocity-of-name-velocity-of-the-pin-across-the-slot = Velocidade angular de { $name }: velocidade do pino transversal à ranhura
+between-the-two-pins = Entre os dois pinos
+constraint-equations-at-the-position = Equações de restrição na posição
+coriolis-acceleration = Aceleração de Coriolis
+coriolis-acceleration-from-the-derivative-of-the-triangle-of-the-pivots = aceleração de Coriolis pela derivada do triângulo dos pivôs
+coriolis-acceleration-in-a-swinging-cylinder = Aceleração de Coriolis em um cilindro oscilante
+coriolis-acceleration-in-name-2-v-s-perpendicular-to-it = Aceleração de Coriolis em { $name }, 2 ω v_s, perpendicular a ele
+coriolis-acceleration-of-a-crank-pin-in-its-slot = Aceleração de Coriolis de um pino de manivela na ranhura
+coriolis-acceleration-of-the-crank-pin = Aceleração de Coriolis do pino da manivela
+coriolis-acceleration-of-the-piston = Aceleração de Coriolis do pistão
+coriolis-acceleration-2-v-s-perpendicular-to-the-line-of-sliding = Aceleração de Coriolis, 2 ω v_s, perpendicular à linha de deslizamento
+crank-at-its-inner-dead-centre-in-motion = Manivela no ponto morto interno, em movimento
+crank-in-line-with-its-cylinder = Manivela alinhada com o cilindro
+direction-of-its-acceleration-from-x = Direção da aceleração, a partir de x
+direction-of-its-velocity-from-x = Direção da velocidade, a partir de x
+direction-of-relative-acceleration = Direção da aceleração relativa
+direction-of-the-acceleration = Direção da aceleração
+direction-of-the-acceleration-of-a = Direção da aceleração de A
+direction-of-the-acceleration-of-a-on-link-4 = Direção da aceleração de A no elo 4
+direction-of-the-acceleration-of-b = Direção da aceleração de B
+direction-of-the-acceleration-of-b-relative-to-a = Direção da aceleração de B em relação a A
+direction-of-the-acceleration-of-d = Direção da aceleração de D
+direction-of-the-acceleration-of-p = Direção da aceleração de P
+direction-of-the-acceleration-of-name-from-x = Direção da aceleração de { $name }, a partir de x
+direction-of-the-relative-acceleration-of-name-from-x = Direção da aceleração relativa de { $name }, a partir de x
+direction-of-the-relative-velocity = Direção da velocidade relativa
+direction-of-the-relative-velocity-of-name-from-x = Direção da velocidade relativa de { $name }, a partir de x
+direction-of-the-velocity = Direção da velocidade
+direction-of-the-velocity-of-a = Direção da velocidade de A
+direction-of-the-velocity-of-a-on-link-4 = Direção da velocidade de A no elo 4
+direction-of-the-velocity-of-b = Direção da velocidade de B
+direction-of-the-velocity-of-b-relative-to-a = Direção da velocidade de B em relação a A
+direction-of-the-velocity-of-d = Direção da velocidade de D
+direction-of-the-velocity-of-p = Direção da velocidade de P
+direction-of-the-velocity-of-name-from-x = Direção da velocidade de { $name }, a partir de x
+distance-of-the-line-of-name-to-the-left-of-the-pin = Distância da linha de { $name } à esquerda do pino
+fossee-scilab-companion-to-r-s-khurmi-j-k-gupta-theory-of-machines-ex-7-1 = companion Scilab da FOSSEE para R. S. Khurmi, J. K. Gupta, Theory of Machines, ex. 7.1
+fossee-scilab-companion-to-r-s-khurmi-j-k-gupta-theory-of-machines-ex-8-1 = companion Scilab da FOSSEE para R. S. Khurmi, J. K. Gupta, Theory of Machines, ex. 8.1
+fossee-scilab-companion-to-r-s-khurmi-j-k-gupta-theory-of-machines-ex-8-4 = companion Scilab da FOSSEE para R. S. Khurmi, J. K. Gupta, Theory of Machines, ex. 8.4
+fossee-scilab-companion-to-r-s-khurmi-j-k-gupta-theory-of-machines-ex-8-5 = companion Scilab da FOSSEE para R. S. Khurmi, J. K. Gupta, Theory of Machines, ex. 8.5
+from-the-pivot-to-the-pin-in-name = Do pivô ao pino em { $name }
+law-of-cosines-angle-between-that-line-and-name = Lei dos cossenos: ângulo entre essa reta e { $name }
+left-side = Lado esquerdo
+length-of-name-between-its-pins = Comprimento de { $name } entre os pinos
+magnitude-of-relative-acceleration = Módulo da aceleração relativa
+magnitude-of-the-acceleration = Módulo da aceleração
+magnitude-of-the-acceleration-of-a = Módulo da aceleração de A
+magnitude-of-the-acceleration-of-a-on-link-4 = Módulo da aceleração de A no elo 4
+magnitude-of-the-acceleration-of-b = Módulo da aceleração de B
+magnitude-of-the-acceleration-of-b-relative-to-a = Módulo da aceleração de B em relação a A
+magnitude-of-the-acceleration-of-d = Módulo da aceleração de D
+magnitude-of-the-acceleration-of-p = Módulo da aceleração de P
+magnitude-of-the-acceleration-of-name = Módulo da aceleração de { $name }
+magnitude-of-the-acceleration-of-point = Módulo da aceleração de { $point }
+magnitude-of-the-relative-acceleration-of-name = Módulo da aceleração relativa de { $name }
+motion-of-the-apex-with-geared-cranks = Movimento do vértice com manivelas engrenadas
+motion-of-the-connecting-rod-at-300-rpm = Movimento da biela a 300 rpm
+motion-of-the-points-of-a-parallelogram = Movimento dos pontos de um paralelogramo
+normal-acceleration-of-a = Aceleração normal de A
+normal-acceleration-of-a-on-link-4 = Aceleração normal de A no elo 4
+normal-acceleration-of-b = Aceleração normal de B
+normal-acceleration-of-b-relative-to-a = Aceleração normal de B em relação a A
+normal-acceleration-of-point-towards-the-centre-r = Aceleração normal de { $point }, para o centro: ω² r
+pq-62-5-mm-at-10-rad-s-clockwise-qr-175-mm-rs-112-5-mm-ps-200-mm-angle-qps-60-q-and-r-of-the-book-are = PQ = 62,5 mm a 10 rad/s no sentido horário, QR = 175 mm, RS = 112,5 mm, PS = 200 mm, ângulo QPS = 60°. Q e R do livro são A e B aqui; os módulos têm os sinais dos sentidos impressos.
+parallel-cranks-at-the-same-speed = Manivelas paralelas com a mesma velocidade
+points-whose-relative-motion-is-computed = Pontos cujo movimento relativo é calculado
+relative-acceleration-of-the-point = Aceleração relativa do ponto
+relative-coordinate = Coordenada relativa
+relative-speed-of-the-point = Velocidade escalar relativa do ponto
+relative-speed-of-name = Velocidade escalar relativa de { $name }
+relative-to = Em relação a
+relative-velocity-of-the-point = Velocidade relativa do ponto
+right-side = Lado direito
+slip-of-the-crank-pin-in-the-yoke = Deslizamento do pino da manivela no garfo
+slip-with-the-crank-along-the-line-of-the-yoke = Deslizamento com a manivela na linha do garfo
+speed-of-a = Velocidade escalar de A
+speed-of-a-on-link-4 = Velocidade escalar de A no elo 4
+speed-of-b = Velocidade escalar de B
+speed-of-b-relative-to-a = Velocidade escalar de B em relação a A
+speed-of-d = Velocidade escalar de D
+speed-of-p = Velocidade escalar de P
+speed-of-the-point = Velocidade escalar do ponto
+speed-of-point = Velocidade escalar de { $point }
+stephenson-a-point-of-the-coupler-of-a-parallelogram = Stephenson: um ponto do acoplador de um paralelogramo
+tangential-acceleration-of-a = Aceleração tangencial de A
+tangential-acceleration-of-a-on-link-4 = Aceleração tangencial de A no elo 4
+tangential-acceleration-of-b = Aceleração tangencial de B
+tangential-acceleration-of-b-relative-to-a = Aceleração tangencial de B em relação a A
+tangential-acceleration-of-point-positive-counter-clockwise-r = Aceleração tangencial de { $point }, positiva no sentido anti-horário: α r
+the-coupler-keeps-its-angle-d-moves-like-the-crank-pin-v-a-link-5-and-the-slider-are-an-offset-slider = O acoplador mantém o ângulo: D se move como o pino da manivela, v = a ω; o elo 5 e o cursor são um cursor-manivela excêntrico com D como pino da manivela
+the-coupler-keeps-its-angle-v-p-v-b-v-a-a-at-2-90-a-p-a-b-a-a-a-at-2-180 = O acoplador mantém o ângulo: v_P = v_B = v_A = a ω a θ_2 + 90°, a_P = a_B = a_A = a ω² a θ_2 + 180°
+the-rods-keep-their-angles-v-p-v-a-v-b-a-a-p-a-towards-the-pivots = As bielas mantêm os ângulos: v_P = v_A = v_B = a ω, a_P = a ω² para os pivôs
+unit-vector-along-name = Vetor unitário ao longo de { $name }
+vector-of-name-from-its-first-pin = Vetor de { $name } a partir do primeiro pino
+vector-of-name-which-closes-the-loop = Vetor de { $name }, que fecha a cadeia
+velocities-of-a-four-bar-chain-at-120-rpm = Velocidades de uma cadeia de quatro barras a 120 rpm
+velocity-equations-coefficients-of-the-velocities-of-each-body = Equações de velocidade: coeficientes das velocidades de cada corpo
+velocity-of-a = Velocidade de A
+velocity-of-a-on-link-4 = Velocidade de A no elo 4
+velocity-of-b = Velocidade de B
+velocity-of-b-relative-to-a = Velocidade de B em relação a A
+velocity-of-d = Velocidade de D
+velocity-of-p = Velocidade de P
+velocity-of-slip = Velocidade de deslizamento
+velocity-of-slip-along-name = Velocidade de deslizamento ao longo de { $name }
+velocity-of-the-crank-pin-in-the-slot = Velocidade do pino da manivela na ranhura
+velocity-of-the-crank-pin-in-the-slot-the-part-of-its-velocity-along-y = Velocidade do pino da manivela na ranhura: a parte da sua velocidade ao longo de y
+velocity-of-the-first-point-of-name = Velocidade do primeiro ponto de { $name }
+velocity-of-the-point-of-the-guide-of-name-that-is-under-it = Velocidade do ponto da guia de { $name } que está sob ele
+velocity-of-the-point-of-the-lever-that-is-under-the-crank-pin-across-it = Velocidade do ponto da alavanca sob o pino da manivela, transversal a ela
+velocity-of-the-second-point-of-name = Velocidade do segundo ponto de { $name }
+velocity-of-what-slides-in-name = Velocidade do que desliza em { $name }
+velocity-of-name-v-f-v-q = Velocidade de { $name }: v_F − v_Q
+velocity-of-name-r-along-its-body = Velocidade de { $name }: ω × r ao longo do corpo
+velocity-of-point-r = Velocidade de { $point }, ω × r
+velocity-of-point-that-of-the-pin-and-r-about-it = Velocidade de { $point }: a do pino e ω × r em torno dele
+whole-turns-of-name-from-its-initial-angle = Voltas inteiras de { $name } a partir do ângulo inicial
+a-point-a-from-a-relative-along-x = a_{ $point } = a_{ $from } + a_{ $relative }, ao longo de x
+a-point-a-from-a-relative-along-y = a_{ $point } = a_{ $from } + a_{ $relative }, ao longo de y
+acceleration-across-name-is-the-coriolis-acceleration = aceleração transversal a { $name } é a aceleração de Coriolis
+acceleration-of-slip-and-coriolis-acceleration-make-up-the-relative-acceleration-in-name = aceleração de deslizamento e aceleração de Coriolis compõem a aceleração relativa em { $name }
+acceleration-of-slip-from-the-second-derivative-of-the-triangle-of-the-pivots = aceleração de deslizamento pela segunda derivada do triângulo dos pivôs
+acceleration-of-point-along-x-from-the-derivatives-of-the-constraint-equations = aceleração de { $point } ao longo de x pelas derivadas das equações de restrição
+acceleration-of-point-along-y-from-the-derivatives-of-the-constraint-equations = aceleração de { $point } ao longo de y pelas derivadas das equações de restrição
+angular-acceleration-of-link-n-from-the-derivatives-of-the-constraint-equations = aceleração angular do elo { $n } pelas derivadas das equações de restrição
+angular-velocity-of-link-n-from-the-derivatives-of-the-constraint-equations = velocidade angular do elo { $n } pelas derivadas das equações de restrição
+distance-along-x = distância ao longo de x
+distance-along-y = distância ao longo de y
+distance-from-the-line = distância à reta
+distance-of-two-points = distância de dois pontos
+normal-and-tangential-acceleration-of-point-make-up-its-acceleration = aceleração normal e tangencial de { $point } compõem a sua aceleração
+polar-angle = ângulo polar
+r-300-mm-across-the-frame-of-400-mm-s-500-mm-v-a-3-m-s-has-1-8-m-s-across-the-cylinder-and-2-4-m-s = r = 300 mm transversal à base de 400 mm, s = 500 mm: v_A = 3 m/s tem 1,8 m/s transversal ao cilindro e −2,4 m/s ao longo dele; ω_4 = 3,6 rad/s, a_c = 2·3,6·(−2,4), a_s = −0,6·30 + 0,5·3,6², α_4 = (−24 − a_c)/0,5
+relative-acceleration-of-name-on-one-body-is-r-r-along-x = aceleração relativa de { $name } no mesmo corpo é α × r − ω² r, ao longo de x
+relative-acceleration-of-name-on-one-body-is-r-r-along-y = aceleração relativa de { $name } no mesmo corpo é α × r − ω² r, ao longo de y
+relative-angle = ângulo relativo
+relative-velocity-of-name-as-the-rate-of-its-distance-along-x = velocidade relativa de { $name } como taxa da distância ao longo de x
+relative-velocity-of-name-as-the-rate-of-its-distance-along-y = velocidade relativa de { $name } como taxa da distância ao longo de y
+relative-velocity-of-name-on-one-body-is-r-along-x = velocidade relativa de { $name } no mesmo corpo é ω × r, ao longo de x
+relative-velocity-of-name-on-one-body-is-r-along-y = velocidade relativa de { $name } no mesmo corpo é ω × r, ao longo de y
+slip-from-the-derivative-of-the-triangle-of-the-pivots = deslizamento pela derivada do triângulo dos pivôs
+sum-of-relative-coordinates = soma de coordenadas relativas
+the-book-squares-a-rounded-velocity = o livro eleva ao quadrado uma velocidade arredondada
+v-s-r-cos-a-s-r-cos-sin-with-the-motion-of-the-pin-r-across-the-crank = v_s = r ω cos θ, a_s = r (α cos θ − ω² sin θ), com o movimento do pino r ω transversal à manivela
+v-point-v-from-v-relative-along-x = v_{ $point } = v_{ $from } + v_{ $relative }, ao longo de x
+v-point-v-from-v-relative-along-y = v_{ $point } = v_{ $from } + v_{ $relative }, ao longo de y
+velocity-of-slip-as-the-rate-of-the-distance-along-name = velocidade de deslizamento como taxa da distância ao longo de { $name }
+velocity-of-point-along-x-from-the-derivatives-of-the-constraint-equations = velocidade de { $point } ao longo de x pelas derivadas das equações de restrição
+velocity-of-point-along-y-from-the-derivatives-of-the-constraint-equations = velocidade de { $point } ao longo de y pelas derivadas das equações de restrição
+y-a-sin-b-d-2-a-cos-at-70-differentiated-twice-with-10-rad-s-and-20-rad-s = y = a sin θ + √(b² − (d/2 − a cos θ)²) a 70°, derivada duas vezes com ω = 10 rad/s e α = 20 rad/s²
+name-magnitude-and-direction-make-up-the-vector = { $name }: módulo e direção compõem o vetor
+point-magnitude-and-direction-make-up-the-vector = { $point }: módulo e direção compõem o vetor
+n-0-the-pin-moves-along-the-slot-only-v-s-r-a-s-0 = θ = 0: o pino se move apenas ao longo da ranhura, v_s = r ω, a_s = 0
+crank-of-100-mm-at-90-and-10-rad-s-d-is-150-mm-along-the-coupler-link-5-of-250-mm-rises-by-150-mm = Manivela de 100 mm a 90° e 10 rad/s; D está a 150 mm ao longo do acoplador; o elo 5 de 250 mm sobe 150 mm em 200 mm: ω_5 = 0, v = −1 m/s para o cursor, α_5 = 10/0,2 rad/s², a = −0,15·50 m/s².
+crank-pin-farthest-from-the-pin-of-the-cylinder-no-slip-no-coriolis-acceleration-4-r-d-r-a-s-r-d-r-4 = Pino da manivela o mais longe possível do pino do cilindro: sem deslizamento, sem aceleração de Coriolis, ω_4 = r ω/(d + r), a_s = −r ω² + (d + r) ω_4², α_4 = r α/(d + r)
+normal-acceleration-of-d = Aceleração normal de D
+normal-acceleration-of-p = Aceleração normal de P
+ob-150-mm-at-300-rpm-ba-600-mm-the-angle-of-45-is-that-of-the-book-from-memory-the-crank-leaves-its = OB = 150 mm a 300 rpm, BA = 600 mm; o ângulo de 45° é o do livro, de memória. A manivela deixa o ponto morto interno; o livro a desenha no sentido horário, com o cursor à esquerda, de modo que os sentidos são os opostos. A e B do livro são B e A aqui.
+p1a-300-mm-at-10-rad-s-and-30-rad-s-both-clockwise-ab-p2b-360-mm-the-frame-of-600-mm-and-the-angle-of = P1A = 300 mm a 10 rad/s e 30 rad/s², ambos no sentido horário, AB = P2B = 360 mm; a base de 600 mm e o ângulo de 60° são os do livro, de memória.
+pq-62-5-mm-at-10-rad-s-clockwise-qr-175-mm-rs-112-5-mm-ps-200-mm-angle-qps-60 = PQ = 62,5 mm a 10 rad/s no sentido horário, QR = 175 mm, RS = 112,5 mm, PS = 200 mm, ângulo QPS = 60°.
+pin-in-the-slot-of-a-lever-with-coriolis-acceleration = Pino na ranhura de uma alavanca, com aceleração de Coriolis
+relative-velocity-of-the-pins-of-a-four-bar-chain = Velocidade relativa dos pinos de uma cadeia de quatro barras
+slider-of-an-in-line-slider-crank-at-its-inner-dead-centre = Cursor de um cursor-manivela alinhado no ponto morto interno
+tangential-acceleration-of-d = Aceleração tangencial de D
+tangential-acceleration-of-p = Aceleração tangencial de P
+the-guide-belongs-to-the-ground-there-is-no-coriolis-acceleration = A guia pertence à base: não há aceleração de Coriolis.
+the-point-of-the-lever-under-the-pin-has-the-velocity-of-the-pin-less-the-slip-1-8-m-s = O ponto da alavanca sob o pino tem a velocidade do pino menos o deslizamento: 1,8 m/s.
+r-300-mm-d-400-mm-crank-across-the-frame-500-mm-v-a-3-m-s-has-1-8-m-s-across-the-slot-and-2-4-m-s = r = 300 mm, d = 400 mm, manivela transversal à base, ρ = 500 mm: v_A = 3 m/s tem 1,8 m/s transversal à ranhura e 2,4 m/s ao longo dela; ω_4 = 3,6 rad/s, a_c = 2·3,6·2,4, a_s = −0,6·30 + 0,5·3,6²
+triangle-of-300-400-and-500-mm-of-v-a-3-m-s-1-8-m-s-are-across-the-slot-and-2-4-m-s-along-it-1-8-0-5 = Triângulo de 300, 400 e 500 mm: de v_A = 3 m/s, 1,8 m/s são transversais à ranhura e 2,4 m/s ao longo dela; ω = 1,8/0,5, a_c = 2·3,6·2,4, a_s = −0,6·30 + 0,5·3,6²

@@ -4,6 +4,7 @@ pub(crate) mod built;
 pub(crate) mod dyad;
 pub(crate) mod equilibria;
 pub mod flywheel;
+pub(crate) mod kinematics;
 pub mod linkage;
 pub(crate) mod one_degree_of_freedom;
 pub mod parts;

@@ -1,16 +1,19 @@
 //! A plane mechanism of any shape, described by its parts: how it moves, what drives it, and what its joints carry.
 
 mod centres;
+mod equations;
 mod joints;
+mod loops;
 mod pictures;
+mod points;
 mod transmission;
 mod virtual_power;
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{About, Analysis, Inputs, Reference, Refusal, Text, Worksheet, register};
+use dalembert_core::{About, Analysis, Exhibit, Inputs, Reference, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{
-    Real, Vector,
+    Real,
     planar::{InverseDynamics, Model, PlanarError, PlanarState, SweepResult},
 };
 use nalgebra::Vector3;
@@ -43,6 +46,8 @@ pub struct Mechanism {
     pub gravity: Vector3<f64>,
     /// Points whose motion is computed.
     pub watched: Vec<WatchedPoint>,
+    /// Points whose relative motion is computed.
+    pub relative: Vec<RelativePoint>,
     /// Range of the first driver in the plots.
     #[input(default = "turn")]
     pub range: Range,
@@ -54,6 +59,17 @@ pub struct WatchedPoint {
     /// Point.
     #[input(rows = "points")]
     pub point: Reference,
+}
+
+/// A point whose motion relative to another is asked for.
+#[derive(Clone, Debug, Inputs)]
+pub struct RelativePoint {
+    /// Point.
+    #[input(rows = "points")]
+    pub point: Reference,
+    /// Relative to.
+    #[input(rows = "points")]
+    pub to: Reference,
 }
 
 /// The values that the first driver goes through.
@@ -106,7 +122,7 @@ impl Analysis for Mechanism {
         let (state, dynamics) = system.kinetostatics(&positions).map_err(refuse)?;
         sheet.keep_going()?;
         let this = Solved { parts: &parts, rows: &rows, system: &system, state: &state, dynamics: &dynamics };
-        let angular = self.motion(&this, sheet);
+        let (angular, is_closed) = self.motion(&this, given, sheet);
         this.efforts(given, &angular, sheet);
         this.reactions(mobility.redundant.is_empty(), sheet);
         if !mobility.redundant.is_empty() {
@@ -120,6 +136,10 @@ impl Analysis for Mechanism {
         }
         let samples = self.through(&this, sheet)?;
         sheet.keep_going()?;
+        if !is_closed {
+            sheet.show(|| Exhibit::Table(this.table_of_constraints()));
+            sheet.show(|| Exhibit::Table(this.table_of_velocity_equations()));
+        }
         this.show(self, &samples, sheet);
         Ok(())
     }
@@ -150,34 +170,36 @@ impl Mechanism {
         Parts::new(self.gravity, described, &self.drivers, &self.loads)
     }
 
-    /// Answers the positions, velocities and accelerations of the bodies; returns their angular accelerations.
-    fn motion<W: Worksheet>(&self, this: &Solved<'_>, sheet: W) -> Vec<W::Num> {
+    /// Answers the positions, velocities and accelerations of the bodies; returns their angular accelerations, and whether
+    /// all of their angles have a closed form.
+    fn motion<W: Worksheet>(
+        &self,
+        this: &Solved<'_>,
+        given: &MechanismGiven<W>,
+        sheet: W,
+    ) -> (Vec<W::Num>, bool) {
+        let mut closed = loops::Loops::worked(this, self, given, sheet);
         let mut angular = Vec::with_capacity(self.bodies.len());
         let mut shown = this.state.clone();
         let PlanarState { positions, velocities, accelerations } = this.state;
         for (body, part) in this.parts.bodies.iter().enumerate() {
             let row = body + 1;
             let named = |reason: &'static str| Text::new(reason).with("name", &part.name);
-            let angle = sheet.numerical(
-                ("θ_c", row),
-                "deg",
-                positions[body][2],
-                (
-                    named("Angle of {name}: joint constraints, Φ(q) = 0, solved by Newton's method"),
-                    NIKRAVESH.at("ch. 3"),
-                ),
-            );
+            let (known, speed) =
+                closed.body(body).map_or((None, None), |(angle, speed)| (Some(angle), speed));
+            let angle = known.unwrap_or_else(|| {
+                let why = named("Angle of {name}: joint constraints, Φ(q) = 0, solved by Newton's method");
+                let why = (why, NIKRAVESH.at("ch. 3"));
+                sheet.numerical(("θ_c", row), "deg", positions[body][2], why)
+            });
             sheet.answer(("angle", row), "Angle of the body", angle);
             sheet.row_label(("angle", row), &part.name);
-            let speed = sheet.numerical(
-                ("ω_c", row),
-                "rad/s",
-                velocities[body][2],
-                (
-                    named("Angular velocity of {name}, from the joint and driving constraints, Φ_q q̇ = −Φ_t"),
-                    NIKRAVESH.at("ch. 3"),
-                ),
-            );
+            let speed = speed.unwrap_or_else(|| {
+                let why =
+                    named("Angular velocity of {name}, from the joint and driving constraints, Φ_q q̇ = −Φ_t");
+                let why = (why, NIKRAVESH.at("ch. 3"));
+                sheet.numerical(("ω_c", row), "rad/s", velocities[body][2], why)
+            });
             sheet.answer(("angular_velocity", row), "Angular velocity of the body", speed);
             sheet.row_label(("angular_velocity", row), &part.name);
             let acceleration = sheet.numerical(
@@ -198,35 +220,10 @@ impl Mechanism {
             angular.push(acceleration);
         }
         sheet.verify(|| closure::check_pins(this.system, &shown, ([0.0; 3], 0.0), sheet));
-        for (row, watched) in (1..).zip(&self.watched) {
-            let name = &self.points[watched.point.0].name;
-            let [position, velocity, acceleration] =
-                this.system.point(this.parts.point(watched.point), this.state);
-            let vector = |[x, y]: [f64; 2]| Vector3::new(x, y, 0.0);
-            let named = |reason: &'static str| Text::new(reason).with("name", name);
-            let at =
-                sheet.numerical_vector(("r_P", row), "mm", vector(position), named("Position of {name}"));
-            sheet.answer_vector(("position", row), "Position of the point", at);
-            sheet.row_label(("position", row), name);
-            let velocity =
-                sheet.numerical_vector(("v_P", row), "m/s", vector(velocity), named("Velocity of {name}"));
-            sheet.answer_vector(("velocity", row), "Velocity of the point", velocity);
-            sheet.row_label(("velocity", row), name);
-            let acceleration = sheet.numerical_vector(
-                ("a_P", row),
-                "m/s^2",
-                vector(acceleration),
-                named("Acceleration of {name}"),
-            );
-            sheet.answer_vector(("acceleration", row), "Acceleration of the point", acceleration);
-            sheet.row_label(("acceleration", row), name);
-            sheet.verify(|| {
-                let shown_of_point = [at, velocity, acceleration].map(|of| [of.value().x, of.value().y]);
-                let point = (this.parts.point(watched.point), name.as_str());
-                closure::check_point(this.system, &shown, point, shown_of_point, [0.0; 3], sheet);
-            });
-        }
-        angular
+        this.watched(&self.watched, &mut closed, &shown, sheet);
+        this.relative(&self.relative, sheet);
+        this.sliding(sheet);
+        (angular, closed.is_complete())
     }
 
     /// The mechanism over the range of its first driver, as far as it goes; nothing where no range is asked for.

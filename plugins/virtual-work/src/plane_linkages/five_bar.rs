@@ -16,7 +16,8 @@ use crate::{
     shared::{
         built::{self, Built, BuiltMass, Range, Solved, Template, TemplateRange},
         dyad::{self, DyadPin},
-        works::{self, FOUR, PointWork, RotatingLinkWork, THREE, plane, symbol},
+        kinematics::{self, Kinematics, Motion},
+        works::{self, FIVE, FOUR, PointWork, RotatingLinkWork, THREE, plane, symbol},
     },
     sources::{NORTON, RIUL, SHIGLEY},
 };
@@ -60,6 +61,13 @@ pub struct FiveBar {
     pub cranks: CrankDrive,
     /// Unknown.
     pub unknown: FiveBarUnknown,
+    /// Angular velocity of the first crank.
+    /// Zero in statics.
+    #[input("ω_2", "rad/s", default = "0 rad/s")]
+    pub first_speed: f64,
+    /// Angular acceleration of the first crank.
+    #[input("α_2", "rad/s^2", default = "0 rad/s^2")]
+    pub first_acceleration: f64,
 }
 
 /// On which side of the way from A to B the rods meet.
@@ -75,7 +83,14 @@ pub enum Apex {
 #[derive(Clone, Debug, Inputs)]
 pub enum CrankDrive {
     /// Independent: two degrees of freedom
-    Free,
+    Free {
+        /// Angular velocity of the second crank.
+        #[input("ω_5", "rad/s", default = "0 rad/s")]
+        speed: f64,
+        /// Angular acceleration of the second crank.
+        #[input("α_5", "rad/s^2", default = "0 rad/s^2")]
+        acceleration: f64,
+    },
     /// Geared together: one degree of freedom
     Geared {
         /// Teeth of the gear on the first crank.
@@ -121,6 +136,9 @@ pub enum FiveBarUnknown {
 /// Results in one position.
 pub struct FiveBarPosition<N> {
     angles: [N; 2],
+    second_angle: N,
+    /// Angular velocities and angular accelerations of both cranks and both rods, in motion.
+    turning: Option<[[N; 2]; 4]>,
     /// Common pin of the rods, m.
     place: [f64; 2],
     /// On the first and on the second crank; geared, the one on the first alone.
@@ -163,6 +181,7 @@ impl Analysis for FiveBar {
                 sheet.answer("force_y", "Force at the common pin of the rods, along y", found.force[1]);
             }
         }
+        let motions = found.turning.map(|turning| self.kinematics(given, (&found, turning), sheet));
         let force = found.force.map(Real::value);
         let angles = found.angles.map(Real::value);
         let (solved, joints) = self.built(angles, force).map_err(built::refusal)?;
@@ -180,17 +199,25 @@ impl Analysis for FiveBar {
             sheet,
         );
         sheet.verify(|| {
+            if let (Some((of, [a, b, p])), Some(turning)) = (&motions, found.turning) {
+                of.check(&kinematics::A, *a, &solved, 0, [self.first_crank, 0.0]);
+                of.check(&kinematics::B, *b, &solved, 1, [self.second_crank, 0.0]);
+                of.check(&kinematics::P, *p, &solved, 2, [self.first_rod, 0.0]);
+                of.check_rotation(FIVE, turning[1].into(), &solved, 1);
+                of.check_rotation(THREE, turning[2].into(), &solved, 2);
+                of.check_rotation(FOUR, turning[3].into(), &solved, 3);
+            }
             for (driver, torque) in found.torques.into_iter().enumerate() {
                 if let Some(torque) = torque {
                     solved.check_effort(driver, torque, sheet);
                 }
             }
-            if let CrankDrive::Free = self.cranks {
+            if let CrankDrive::Free { .. } = self.cranks {
                 works::check_balance(&[forces[0], forces[1], force], solved.inertia_resultant(), sheet);
             }
         });
         sheet.show(|| solved.works(0));
-        if let CrankDrive::Free = self.cranks {
+        if let CrankDrive::Free { .. } = self.cranks {
             sheet.show(|| solved.works(1));
         }
         self.show(sheet);
@@ -233,8 +260,8 @@ impl Template for FiveBar {
         let left = self.apex == Apex::Left;
         let pair = dyad::two_bars("AB", supports, lengths, [THREE, FOUR], left, sheet)?;
         // Each crank turned by itself.
-        let [by_first, other_by_first] = pair.turns("h′", [Some(a.shift), None]);
-        let [other_by_second, by_second] = pair.turns("h″", [None, Some(b.shift)]);
+        let [by_first, by_first_of_second] = pair.turns("h′", [Some(a.shift), None]);
+        let [by_second_of_first, by_second] = pair.turns("h″", [None, Some(b.shift)]);
         let bar = |ratio: W::Num, n: usize| RotatingLinkWork {
             angle: pair.angles[n],
             ratio,
@@ -245,12 +272,33 @@ impl Template for FiveBar {
         let second: PointWork<W> = works::moving("P5", b, pair.reach[1], bar(by_second, 1), false, sheet);
         sheet.verify(|| {
             let what = "the other rod moves the common pin in the same way";
-            sheet.check_vector(what, works::across::<W>(pair.reach[1]) * other_by_first, first.shift);
-            sheet.check_vector(what, works::across::<W>(pair.reach[0]) * other_by_second, second.shift);
+            sheet.check_vector(what, works::across::<W>(pair.reach[1]) * by_first_of_second, first.shift);
+            sheet.check_vector(what, works::across::<W>(pair.reach[0]) * by_second_of_first, second.shift);
+        });
+        let turning = self.moves().then(|| {
+            let [speed, acceleration] = self.second_motion(given, gear, sheet);
+            let rods = [(THREE, by_first, by_second_of_first), (FOUR, by_first_of_second, by_second)];
+            let speeds = rods.map(|(rod, first, second)| {
+                let why = || Text::new("Angular velocity of link {n}: by both cranks").with("n", rod.link);
+                let sum = first * given.first_speed + second * speed;
+                sheet.step(symbol("ω", rod.link), "rad/s", sum, (why, SHIGLEY.at("ch. 3")))
+            });
+            let crank = |name: &'static str, arm: W::Vec, [speed, acceleration]: [W::Num; 2]| {
+                let value = works::across::<W>(arm) * acceleration - arm * speed.powi(2);
+                let why = || Text::new("Acceleration of {point}").with("point", name);
+                let value = sheet.step_vector(symbol("a", name), "m/s^2", value, (why, SHIGLEY.at("ch. 4")));
+                DyadPin { name, at: arm, moving: Some(PointWork { shift: arm, acceleration: value }) }
+            };
+            let first = [given.first_speed, given.first_acceleration];
+            let ends = [crank("A", arm, first), crank("B", other, [speed, acceleration])];
+            let rods = pair.accelerations(ends, speeds);
+            [first, [speed, acceleration], [speeds[0], rods[0]], [speeds[1], rods[1]]]
         });
         let place = pair.at.value();
         let found = |torques, force| FiveBarPosition {
             angles: pair.angles,
+            second_angle: turned,
+            turning,
             place: [place.x, place.y],
             torques,
             force,
@@ -301,6 +349,68 @@ impl Template for FiveBar {
 }
 
 impl FiveBar {
+    fn moves(&self) -> bool {
+        let second = match self.cranks {
+            CrankDrive::Free { speed, acceleration } => speed != 0.0 || acceleration != 0.0,
+            CrankDrive::Geared { .. } => false,
+        };
+        self.first_speed != 0.0 || self.first_acceleration != 0.0 || second
+    }
+
+    /// Angular velocity and angular acceleration of the second crank.
+    fn second_motion<W: Worksheet>(
+        &self,
+        given: &FiveBarGiven<W>,
+        gear: Option<W::Num>,
+        sheet: W,
+    ) -> [W::Num; 2] {
+        match (&given.cranks, gear) {
+            (&CrankDriveGiven::Free { speed, acceleration }, _) => [speed, acceleration],
+            (_, gear) => {
+                let gear = gear.unwrap_or_else(|| W::Num::from(0.0));
+                let why = "Angular velocity of the second crank, by the gears";
+                let speed = sheet.step(symbol("ω", "5"), "rad/s", gear * given.first_speed, why);
+                let why = "Angular acceleration of the second crank, by the gears";
+                let value = gear * given.first_acceleration;
+                [speed, sheet.step(symbol("α", "5"), "rad/s^2", value, why)]
+            }
+        }
+    }
+
+    /// Angular velocities and accelerations, and the motion of A, B and P.
+    fn kinematics<W: Worksheet>(
+        &self,
+        given: &FiveBarGiven<W>,
+        (found, turning): (&FiveBarPosition<W::Num>, [[W::Num; 2]; 4]),
+        sheet: W,
+    ) -> (Kinematics<W>, [Motion<W>; 3]) {
+        let [_, [second, bent], first_rod, second_rod] = turning;
+        if let CrankDrive::Geared { .. } = self.cranks {
+            sheet.answer("second_speed", "Angular velocity of the second crank", second);
+            sheet.answer("second_acceleration", "Angular acceleration of the second crank", bent);
+        }
+        sheet.answer("first_rod_speed", "Angular velocity of the first rod", first_rod[0]);
+        sheet.answer("second_rod_speed", "Angular velocity of the second rod", second_rod[0]);
+        sheet.answer("first_rod_acceleration", "Angular acceleration of the first rod", first_rod[1]);
+        sheet.answer("second_rod_acceleration", "Angular acceleration of the second rod", second_rod[1]);
+        let link = |angle: W::Num, [speed, acceleration]: [W::Num; 2]| {
+            RotatingLinkWork::crank(angle, speed, acceleration)
+        };
+        let crank = link(given.first_angle, turning[0]);
+        let other = link(found.second_angle, turning[1]);
+        let rod = link(found.angles[0], first_rod);
+        let speed = turning[0][0].abs() + second.abs();
+        let acceleration = turning[0][1].abs() + bent.abs();
+        let length =
+            if self.first_crank < self.second_crank { given.second_crank } else { given.first_crank };
+        let of = Kinematics::new(speed, acceleration, length, sheet);
+        let a = of.about(&kinematics::A, crank.reach::<W>(given.first_crank), crank);
+        let b = of.about(&kinematics::B, other.reach::<W>(given.second_crank), other);
+        let (arm, _) = rod.reach::<W>(given.first_rod);
+        let p = of.beyond(&kinematics::P, Some(a), arm, rod);
+        (of, [a, b, p])
+    }
+
     /// The turn of the second crank for a turn of the first, where they are geared.
     fn gear<W: Worksheet>(&self, sheet: W) -> Option<W::Num> {
         let CrankDrive::Geared { first, second, mesh } = self.cranks else { return None };
@@ -333,9 +443,11 @@ impl FiveBar {
         if force != [0.0; 2] {
             it.force("Force at the common pin of the rods", tip, force);
         }
-        it.turn(two, [self.first_angle, 0.0, 0.0]);
+        it.turn(two, [self.first_angle, self.first_speed, self.first_acceleration]);
         match self.cranks {
-            CrankDrive::Free => it.turn(five, [self.second(), 0.0, 0.0]),
+            CrankDrive::Free { speed, acceleration } => {
+                it.turn(five, [self.second(), speed, acceleration]);
+            }
             CrankDrive::Geared { first, second, mesh } => {
                 it.join(PlanarJoint::Gears {
                     a: two.frame(),
@@ -357,7 +469,7 @@ impl FiveBar {
     /// The second crank's angle: geared, it has turned with the first from the drawn position; free, it is as given.
     fn second(&self) -> f64 {
         let follow = match self.cranks {
-            CrankDrive::Free => 0.0,
+            CrankDrive::Free { .. } => 0.0,
             CrankDrive::Geared { first, second, mesh } => {
                 let ratio = f64::from(first) / f64::from(second);
                 if mesh == Mesh::Outside { -ratio } else { ratio }
@@ -384,7 +496,7 @@ impl FiveBar {
             sheet.show(|| {
                 let torque = |n: usize| cycle.curve(|found| found.torques[n].unwrap_or(f64::INFINITY));
                 let mut series = vec![Series::line("first crank", torque(0)).of("first_torque")];
-                if let CrankDrive::Free = self.cranks {
+                if let CrankDrive::Free { .. } = self.cranks {
                     series.push(Series::line("second crank", torque(1)).of("second_torque"));
                 }
                 Exhibit::Plot(

@@ -13,6 +13,7 @@ use crate::{
     shared::{
         built::{self, Built, Link, Solved, Template},
         dyad::{self, DyadPin},
+        kinematics::{self, Kinematics, Motion},
         linkage::Closing,
         works::{self, FOUR, LinkMass, RotatingLinkWork, THREE, TWO, Works, plane, symbol},
     },
@@ -114,6 +115,12 @@ pub struct FourBarPosition<N> {
     load: N,
 }
 
+/// Motions of B, A and B relative to A, and of the coupler point.
+struct FourBarMotions<W: Worksheet> {
+    pins: [Motion<W>; 3],
+    p: Option<Motion<W>>,
+}
+
 register!(FourBar);
 
 /// The rocker stands at a dead centre below this turn for a unit turn of the crank.
@@ -169,6 +176,8 @@ impl Analysis for FourBar {
         self.instant_centres(given, &found, sheet);
         self.limits(given, sheet);
         sheet.keep_going()?;
+        let motions = if moves { Some(self.kinematics(given, &found, sheet)) } else { None };
+        sheet.keep_going()?;
         let [coupler, rocker] = found.angles.map(Real::value);
         let (solved, [o, a, b, c]) = self.built([coupler, rocker], &found).map_err(built::refusal)?;
         works::reaction(
@@ -201,6 +210,9 @@ impl Analysis for FourBar {
                 FourBarUnknown::Load { .. } => found.load,
             };
             solved.check_effort(0, effort, sheet);
+            if let Some((kinematics, motions)) = &motions {
+                self.check_motions(kinematics, motions, &solved);
+            }
             let force = self.point.as_ref().map_or([0.0; 2], |point| [point.force.x, point.force.y]);
             works::check_balance(
                 &[solved.reaction(o), solved.reaction(c), force],
@@ -263,12 +275,7 @@ impl Template for FourBar {
         sheet: W,
     ) -> Result<FourBarPosition<W::Num>, Refusal> {
         let moves = works::moves(given.speed, given.acceleration);
-        let crank = RotatingLinkWork {
-            angle: given.angle,
-            ratio: 1.0.into(),
-            speed: given.speed,
-            acceleration: given.acceleration,
-        };
+        let crank = RotatingLinkWork::crank(given.angle, given.speed, given.acceleration);
         let arm = works::direction::<W>(given.angle) * given.crank;
         let arm = sheet.step_vector(symbol("r", "2"), "mm", arm, "Crank, from O to A");
         let fixed = plane::<W>(given.frame, 0.0.into());
@@ -334,6 +341,44 @@ impl Template for FourBar {
 impl FourBar {
     fn moves(&self) -> bool {
         self.speed != 0.0 || self.acceleration != 0.0
+    }
+
+    /// Velocities and accelerations of A, of B, of B relative to A, and of the coupler point.
+    fn kinematics<W: Worksheet>(
+        &self,
+        given: &FourBarGiven<W>,
+        found: &FourBarPosition<W::Num>,
+        sheet: W,
+    ) -> (Kinematics<W>, FourBarMotions<W>) {
+        let link = |n: usize| RotatingLinkWork {
+            angle: found.angles[n],
+            ratio: found.ratios[n],
+            speed: found.speeds[n],
+            acceleration: found.accelerations[n],
+        };
+        let crank = RotatingLinkWork::crank(given.angle, given.speed, given.acceleration);
+        let of = Kinematics::new(given.speed, given.acceleration, given.crank, sheet);
+        let (coupler, rocker) = (link(0), link(1));
+        let a = of.about(&kinematics::A, crank.reach::<W>(given.crank), crank);
+        let b = of.about(&kinematics::B, rocker.reach::<W>(given.rocker), rocker);
+        let ba = of.about(&kinematics::B_RELATIVE_TO_A, coupler.reach::<W>(given.coupler), coupler);
+        let p = given.point.as_ref().map(|point| {
+            let along = works::direction::<W>(coupler.angle);
+            let arm = along * point.along + works::across::<W>(along) * point.across;
+            of.beyond(&kinematics::P, Some(a), arm, coupler)
+        });
+        (of, FourBarMotions { pins: [b, a, ba], p })
+    }
+
+    /// Holds the motions of the points to those of the mechanism put together.
+    fn check_motions<W: Worksheet>(&self, of: &Kinematics<W>, motions: &FourBarMotions<W>, solved: &Solved) {
+        let [b, a, _] = motions.pins;
+        of.check_relative(["B", "A", "BA"], motions.pins);
+        of.check(&kinematics::A, a, solved, 0, [self.crank, 0.0]);
+        of.check(&kinematics::B, b, solved, 2, [self.rocker, 0.0]);
+        if let (Some(motion), Some(point)) = (motions.p, &self.point) {
+            of.check(&kinematics::P, motion, solved, 1, [point.along, point.across]);
+        }
     }
 
     /// The transmission angle by the law of cosines, in the triangle of coupler, rocker and the diagonal.

@@ -12,9 +12,10 @@ use nalgebra::Vector3;
 use crate::{
     shared::{
         built::{self, Built, BuiltMass, Link, Range, Solved, Template, TemplateRange},
+        kinematics::{self, Kinematics, Motion},
         works::{self, FOUR, LinkMass, RotatingLinkWork, THREE, TWO, Works, symbol},
     },
-    sources::{BEER, RIUL, SHIGLEY},
+    sources::{BEER, NORTON, RIUL, SHIGLEY},
 };
 
 /// An inverted slider-crank in one position: steam engine with a swinging cylinder, or a lever moved by a hydraulic
@@ -127,6 +128,7 @@ pub struct CylinderPosition<N> {
     rate: N,
     turning: N,
     lengthening: N,
+    coriolis: N,
     torque: N,
     force: N,
 }
@@ -144,7 +146,7 @@ impl Analysis for OscillatingCylinder {
         summary: "Torque of a crank or lever moved by an oscillating cylinder, or the force of the cylinder, at rest or in motion with masses, by virtual work; reactions.",
         keywords: "rotary engine Gnome cilindro oscilante cilindro hidráulico atuador cursor-manivela invertido pistão alavanca caçamba \
                    oscillating cylinder hydraulic actuator inverted slider-crank lever dump boom",
-        sources: &[&RIUL, &SHIGLEY, &BEER],
+        sources: &[&RIUL, &SHIGLEY, &BEER, &NORTON],
         cases: include_str!("../../cases/oscillating_cylinder.toml"),
     };
 
@@ -156,6 +158,7 @@ impl Analysis for OscillatingCylinder {
             sheet.answer("rod_velocity", "Velocity of the piston in the cylinder", found.rate);
             sheet.answer("cylinder_speed", "Angular velocity of the cylinder", found.speed);
             sheet.answer("rod_acceleration", "Acceleration of the piston in the cylinder", found.lengthening);
+            sheet.answer("coriolis_acceleration", "Coriolis acceleration of the piston", found.coriolis);
             sheet.answer("cylinder_acceleration", "Angular acceleration of the cylinder", found.turning);
         }
         match self.unknown {
@@ -178,6 +181,7 @@ impl Analysis for OscillatingCylinder {
             });
         }
         sheet.verify(|| self.check_triangle(given, &found, sheet));
+        let motions = self.moves().then(|| self.kinematics(given, &found, sheet));
         let plain = self.plain().expect("the same problem has just been solved");
         let (solved, joints) = self.built(&plain).map_err(built::refusal)?;
         let forces = joints.map(|joint| solved.reaction(joint));
@@ -192,6 +196,10 @@ impl Analysis for OscillatingCylinder {
             let effort =
                 if let CylinderUnknown::Force { .. } = self.unknown { found.force } else { found.torque };
             solved.check_effort(0, effort, sheet);
+            if let Some((of, [a, under])) = &motions {
+                of.check(&kinematics::A, *a, &solved, 0, [self.crank, 0.0]);
+                of.check(&kinematics::A4, *under, &solved, 2, [plain.length, 0.0]);
+            }
             let force = [self.pin_force.x, self.pin_force.y];
             works::check_balance(&[forces[0], forces[1], force], solved.inertia_resultant(), sheet);
         });
@@ -211,12 +219,7 @@ impl Template for OscillatingCylinder {
     ) -> Result<CylinderPosition<W::Num>, Refusal> {
         let moves = self.moves();
         let zero = W::Num::from(0.0);
-        let crank = RotatingLinkWork {
-            angle: given.angle,
-            ratio: 1.0.into(),
-            speed: given.speed,
-            acceleration: given.acceleration,
-        };
+        let crank = RotatingLinkWork::crank(given.angle, given.speed, given.acceleration);
         let arm = works::direction::<W>(given.angle) * given.crank;
         let arm = sheet.step_vector(symbol("r", "2"), "mm", arm, "Crank, from O to A");
         let pin = works::moving("A", works::fixed(), arm, crank, moves, sheet);
@@ -238,7 +241,7 @@ impl Template for OscillatingCylinder {
         let shift = sheet.step(symbol("u", "s"), "mm", pin.shift.dot(along), why);
         let why = ("Virtual rotation of the cylinder for δθ_2 = 1", SHIGLEY.at("ch. 3"));
         let ratio = sheet.step(symbol("h", "4"), "1", pin.shift.dot(across) / length, why);
-        let (mut rate, mut lengthening) = (zero, zero);
+        let (mut rate, mut lengthening, mut coriolis) = (zero, zero, zero);
         let mut swing = RotatingLinkWork { angle: tilt, ratio, speed: zero, acceleration: zero };
         if moves {
             let why = "Velocity of the piston in the cylinder";
@@ -248,7 +251,8 @@ impl Template for OscillatingCylinder {
             let value = pin.acceleration.dot(along) + length * swing.speed.powi(2);
             let why = ("Acceleration of the piston in the cylinder", SHIGLEY.at("ch. 4"));
             lengthening = sheet.step(symbol("a", "s"), "m/s^2", value, why);
-            let value = (pin.acceleration.dot(across) - rate * swing.speed * 2.0) / length;
+            coriolis = kinematics::coriolis(swing.speed, rate, sheet);
+            let value = (pin.acceleration.dot(across) - coriolis) / length;
             let why = ("Angular acceleration of the cylinder, minus the Coriolis term", SHIGLEY.at("ch. 4"));
             swing.acceleration = sheet.step(symbol("α", "4"), "rad/s^2", value, why);
         }
@@ -292,6 +296,7 @@ impl Template for OscillatingCylinder {
             rate,
             turning: swing.acceleration,
             lengthening,
+            coriolis,
             torque,
             force,
         })
@@ -301,6 +306,31 @@ impl Template for OscillatingCylinder {
 impl OscillatingCylinder {
     fn moves(&self) -> bool {
         self.speed != 0.0 || self.acceleration != 0.0
+    }
+
+    /// Velocities and accelerations of the crank pin A, and of the point of the cylinder under it.
+    fn kinematics<W: Worksheet>(
+        &self,
+        given: &OscillatingCylinderGiven<W>,
+        found: &CylinderPosition<W::Num>,
+        sheet: W,
+    ) -> (Kinematics<W>, [Motion<W>; 2]) {
+        let crank = RotatingLinkWork::crank(given.angle, given.speed, given.acceleration);
+        let swing = RotatingLinkWork {
+            angle: found.tilt,
+            ratio: 0.0.into(),
+            speed: found.speed,
+            acceleration: found.turning,
+        };
+        let of = Kinematics::new(given.speed, given.acceleration, given.crank, sheet);
+        let a = of.about(&kinematics::A, crank.reach::<W>(given.crank), crank);
+        let under = of.about(&kinematics::A4, swing.reach::<W>(found.length), swing);
+        sheet.verify(|| {
+            let along = works::direction::<W>(found.tilt);
+            let sliding = Kinematics::<W>::sliding(along, found.rate, found.lengthening, found.coriolis);
+            of.check_relative(["A", "A4", "s"], [a, under, sliding]);
+        });
+        (of, [a, under])
     }
 
     /// Angle and motion of the cylinder from the triangle of the pins, `s² = r² + c² − 2 r · c`, and its derivatives.

@@ -1,5 +1,7 @@
 //! Quick-return mechanisms: a crank drives a slotted lever, which may push a slider.
 
+mod motion;
+
 use std::f64::consts::{PI, TAU};
 
 use dalembert_core::{About, Analysis, Ink, Inputs, Refusal, Worksheet, exhibit::Point as At, register};
@@ -13,6 +15,7 @@ use crate::{
     shared::{
         built::{self, Built, Range, Solved, Template, TemplateRange},
         dyad::{self, DyadPin, SliderLine},
+        kinematics,
         works::{self, FIVE, FOUR, LinkMass, PointWork, RotatingLinkWork, SIX, TWO, Works, plane, symbol},
     },
     sources::{KHURMI, NORTON, RIUL, SHIGLEY},
@@ -122,6 +125,8 @@ pub struct QuickReturnPosition<N> {
     lever: RotatingLinkWork<N>,
     reach: N,
     slip: N,
+    slip_acceleration: N,
+    coriolis: N,
     link: Option<(N, N, N, N)>,
     /// Displacement of the output for a unit turn of the crank.
     shift: N,
@@ -155,10 +160,10 @@ impl Analysis for QuickReturn {
         if self.moves() {
             sheet.answer("lever_speed", "Angular velocity of the lever", found.lever.speed);
             let across = sheet.step(
-                symbol("v", "A4"),
+                symbol("v", "t"),
                 "m/s",
                 found.reach * found.lever.speed,
-                "Velocity of the point of the lever that is under the crank pin",
+                "Velocity of the point of the lever that is under the crank pin, across it",
             );
             sheet.answer("lever_point_velocity", "Velocity of the lever under the crank pin", across);
             sheet.verify(|| {
@@ -167,6 +172,12 @@ impl Analysis for QuickReturn {
                 sheet.check(what, both, pin.powi(2));
             });
             sheet.answer("slip_velocity", "Velocity of the crank pin along the lever", found.slip);
+            sheet.answer(
+                "slip_acceleration",
+                "Acceleration of the crank pin along the lever",
+                found.slip_acceleration,
+            );
+            sheet.answer("coriolis_acceleration", "Coriolis acceleration of the crank pin", found.coriolis);
             sheet.answer("lever_acceleration", "Angular acceleration of the lever", found.lever.acceleration);
             if found.link.is_some() {
                 sheet.answer("slider_velocity", "Velocity of the slider", found.velocity);
@@ -181,6 +192,7 @@ impl Analysis for QuickReturn {
             QuickReturnUnknown::Force { .. } => sheet.answer("force", "Force on the output", found.force),
         }
         self.times(given, sheet);
+        let motions = self.moves().then(|| self.kinematics(given, &found, sheet));
         let (solved, joints) = self.built(&found).map_err(built::refusal)?;
         let forces = joints.map(|joint| solved.reaction(joint));
         works::reaction(
@@ -205,6 +217,11 @@ impl Analysis for QuickReturn {
             };
             solved.check_effort(0, effort, sheet);
             solved.check_across(joints[2], across, sheet);
+            if let Some((of, [a, b])) = &motions {
+                of.check(&kinematics::A, *a, &solved, 0, [self.crank, 0.0]);
+                of.check(&kinematics::B, *b, &solved, 1, [self.lever, 0.0]);
+                self.check_slip(given, &found, sheet);
+            }
             let force = found.force.value();
             let outside = match self.output {
                 LeverOutput::Lever => built::turned([0.0, force], found.lever.angle.value()),
@@ -228,12 +245,7 @@ impl Template for QuickReturn {
     ) -> Result<QuickReturnPosition<W::Num>, Refusal> {
         let moves = self.moves();
         let zero = W::Num::from(0.0);
-        let crank = RotatingLinkWork {
-            angle: given.angle,
-            ratio: 1.0.into(),
-            speed: given.speed,
-            acceleration: given.acceleration,
-        };
+        let crank = RotatingLinkWork::crank(given.angle, given.speed, given.acceleration);
         let arm = works::direction::<W>(given.angle) * given.crank;
         let arm = sheet.step_vector(symbol("r", "2"), "mm", arm, "Crank, from O to A");
         let pin = works::moving("A", works::fixed(), arm, crank, moves, sheet);
@@ -263,7 +275,7 @@ impl Template for QuickReturn {
         let ratio = pin.shift.dot(across) / reach;
         let ratio = sheet.step(symbol("h", "4"), "1", ratio, (why, SHIGLEY.at("ch. 3")));
         let mut lever = RotatingLinkWork { angle, ratio, speed: zero, acceleration: zero };
-        let mut slip = zero;
+        let (mut slip, mut slip_acceleration, mut coriolis) = (zero, zero, zero);
         if moves {
             lever.speed =
                 sheet.step(symbol("ω", "4"), "rad/s", ratio * given.speed, "Angular velocity of the lever");
@@ -273,11 +285,12 @@ impl Template for QuickReturn {
                 pin.shift.dot(along) * given.speed,
                 "Velocity of the crank pin along the slot",
             );
-            let coriolis = sheet.step(
-                symbol("a", "c"),
+            coriolis = kinematics::coriolis(lever.speed, slip, sheet);
+            slip_acceleration = sheet.step(
+                symbol("a", "s"),
                 "m/s^2",
-                lever.speed * slip * 2.0,
-                ("Coriolis acceleration of the crank pin, perpendicular to the lever", SHIGLEY.at("ch. 4")),
+                pin.acceleration.dot(along) + reach * lever.speed.powi(2),
+                ("Acceleration of the crank pin along the slot", SHIGLEY.at("ch. 4")),
             );
             let turning = (pin.acceleration.dot(across) - coriolis) / reach;
             let why = ("Angular acceleration of the lever", SHIGLEY.at("ch. 4"));
@@ -346,7 +359,19 @@ impl Template for QuickReturn {
                 (torque, sheet.step("F", "N", -(works.sum() / shift), (why, RIUL.at("eq. 5"))))
             }
         };
-        Ok(QuickReturnPosition { lever, reach, slip, link, shift, velocity, acceleration, torque, force })
+        Ok(QuickReturnPosition {
+            lever,
+            reach,
+            slip,
+            slip_acceleration,
+            coriolis,
+            link,
+            shift,
+            velocity,
+            acceleration,
+            torque,
+            force,
+        })
     }
 }
 

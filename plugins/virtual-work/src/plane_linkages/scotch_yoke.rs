@@ -12,6 +12,7 @@ use nalgebra::Vector3;
 use crate::{
     shared::{
         built::{self, Built, Range, Solved, Template, TemplateRange},
+        kinematics::{self, Kinematics},
         works::{self, FOUR, LinkMass, PointWork, RotatingLinkWork, TWO, Works, plane, symbol},
     },
     sources::{NORTON, RIUL, SHIGLEY},
@@ -115,6 +116,9 @@ impl Analysis for ScotchYoke {
         let pin = sheet.numerical("N", "N", -solved.reaction(slot)[0], (why, SHIGLEY.at("ch. 11")));
         sheet.answer("pin_force", "Force of the yoke on the crank pin, along x", pin);
         self.largest(given, sheet);
+        if self.moves() {
+            self.kinematics(given, &found, &solved, sheet);
+        }
         sheet.verify(|| {
             let effort = match self.unknown {
                 ScotchYokeUnknown::Torque { .. } => found.torque,
@@ -157,12 +161,7 @@ impl Template for ScotchYoke {
             let value = -(r * given.speed.powi(2) * theta.cos()) - r * given.acceleration * theta.sin();
             acceleration = sheet.step("a", "m/s^2", value, "Acceleration of the yoke");
         }
-        let crank = RotatingLinkWork {
-            angle: theta,
-            ratio: 1.0.into(),
-            speed: given.speed,
-            acceleration: given.acceleration,
-        };
+        let crank = RotatingLinkWork::crank(theta, given.speed, given.acceleration);
         let mut works = Works::new(given.gravity, moves, sheet);
         works.link(TWO, given.crank_mass.as_ref(), r, works::fixed(), crank);
         let yoke = PointWork { shift: plane::<W>(shift, zero), acceleration: plane::<W>(acceleration, zero) };
@@ -189,6 +188,38 @@ impl Template for ScotchYoke {
 impl ScotchYoke {
     fn moves(&self) -> bool {
         self.speed != 0.0 || self.acceleration != 0.0
+    }
+
+    /// Velocity and acceleration of the crank pin A, and its sliding in the slot, which is across the line of the yoke.
+    fn kinematics<W: Worksheet>(
+        &self,
+        given: &ScotchYokeGiven<W>,
+        found: &ScotchYokePosition<W::Num>,
+        solved: &Solved,
+        sheet: W,
+    ) {
+        let crank = RotatingLinkWork::crank(given.angle, given.speed, given.acceleration);
+        let of = Kinematics::new(given.speed, given.acceleration, given.crank, sheet);
+        let a = of.about(&kinematics::A, crank.reach::<W>(given.crank), crank);
+        let [r, theta] = [given.crank, given.angle];
+        let why =
+            ("Velocity of the crank pin in the slot: the part of its velocity along y", NORTON.at("ch. 6"));
+        let slip = sheet.step(symbol("v", "s"), "m/s", r * given.speed * theta.cos(), why);
+        sheet.answer("slip_velocity", "Velocity of the crank pin in the slot", slip);
+        let value = r * given.acceleration * theta.cos() - r * given.speed.powi(2) * theta.sin();
+        let why = "Acceleration of the crank pin in the slot; the yoke does not rotate: there is no Coriolis acceleration";
+        let acceleration = sheet.step(symbol("a", "s"), "m/s^2", value, (why, NORTON.at("ch. 7")));
+        sheet.answer("slip_acceleration", "Acceleration of the crank pin in the slot", acceleration);
+        sheet.verify(|| {
+            let zero = W::Num::from(0.0);
+            let sliding = Kinematics::<W>::sliding(plane::<W>(zero, 1.0.into()), slip, acceleration, zero);
+            let yoke = kinematics::Motion {
+                velocity: plane::<W>(found.velocity, zero),
+                acceleration: plane::<W>(found.acceleration, zero),
+            };
+            of.check(&kinematics::A, a, solved, 0, [self.crank, 0.0]);
+            of.check_relative(["A", "4", "s"], [a, yoke, sliding]);
+        });
     }
 
     /// The largest torque of a turn: `T = sin θ (r F − m r² ω² cos θ)` has its extremes where

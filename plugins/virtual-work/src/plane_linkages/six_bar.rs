@@ -1,5 +1,7 @@
 //! Six-bar linkages: a four-bar whose rocker or coupler drives a second pair of links.
 
+mod motion;
+
 use std::f64::consts::TAU;
 
 use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, exhibit::Point as At, register};
@@ -178,6 +180,10 @@ pub struct SixBarPosition<N> {
     angles: [N; 4],
     /// Turns of links 3, 4, 5 for a unit turn of the crank.
     ratios: [N; 3],
+    /// Angular velocities of links 3, 4, 5.
+    speeds: [N; 3],
+    /// Angular accelerations of links 3, 4, 5.
+    accelerations: [N; 3],
     /// Slider: position, displacement, velocity, acceleration along its line; rocker: angle and its derivatives.
     output: [N; 4],
     torque: N,
@@ -209,6 +215,16 @@ impl Analysis for SixBar {
         sheet.answer("rocker_angle", "Angle of the rocker", found.angles[1]);
         sheet.answer("link_angle", "Angle of link 5", found.angles[2]);
         sheet.answer("rocker_ratio", "Ratio of angular velocities, rocker to crank", found.ratios[1]);
+        if self.moves() {
+            let [coupler, rocker, link] = found.speeds;
+            sheet.answer("coupler_speed", "Angular velocity of the coupler", coupler);
+            sheet.answer("rocker_speed", "Angular velocity of the rocker", rocker);
+            sheet.answer("link_speed", "Angular velocity of link 5", link);
+            let [coupler, rocker, link] = found.accelerations;
+            sheet.answer("coupler_acceleration", "Angular acceleration of the coupler", coupler);
+            sheet.answer("rocker_acceleration", "Angular acceleration of the rocker", rocker);
+            sheet.answer("link_acceleration", "Angular acceleration of link 5", link);
+        }
         let [place, shift, velocity, acceleration] = found.output;
         match self.output {
             LinkOutput::Slider { .. } => {
@@ -242,6 +258,7 @@ impl Analysis for SixBar {
             }
             _ => sheet.answer("torque", "Torque on the crank", found.torque),
         }
+        let motions = self.moves().then(|| self.kinematics(given, &found, sheet));
         let plain = found.values();
         let (solved, joints) = self.built(&plain).map_err(built::refusal)?;
         let forces = joints.map(|joint| solved.reaction(joint));
@@ -266,6 +283,9 @@ impl Analysis for SixBar {
         sheet.verify(|| {
             // Known torque and known load: one of them must come out as the effort.
             solved.check_effort(0, found.torque, sheet);
+            if let Some((of, motions)) = &motions {
+                self.check_motions(of, motions, (&solved, &found));
+            }
             let last = match self.output {
                 LinkOutput::Slider { direction, .. } => built::turned([plain.load, forces[3][0]], direction),
                 LinkOutput::Rocker { .. } => forces[3],
@@ -301,12 +321,7 @@ impl Template for SixBar {
         }
         let moves = self.moves();
         let zero = W::Num::from(0.0);
-        let crank = RotatingLinkWork {
-            angle: given.angle,
-            ratio: 1.0.into(),
-            speed: given.speed,
-            acceleration: given.acceleration,
-        };
+        let crank = RotatingLinkWork::crank(given.angle, given.speed, given.acceleration);
         let arm = works::direction::<W>(given.angle) * given.crank;
         let arm = sheet.step_vector(symbol("r", "2"), "mm", arm, "Crank, from O to A");
         let fixed = plane::<W>(given.frame, zero);
@@ -356,7 +371,7 @@ impl Template for SixBar {
                 };
                 let pin = (support, driving);
                 let slide = dyad::bar_and_slider(
-                    "B",
+                    "F",
                     FIVE,
                     pin,
                     given.link,
@@ -417,6 +432,8 @@ impl Template for SixBar {
         Ok(SixBarPosition {
             angles: [pair.angles[0], pair.angles[1], angles[0], angles[1]],
             ratios: [ratios[0], ratios[1], last.ratio],
+            speeds: [coupler.speed, rocker.speed, last.speed],
+            accelerations: [coupler.acceleration, rocker.acceleration, last.acceleration],
             output,
             torque,
             load,
@@ -431,6 +448,8 @@ impl<N: Real> SixBarPosition<N> {
         SixBarPosition {
             angles: self.angles.map(Real::value),
             ratios: self.ratios.map(Real::value),
+            speeds: self.speeds.map(Real::value),
+            accelerations: self.accelerations.map(Real::value),
             output: self.output.map(Real::value),
             torque: self.torque.value(),
             load: self.load.value(),

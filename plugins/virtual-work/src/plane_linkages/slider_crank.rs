@@ -14,6 +14,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use crate::{
     shared::{
         built::{self, Built, Range, Solved, Template, TemplateRange},
+        kinematics::{self, Kinematics, Motion},
         works::{self, FOUR, LinkMass, PointWork, RotatingLinkWork, THREE, TWO, Works, plane, symbol},
     },
     sources::{BEER, NORTON, RIUL, SHIGLEY},
@@ -151,6 +152,8 @@ impl Analysis for SliderCrank {
             });
         }
         sheet.keep_going()?;
+        let motions = if moves { Some(self.kinematics(given, &found, sheet)) } else { None };
+        sheet.keep_going()?;
         let plain = SliderCrankPosition {
             rod_angle: found.rod_angle.value(),
             position: found.position.value(),
@@ -189,6 +192,10 @@ impl Analysis for SliderCrank {
             };
             solved.check_effort(0, effort, sheet);
             solved.check_across(joints[3], across, sheet);
+            if let Some((of, motions)) = &motions {
+                of.check_relative(["B", "A", "BA"], *motions);
+                of.check(&kinematics::A, motions[1], &solved, 0, [self.crank, 0.0]);
+            }
             let outside = [bearing, [plain.force, guide[0]], [self.pin_force.x, self.pin_force.y]];
             works::check_balance(&outside, solved.inertia_resultant(), sheet);
             if moves {
@@ -286,12 +293,7 @@ impl Template for SliderCrank {
                 ("Acceleration of the slider", SHIGLEY.at("ch. 4")),
             );
         }
-        let crank = RotatingLinkWork {
-            angle: two,
-            ratio: 1.0.into(),
-            speed: given.speed,
-            acceleration: given.acceleration,
-        };
+        let crank = RotatingLinkWork::crank(two, given.speed, given.acceleration);
         let rod = RotatingLinkWork { angle: three, ratio, speed: rod_speed, acceleration: rod_acceleration };
         let mut works = Works::new(given.gravity, moves, sheet);
         works.link(TWO, given.crank_mass.as_ref(), r, works::fixed(), crank);
@@ -344,6 +346,31 @@ impl Template for SliderCrank {
 impl SliderCrank {
     fn moves(&self) -> bool {
         self.speed != 0.0 || self.acceleration != 0.0
+    }
+
+    /// Velocities and accelerations of the slider's pin B, of the crank pin A and of B relative to A.
+    fn kinematics<W: Worksheet>(
+        &self,
+        given: &SliderCrankGiven<W>,
+        found: &SliderCrankPosition<W::Num>,
+        sheet: W,
+    ) -> (Kinematics<W>, [Motion<W>; 3]) {
+        let crank = RotatingLinkWork::crank(given.angle, given.speed, given.acceleration);
+        let rod = RotatingLinkWork {
+            angle: found.rod_angle,
+            ratio: found.ratio,
+            speed: found.rod_speed,
+            acceleration: found.rod_acceleration,
+        };
+        let of = Kinematics::new(given.speed, given.acceleration, given.crank, sheet);
+        let a = of.about(&kinematics::A, crank.reach::<W>(given.crank), crank);
+        let ba = of.about(&kinematics::B_RELATIVE_TO_A, rod.reach::<W>(given.rod), rod);
+        let zero = W::Num::from(0.0);
+        let b = Motion {
+            velocity: plane::<W>(found.velocity, zero),
+            acceleration: plane::<W>(found.acceleration, zero),
+        };
+        (of, [b, a, ba])
     }
 
     /// Transmission angle of the rod, here and at its worst in a revolution.

@@ -15,12 +15,15 @@ use dalembert_mechanics::{
     },
 };
 
+use crate::shared::parts::closure::rotation_sizes;
+
 /// A mechanism while it is put together. Names are for its table of works.
 #[derive(Clone, Default)]
 pub(crate) struct Built {
     mechanism: PlanarMechanism,
     drawn: Vec<[f64; 3]>,
     links: Vec<&'static str>,
+    centres: Vec<[f64; 2]>,
     loads: Vec<&'static str>,
 }
 
@@ -45,6 +48,7 @@ pub(crate) struct Solved {
     pub(crate) state: PlanarState,
     pub(crate) dynamics: InverseDynamics,
     links: Vec<&'static str>,
+    centres: Vec<[f64; 2]>,
     loads: Vec<&'static str>,
 }
 
@@ -80,6 +84,7 @@ impl Built {
         self.mechanism.bodies.push(PlanarBody { mass: mass.mass, inertia: mass.inertia });
         self.drawn.push([start[0] + x, start[1] + y, angle]);
         self.links.push(name);
+        self.centres.push(mass.centre);
         Link { body: self.drawn.len() - 1, centre: mass.centre }
     }
 
@@ -126,11 +131,31 @@ impl Built {
         let system = Model::new(&self.mechanism, &self.drawn)?;
         let positions = system.assemble(&self.drawn)?;
         let (state, dynamics) = system.kinetostatics(&positions)?;
-        Ok(Solved { system, state, dynamics, links: self.links, loads: self.loads })
+        let Self { links, centres, loads, .. } = self;
+        Ok(Solved { system, state, dynamics, links, centres, loads })
     }
 }
 
 impl Solved {
+    /// Position, velocity and acceleration of a point of a link, in the axes of the link.
+    pub(crate) fn point(&self, link: usize, at: [f64; 2]) -> [[f64; 2]; 3] {
+        let link = Link { body: link, centre: self.centres[link] };
+        self.system.point(link.point(at), &self.state)
+    }
+
+    /// Angular velocity and angular acceleration of a link, and the magnitudes of those of all links.
+    pub(crate) fn rotation(&self, link: usize) -> [f64; 4] {
+        let [[.., speed], [.., acceleration]] = [self.state.velocities[link], self.state.accelerations[link]];
+        let [fastest, hardest] = self.sizes().map(|size| size / self.system.size());
+        [speed, acceleration, fastest, hardest]
+    }
+
+    /// Magnitudes of velocities and accelerations of points that rotate with the links.
+    pub(crate) fn sizes(&self) -> [f64; 2] {
+        let [_, velocity, acceleration] = rotation_sizes(&self.system, &self.state);
+        [velocity, acceleration]
+    }
+
     /// The effort of a driver by the equations of Newton and Euler.
     pub(crate) fn effort(&self, driver: usize) -> f64 {
         self.dynamics.newton_euler[driver]

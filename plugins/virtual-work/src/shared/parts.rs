@@ -12,7 +12,7 @@ use dalembert_mechanics::planar;
 use nalgebra::Vector3;
 
 pub(crate) use assembled::{Parts, carried, owners};
-pub(crate) use drivers::{Drive, Driven};
+pub(crate) use drivers::{Drive, Driven, DrivenGiven};
 pub(crate) use pinned::Point;
 
 /// A rigid body, in axes of its own.

@@ -76,6 +76,20 @@ pub(crate) struct RotatingLinkWork<N> {
     pub(crate) acceleration: N,
 }
 
+impl<N: Real> RotatingLinkWork<N> {
+    /// The crank, whose angle is the coordinate.
+    #[inline(always)]
+    pub(crate) fn crank(angle: N, speed: N, acceleration: N) -> Self {
+        Self { angle, ratio: 1.0.into(), speed, acceleration }
+    }
+
+    /// A link of that length from its first pin to its second, and the length.
+    #[inline(always)]
+    pub(crate) fn reach<W: Worksheet<Num = N>>(&self, length: N) -> (W::Vec, N) {
+        (direction::<W>(self.angle) * length, length)
+    }
+}
+
 /// The virtual works so far.
 pub(crate) struct Works<W: Worksheet> {
     sheet: W,

@@ -31,7 +31,7 @@ fn sizes(point: BodyPoint, state: &PlanarState) -> [f64; 3] {
 
 /// Magnitudes of position, velocity and acceleration of points, wherever on the bodies they lie: a pin at rest closes
 /// as well as the mechanism that turns about it.
-fn rotation_sizes(system: &Model, state: &PlanarState) -> [f64; 3] {
+pub(crate) fn rotation_sizes(system: &Model, state: &PlanarState) -> [f64; 3] {
     let arm = system.size();
     let fastest = state.velocities.iter().fold(0.0f64, |most, [.., w]| most.max(w.abs()));
     let hardest = state.accelerations.iter().fold(0.0f64, |most, [.., turning]| most.max(turning.abs()));
