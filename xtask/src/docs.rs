@@ -13,6 +13,9 @@ use crate::{
 
 mod inputs;
 
+/// How a problem file is written, for those who read the reference alone.
+const PROBLEM_FILES: &str = include_str!("docs/problem_files.md");
+
 const BEGIN: &str = "<!-- Written by `cargo xtask docs`. -->\n";
 
 /// Writes docs/reference.md and docs/units.md.
@@ -52,7 +55,7 @@ fn generated(root: &Path) -> Result<Vec<(String, String)>> {
             .or_default()
             .push(json(&program, &["show", id, "--json"])?);
     }
-    let mut reference = format!("{BEGIN}# Every analysis\n");
+    let mut reference = format!("{BEGIN}{PROBLEM_FILES}\n# Every analysis\n");
     for (family, analyses) in &families {
         reference += &format!("\n- {}\n", title(family));
         for analysis in analyses {

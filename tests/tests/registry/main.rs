@@ -27,6 +27,7 @@ mod symbols;
 mod tidy;
 mod unit_systems;
 mod unknowns;
+mod vector_formulas;
 
 use dalembert_core::{Solution, Stop, file};
 
