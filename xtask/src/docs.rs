@@ -13,7 +13,7 @@ use crate::{
 
 mod inputs;
 
-/// How a problem file is written, for those who read the reference alone.
+/// Form of a problem file, for those who read the reference alone.
 const PROBLEM_FILES: &str = include_str!("docs/problem_files.md");
 
 const BEGIN: &str = "<!-- Written by `cargo xtask docs`. -->\n";

@@ -59,7 +59,7 @@ enum Outcome {
     Right,
     /// Right by a true value, beside a printed one that is wrong or rounded too early.
     Disputed(String),
-    /// What was answered in place of what is printed.
+    /// Answers other than the printed ones.
     Other(String),
     Refused(String),
     NotEntered(String),
@@ -229,7 +229,7 @@ fn shown_number(solution: &Json, name: &str) -> String {
     shown.as_str().map_or_else(|| format!("{found} in SI"), str::to_owned)
 }
 
-/// Whether numbers in SI are those of a text with their unit, `3.62 Hz` or `(1.2; -0.4) m`, to half a unit of the last
+/// Returns true if numbers in SI are those of a text with their unit, `3.62 Hz` or `(1.2; -0.4) m`, to half a unit of the last
 /// place of each.
 fn agrees(found: &[f64], text: &str) -> Result<bool> {
     let (parts, unit) = match text.strip_prefix('(').and_then(|text| text.split_once(')')) {

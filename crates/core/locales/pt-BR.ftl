@@ -8,6 +8,7 @@ text-has-a-unit-with-some-components-only-write-one-unit-after-the-brackets-as-i
 text-has-two-decimal-marks-write-first-or-second = `{ $text }` tem dois sinais decimais: escreva `{ $first }` ou `{ $second }`
 text-has-a-gap-between-digits-write-first-or-second = `{ $text }` tem um espaço entre algarismos: escreva `{ $first }` ou `{ $second }`
 text-can-be-read-in-two-ways-write-first-or-second = `{ $text }` pode ser lido de dois modos: escreva `{ $first }` ou `{ $second }`
+text-without-a-unit-can-be-read-in-two-ways-write-first-or-second = `{ $text }` sem unidade pode ser lido de dois modos: escreva `{ $first }` ou `{ $second }`
 shown-is-of-another-kind-than-first-value-write-all-of-these-in-units-of-one-kind = { $shown } é de outra espécie que { $first } = { $value }: escreva todas estas grandezas em unidades de uma só espécie
 why-units-of-any-of-these-kinds-are-accepted-units = { $why }; aceitam-se unidades de qualquer destas espécies: { $units }
 was-read-as-now-the-units-now-say-what-was-measured = { $was }: lido como { $now }; agora as unidades dizem o que foi medido
@@ -164,6 +165,7 @@ an-operator-or-a-unit = um operador ou uma unidade
 an-operator = um operador
 a-plain-number = um número simples
 a-closing-bracket = um parêntese de fechamento
+a-closing-bracket-behind-2-or-3-components = um parêntese de fechamento depois de 2 ou 3 componentes
 an-opening-bracket = um parêntese de abertura
 a-number-or-a-unit = um número ou uma unidade
 a-number = um número
@@ -311,6 +313,8 @@ text-compares-or-adds-left-and-right-both-must-be-the-same-kind-of-quantity = `{
 text-has-no-finite-value-with-these-numbers = `{ $text }` não tem valor finito com estes números
 text-has-no-value-a-sine-or-cosine-is-between-1-and-1 = `{ $text }` não tem valor: um seno ou cosseno está entre −1 e 1
 text-is-no-single-number = `{ $text }` não é um único número
+text-is-no-vector-write-its-components-as-in-r-0-or-r-0-2-r = `{ $text }` não é um vetor: escreva os componentes, como em (R; 0) ou (R; 0; 2*R)
+text-has-a-component-along-z-components-components-are-asked = `{ $text }` tem um componente ao longo de z: pedem-se { $components } componentes
 text-is-of-an-empty-list = `{ $text }` é de uma lista vazia
 text-is-found-which-unit-does-not-measure = `{ $text }` é { $found }, que { $unit } não mede
 text-mixes-numbers-vectors-or-lists-in-a-way-that-has-no-meaning = `{ $text }` mistura números, vetores ou listas de um modo sem significado

@@ -430,6 +430,19 @@ fn read(draft: &Draft, shape: &Shape, path: &str, faults: &mut Faults) -> Value 
     }
 }
 
+/// The refusal of a number below one, without a unit, where per cent is asked: books print fractions there, 0.05 for 5 %.
+fn fraction(text: &str, quantity: &units::Quantity) -> Option<Text> {
+    let is_meant = quantity.unit.text == "%" && quantity.si != 0.0 && quantity.si.abs() < 0.01;
+    if !is_meant || units::quantity_of(text).is_none_or(|read| !read.unit.text.is_empty()) {
+        return None;
+    }
+    let style = Style { ascii: true, ..Style::default() };
+    let percent = |si: f64| units::write_quantity(si, &quantity.unit, style);
+    let why = Text::new("`{text}` without a unit can be read in two ways: write `{first}` or `{second}`");
+    let (first, second) = (percent(quantity.si * 100.0), percent(quantity.si));
+    Some(why.with("text", text.trim()).with("first", first).with("second", second))
+}
+
 fn leaf(text: &str, shape: &Shape, path: &str, faults: &mut Faults) -> Value {
     let mut fail = |why: Text, span| {
         faults.errors.push(FieldError { path: path.into(), why, span });
@@ -453,7 +466,7 @@ fn leaf(text: &str, shape: &Shape, path: &str, faults: &mut Faults) -> Value {
         Shape::Quantity(measure) => {
             let one = measure.meant(text);
             match units::read_quantity(text, &one.own_unit(), one.kind()) {
-                Ok(quantity) => match one.outside(quantity.si, text) {
+                Ok(quantity) => match one.outside(quantity.si, text).or_else(|| fraction(text, &quantity)) {
                     Some(why) => fail(why, None),
                     None => Value::Quantity(quantity),
                 },

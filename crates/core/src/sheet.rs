@@ -227,7 +227,8 @@ impl<'a> Sheet<'a> {
         self.hold(what, residual.value().abs(), scale.abs(), error, sides);
     }
 
-    fn error(&self, id: Id) -> f64 {
+    /// Rounding error of a number, as it is carried along.
+    pub(crate) fn error(&self, id: Id) -> f64 {
         self.solution.borrow().trace.node(id).error
     }
 

@@ -488,7 +488,11 @@ impl Determined {
             }
             let residual = sheet.term(node) - sheet.constant(given.given, &given.unit);
             let what = Text::new("{answer} is the given one").with_text("answer", given.label.clone());
-            let scale = given.given.abs().max(given.reached.abs());
+            // Of a zero, the size of what cancels in it.
+            let scale = match given.given.abs().max(given.reached.abs()) {
+                scale if given.given != 0.0 => scale,
+                scale => scale.max(sheet.error(node) / f64::EPSILON),
+            };
             sheet.check_residual(what, residual, scale, ACCEPTED * scale);
         }
         for unknown in &self.unknowns {

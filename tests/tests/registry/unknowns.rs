@@ -415,3 +415,33 @@ fn scan(entry: &Entry, determined: &Determined) -> Vec<f64> {
     }
     found
 }
+
+/// The angle at which the piston of a slider-crank is fastest: its acceleration is zero there, of which no share is zero.
+#[test]
+fn an_answer_may_be_given_as_zero() {
+    for (crank, rod) in [(50.0, 150.0), (60.0, 180.0), (40.0, 130.0)] {
+        let solution = solved(&format!(
+            r#"
+format = 2
+analysis = "virtual-work/slider-crank"
+
+[inputs]
+crank = "{crank} mm"
+rod = "{rod} mm"
+angle = "? 50 deg .. 100 deg"
+unknown.torque.force = "0 N"
+speed = "1 rad/s"
+
+[given]
+slider_acceleration = "0 m/s^2"
+"#
+        ));
+        assert!(solution.checks.iter().all(|check| check.passed), "crank {crank} mm, rod {rod} mm");
+        // x = r cos θ + √(l² − r² sin² θ) has no second derivative there.
+        let angle = number(&solution, "angle");
+        let x = |angle: f64| crank * angle.cos() + (rod * rod - (crank * angle.sin()).powi(2)).sqrt();
+        let h = 1e-3;
+        let second = (x(angle + h) - 2.0 * x(angle) + x(angle - h)) / (h * h);
+        assert!(second.abs() < 1e-4 * crank, "{second} mm/rad² with a crank of {crank} mm");
+    }
+}

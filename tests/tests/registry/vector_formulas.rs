@@ -1,6 +1,7 @@
 //! A vector takes a formula: components that are formulas, products and other vectors.
 
 use dalembert_core::{Stop, file};
+use itertools::Itertools as _;
 
 use crate::{number, solved};
 
@@ -47,7 +48,7 @@ fn a_vector_by_formulas_is_the_vector_of_their_values() {
         "cross((0; 1; 0), (-R*n; 0; R)) + (0; 2*R; 0)",
         "-(-R; -2*R; -R*n)",
     ] {
-        for (got, want) in moments(position).into_iter().zip(typed) {
+        for (got, want) in moments(position).into_iter().zip_eq(typed) {
             assert!((got - want).abs() <= 1e-14 * want.abs(), "{position}: {got} is not {want}");
         }
     }
@@ -62,7 +63,7 @@ fn a_definition_in_a_vector_is_varied_as_any_other() {
     let mut found = [0.0; 6];
     plain.sweep(&points, &mut found, &Stop::new()).expect("each point has its moments");
     let want = [moments("(1.3; 2.6; 0.65) m"), moments("(2; 4; 0.5) m")].concat();
-    for (got, want) in found.into_iter().zip(want) {
+    for (got, want) in found.into_iter().zip_eq(want) {
         assert!((got - want).abs() <= 1e-14 * want.abs(), "{got} is not {want}");
     }
 }

@@ -21,7 +21,7 @@ const BELOW: [(&str, &[&str]); 15] = [
         "tests",
         &["", "core", "mechanics", "numerics", "plugins", "report", "study", "testkit", "tui", "units"],
     ),
-    ("xtask", &[]),
+    ("xtask", &["units"]),
 ];
 
 /// All that an analysis may use from outside the workspace: what its vectors are made of.

@@ -262,14 +262,22 @@ impl<W: Worksheet> Evaluator<'_, W> {
             }
         }
         let (x, dim) = numbers[0];
-        let pure = |result: W::Num, of: Dim| -> Result<Operand<W>, FormulaError> {
-            if dim.agrees(Dim::NONE) {
-                return Ok(Operand::Number(result, of));
-            }
+        let takes_any = matches!(
+            function,
+            Function::Sqrt
+                | Function::Cbrt
+                | Function::Abs
+                | Function::Min
+                | Function::Max
+                | Function::Hypot
+                | Function::Atan2
+        );
+        if !takes_any && !dim.agrees(Dim::NONE) {
             let why = Text::new("{name} is of a number without a unit or of an angle; `{text}` has {found}");
             let why = why.with("name", function.name()).with("text", self.part(span));
-            Err(FormulaError::at(span.clone(), why.with_text("found", of_dim(dim))))
-        };
+            return Err(FormulaError::at(span.clone(), why.with_text("found", of_dim(dim))));
+        }
+        let pure = |result: W::Num, of: Dim| Ok(Operand::Number(result, of));
         match function {
             Function::Sin | Function::Cos | Function::Tan => {
                 if let Expression::Quantity(quantity) = &arguments[0]
