@@ -35,8 +35,25 @@ struct Problem {
 #[derive(Deserialize)]
 #[serde(untagged)]
 enum Asked {
-    Answers(Vec<String>),
+    Answers(Vec<Question>),
     NotEntered(String),
+}
+
+/// What a question asks: one answer, or several.
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum Question {
+    One(String),
+    Several(Vec<String>),
+}
+
+impl Question {
+    fn into_names(self) -> Vec<String> {
+        match self {
+            Self::One(name) => vec![name],
+            Self::Several(names) => names,
+        }
+    }
 }
 
 #[derive(Deserialize)]
@@ -155,7 +172,9 @@ impl Set {
         ensure!(is_before(root, &self.listed, &entered)?, "was entered before it was listed");
         ensure!(is_before(root, &entered, &self.compared)?, "was entered after its printed values");
         let asked = match asked_in(&shown(root, &entered, &format!("{}/asked.toml", self.folder))?, id)? {
-            Asked::Answers(names) => names,
+            Asked::Answers(questions) => {
+                questions.into_iter().flat_map(Question::into_names).collect::<Vec<String>>()
+            }
             Asked::NotEntered(why) => return Ok(Outcome::NotEntered(why)),
         };
         ensure!(

@@ -573,6 +573,7 @@ two-linked-problems-are-called-name-give-one-of-them-another-name = dois problem
 the-linked-file-is-not-read-yet-save-this-problem-beside-it = o arquivo vinculado ainda não foi lido: salve este problema ao lado dele
 all-problems = Todos os problemas
 there-is-no-name-here-no-input-definition-answer-or-step-has-that-name-or-symbol-dalembert-show-lists = não há `{ $name }` aqui: nenhum dado, definição, resultado ou passo tem esse nome ou símbolo; `dalembert show` lista os dos dados e resultados, a Resolução os dos passos
+there-is-no-name-here-definitions-and-inputs-take-inputs-and-other-definitions-a-formula-over-answers-is-a-question-under-ask = não há `{ $name }` aqui: definições e dados usam dados e outras definições; uma fórmula sobre resultados é uma pergunta, em [ask]
 there-is-no-name-here-did-you-mean-near-dalembert-show-lists-the-names-of-inputs-and-answers-the = não há `{ $name }` aqui; seria { $near }? `dalembert show` lista os nomes dos dados e resultados, a Resolução os dos passos
 name-a-cell-of-the-table-as-in-example = indique uma célula da tabela, como em { $example }
 is-chosen-already-change-the-inputs-in-it = já está escolhida: altere os dados dentro dela

@@ -428,7 +428,7 @@ impl Plan {
                     answer(&named).map(|(si, dim)| Operand::Number(si, dim))
                 }
                 Some(named) => self.place(&named).map(|place| self.operand(place)),
-                None => None,
+                None => return self.before_solution(place, name).map_or(Ok(None), Err),
             })
         };
         let known = |name: &str| self.names.known(self.scope_of_formula(place), name);
@@ -446,6 +446,22 @@ impl Plan {
             })
         });
         self.take_value(place, value, unit)
+    }
+
+    /// The refusal of a name in the formula of a definition or an input that is neither an input, a definition, nor a
+    /// unit, nor nearly one: it may be that of an answer.
+    fn before_solution(&self, place: Place, name: &str) -> Option<Text> {
+        let whole =
+            name.rsplit_once(['.', '_']).filter(|(_, axis)| AXES.contains(axis)).map(|(whole, _)| whole);
+        let is_there = |name: &str| self.find(place, name).is_some() || units::unit(name).is_ok();
+        let known = self.names.known(self.scope_of_formula(place), name);
+        if is_there(whole.unwrap_or(name)) || !nearest_names(name, &known).is_empty() {
+            return None;
+        }
+        let why = Text::new(
+            "there is no `{name}` here: definitions and inputs take inputs and other definitions; a formula over answers is a question, under [ask]",
+        );
+        Some(why.with("name", name))
     }
 
     /// Returns true if a place is an input that is a vector.

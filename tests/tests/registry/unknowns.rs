@@ -8,6 +8,8 @@ use dalembert_plugins as _;
 use dalembert_testkit::{on_all_cores, unknowns};
 use itertools::Itertools as _;
 
+use crate::{number, solved};
+
 /// A question: the first case of an analysis with other inputs, some of them unknown, and the answers that are given.
 struct Question {
     id: &'static str,

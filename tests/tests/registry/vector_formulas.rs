@@ -81,7 +81,9 @@ fn what_is_wrong_with_a_formula_of_a_vector_is_named() {
         let refused = match file::parse(&text) {
             Err(errors) => format!("{errors:?}"),
             Ok(problem) => match problem.draft.read(&problem.entry.shape()) {
-                Err(errors) => errors.iter().map(|error| format!("{} {}\n", error.path, error.why.english())).collect(),
+                Err(errors) => {
+                    errors.iter().map(|error| format!("{} {}\n", error.path, error.why.english())).collect()
+                }
                 Ok(_) => panic!("{position} is taken"),
             },
         };

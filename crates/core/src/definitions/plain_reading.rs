@@ -318,7 +318,7 @@ impl Plan {
     /// The number at a path within the problem or the configuration of a scope.
     fn number_within(&self, scope: usize, inner: &str, record: &mut Record) -> Option<f64> {
         let problem = self.names.scopes[scope].problem;
-        let changed = self.inputs.iter().filter(|input| scope != problem && input.scope == scope);
+        let mut changed = self.inputs.iter().filter(|input| scope != problem && input.scope == scope);
         let number = |input: &PlannedInput| {
             let at = input.numbers().iter().position(|known| known == inner)?;
             match input.value {
@@ -327,8 +327,7 @@ impl Plan {
             }
         };
         changed
-            .filter_map(number)
-            .next()
+            .find_map(number)
             .or_else(|| vary::number(record, &self.names.scopes[problem].outside(inner)).copied())
     }
 

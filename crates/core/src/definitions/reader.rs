@@ -1,6 +1,6 @@
 //! Definitions, questions, given answers and configurations as they are typed, row by row.
 
-use dalembert_units::Unit;
+use dalembert_units::{self as units, Quantity, Unit};
 
 use super::{
     COMMON_LISTS, Definition, Plan, Question, field_error,
@@ -110,7 +110,10 @@ impl Reader {
                 return None;
             }
         }
-        let formula = self.formula(scope, &path("formula"), text)?;
+        let formula = match quantity_alone(text) {
+            Some(quantity) => Formula { root: Expression::Quantity(quantity), text: text.trim().to_owned() },
+            None => self.formula(scope, &path("formula"), text)?,
+        };
         let (unit, si) =
             formula.quantity().map_or((Unit::ONE, 0.0), |quantity| (quantity.unit.clone(), quantity.si));
         Some(defined(formula, unit, si))
@@ -159,6 +162,17 @@ impl Reader {
             }
         }
     }
+}
+
+/// A text that is a number and a product of units, `3 kg*m^2`, which is no formula even where m is a name. Behind a stroke
+/// either may be meant: `9.81 m/s^2*m`.
+fn quantity_alone(text: &str) -> Option<Quantity> {
+    let number = text.trim_start().trim_start_matches(['-', '−']);
+    let is_product = number.starts_with(|c: char| c.is_ascii_digit() || c == '.') && !number.contains('/');
+    let unit =
+        number.trim_start_matches(|c: char| c.is_ascii_digit() || matches!(c, '.' | 'e' | 'E' | '-' | '+'));
+    let is_plain = is_product && units::unit(unit.trim()).is_ok();
+    is_plain.then(|| units::read_any(text).ok()).flatten()
 }
 
 /// Returns true if a word may name a definition or a configuration.
