@@ -2,10 +2,10 @@
 //!
 //! tests/first-entry/README.md states what a set holds, and in which order its files are committed.
 
-use std::{collections::BTreeMap, fmt, fs, path::Path, process::Command};
+use std::{collections::BTreeMap, f64::consts::TAU, fmt, fs, path::Path, process::Command};
 
 use anyhow::{Context, Result, bail, ensure};
-use dalembert_units::read_any;
+use dalembert_units::{Dim, read_any};
 use serde::{Deserialize, de::DeserializeOwned};
 use serde_json::Value as Json;
 
@@ -264,9 +264,12 @@ fn agrees(found: &[f64], text: &str) -> Result<bool> {
     for (part, found) in parts.iter().zip(found) {
         let read = |number: f64| read_any(&format!("{number:e} {unit}")).with_context(|| text.to_owned());
         let (number, place): (f64, f64) = (part.parse().with_context(|| text.to_owned())?, last_place(part)?);
-        // A difference of temperatures or angles needs no origin: every unit here is a factor.
-        let (want, half) = (read(number)?.si, (read(number + place)?.si - read(number)?.si).abs() / 2.0);
-        if (found - want).abs() > half * (1.0 + 1e-9) {
+        let want = read(number)?;
+        let half = (read(number + place)?.si - want.si).abs() / 2.0;
+        // Whole turns do not change an angle.
+        let turn = if want.unit.dim == Dim::ANGLE { TAU } else { f64::INFINITY };
+        let off = (found - want.si).abs() % turn;
+        if off.min(turn - off) > half * (1.0 + 1e-9) {
             return Ok(false);
         }
     }
@@ -318,13 +321,14 @@ mod tests {
 
     #[test]
     fn a_value_is_right_to_half_a_unit_of_its_last_place() -> Result<()> {
-        let hertz = std::f64::consts::TAU;
+        let hertz = TAU;
         assert!(agrees(&[3.6249 * hertz], "3.62 Hz")?);
         assert!(!agrees(&[3.6251 * hertz], "3.62 Hz")?);
         assert!(agrees(&[1.2e-3, -0.4e-3], "(1.2; -0.4) mm")?);
         assert!(!agrees(&[1.2e-3, 0.4e-3], "(1.2; -0.4) mm")?);
         assert!(agrees(&[2.05e11], "2.1e11 Pa")? && !agrees(&[2.16e11], "2.1e11 Pa")?);
         assert!(agrees(&[0.3], "0.3")? && !agrees(&[0.36], "0.3")?);
+        assert!(agrees(&[5.2], "-62 deg")? && !agrees(&[5.2], "62 deg")?);
         assert!(agrees(&[1.0], "1 furlong-ish").is_err());
         Ok(())
     }
