@@ -39,7 +39,7 @@ enum Asked {
     NotEntered(String),
 }
 
-/// What a question asks: one answer, or several.
+/// Names of what a question asks: one answer, or several.
 #[derive(Deserialize)]
 #[serde(untagged)]
 enum Question {
@@ -230,7 +230,8 @@ fn numbers(solution: &Json, name: &str) -> Option<Vec<f64>> {
         let si = &solution["answers"][name]["si"];
         si.as_f64().map(|number| vec![number]).or_else(|| si.as_array()?.iter().map(Json::as_f64).collect())
     };
-    si(name).or_else(|| {
+    // The key of a question is in small letters.
+    si(name).or_else(|| si(&name.to_lowercase())).or_else(|| {
         let (whole, place) = match name.strip_suffix(']').and_then(|name| name.rsplit_once('[')) {
             Some((whole, place)) => (whole, place.parse::<usize>().ok()?.checked_sub(1)?),
             None => {

@@ -82,7 +82,7 @@ fn what_is_wrong_with_a_formula_of_a_vector_is_named() {
             Err(errors) => format!("{errors:?}"),
             Ok(problem) => match problem.draft.read(&problem.entry.shape()) {
                 Err(errors) => {
-                    errors.iter().map(|error| format!("{} {}\n", error.path, error.why.english())).collect()
+                    errors.iter().map(|error| format!("{} {}", error.path, error.why.english())).join("\n")
                 }
                 Ok(_) => panic!("{position} is taken"),
             },

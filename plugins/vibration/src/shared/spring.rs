@@ -11,10 +11,8 @@ pub mod torsional;
 
 use self::element::{Build, SpringMotion};
 pub(crate) use self::element::{Element, Joined, symbol};
-use crate::shared::{
-    continuous::ShearModulus,
-    section::{AxialSection, Section, ShaftSection},
-};
+pub use crate::shared::continuous::ShearModulus;
+use crate::shared::section::{AxialSection, Section, ShaftSection};
 
 /// Spring or elastic member under the load.
 #[derive(Clone, Debug, Inputs)]

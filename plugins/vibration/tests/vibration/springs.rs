@@ -3,7 +3,7 @@
 use dalembert_core::{FieldPath, Inputs, Lift, Plain, Refusal, Stop};
 use dalembert_vibration::{
     shared::section::{RoundSection, Section, ShaftSection},
-    shared::spring::{Spring, stiffness},
+    shared::spring::{ShearModulus, Spring, stiffness},
 };
 use itertools::Itertools as _;
 
@@ -89,11 +89,12 @@ fn a_tube_needs_a_wall() {
 #[test]
 fn a_torsion_bar_is_a_helical_spring_unwound() {
     // A wire of n turns is a torsion bar of length π D n on a lever D/2: k = G d⁴/(8 D³ n).
-    let (shear, wire_diameter, coil_diameter, coils) = (80e9, 0.02, 0.2, 5.0);
-    let helical = Spring::Helical { shear, wire_diameter, coil_diameter, coils };
+    let (wire_diameter, coil_diameter, coils) = (0.02, 0.2, 5.0);
+    let shear = || ShearModulus::Given { shear: 80e9 };
+    let helical = Spring::Helical { shear: shear(), wire_diameter, coil_diameter, coils };
     let bar = Spring::TorsionBar {
         length: std::f64::consts::PI * coil_diameter * coils,
-        shear,
+        shear: shear(),
         section: ShaftSection::Round(RoundSection::Round { diameter: wire_diameter }),
         lever: coil_diameter / 2.0,
     };

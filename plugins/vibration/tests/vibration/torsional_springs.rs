@@ -4,7 +4,7 @@ use dalembert_core::{FieldPath, Inputs, Lift, Plain, Stop};
 use dalembert_vibration::{
     shared::section::{RoundSection, Section, ShaftSection},
     shared::spring::{
-        Spring,
+        ShearModulus, Spring,
         torsional::{TorsionalSpring, stiffness},
     },
 };
@@ -22,7 +22,8 @@ fn close(computed: f64, expected: f64) {
 
 #[test]
 fn a_hollow_shaft_of_half_the_bore_loses_a_sixteenth() {
-    let shaft = |section| TorsionalSpring::Shaft { length: 0.7, shear: 80e9, section };
+    let shaft =
+        |section| TorsionalSpring::Shaft { length: 0.7, shear: ShearModulus::Given { shear: 80e9 }, section };
     let solid = stiffness_of(&shaft(ShaftSection::Round(RoundSection::Round { diameter: 0.04 })));
     let hollow = stiffness_of(&shaft(ShaftSection::Round(RoundSection::Tube { outer: 0.04, inner: 0.02 })));
     close(hollow, solid * 15.0 / 16.0);
