@@ -259,7 +259,8 @@ fn agrees(found: &[f64], text: &str) -> Result<bool> {
             (vec![&text[..end]], text[end..].trim())
         }
     };
-    if parts.len() != found.len() {
+    // A vector in the plane has a third component, which is zero.
+    if parts.len() > found.len() || found[parts.len()..].iter().any(|rest| *rest != 0.0) {
         return Ok(false);
     }
     for (part, found) in parts.iter().zip(found) {
@@ -326,7 +327,9 @@ mod tests {
         assert!(agrees(&[3.6249 * hertz], "3.62 Hz")?);
         assert!(!agrees(&[3.6251 * hertz], "3.62 Hz")?);
         assert!(agrees(&[1.2e-3, -0.4e-3], "(1.2; -0.4) mm")?);
+        assert!(agrees(&[1.2e-3, -0.4e-3, 0.0], "(1.2; -0.4) mm")?);
         assert!(!agrees(&[1.2e-3, 0.4e-3], "(1.2; -0.4) mm")?);
+        assert!(!agrees(&[1.2e-3, -0.4e-3, 1.0], "(1.2; -0.4) mm")?);
         assert!(agrees(&[2.05e11], "2.1e11 Pa")? && !agrees(&[2.16e11], "2.1e11 Pa")?);
         assert!(agrees(&[0.3], "0.3")? && !agrees(&[0.36], "0.3")?);
         assert!(agrees(&[5.2], "-62 deg")? && !agrees(&[5.2], "62 deg")?);
