@@ -35,6 +35,11 @@ pub(crate) fn output(command: &mut Command) -> Result<String> {
     String::from_utf8(output.stdout).with_context(|| format!("{} does not print UTF-8", shown(command)))
 }
 
+/// Runs git in a folder and returns what it prints.
+pub(crate) fn git(root: &Path, arguments: &[&str]) -> Result<String> {
+    output(Command::new("git").current_dir(root).args(arguments))
+}
+
 /// The program, built without optimisation.
 pub(crate) struct Program(PathBuf);
 

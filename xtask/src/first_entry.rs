@@ -9,7 +9,7 @@ use dalembert_units::{Dim, read_any};
 use serde::{Deserialize, de::DeserializeOwned};
 use serde_json::Value as Json;
 
-use crate::cargo::{Program, output};
+use crate::cargo::{Program, git};
 
 const FOLDER: &str = "tests/first-entry";
 
@@ -311,10 +311,6 @@ fn is_before(root: &Path, first: &str, second: &str) -> Result<bool> {
         .status()
         .context("git cannot be run")?;
     Ok(status.success() && first != second)
-}
-
-fn git(root: &Path, arguments: &[&str]) -> Result<String> {
-    output(Command::new("git").current_dir(root).args(arguments))
 }
 
 #[cfg(test)]

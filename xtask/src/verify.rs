@@ -13,7 +13,7 @@ use anyhow::{Context, Result, ensure};
 use serde_json::Value as Json;
 
 use crate::{
-    cargo::{Program, cargo, output, run as run_command, target},
+    cargo::{Program, cargo, git, output, run as run_command, target},
     docs, new_analysis, pictures, python, tidy,
 };
 
@@ -163,8 +163,7 @@ const SEED: &str = "PROPTEST_RNG_SEED";
 
 /// The same seed for the same commit, so that a verdict can be had again, and other draws with the next one.
 fn seed_of_commit(root: &Path) -> u64 {
-    let commit =
-        output(Command::new("git").current_dir(root).args(["rev-parse", "HEAD"])).unwrap_or_default();
+    let commit = git(root, &["rev-parse", "HEAD"]).unwrap_or_default();
     commit.get(..15).and_then(|digits| u64::from_str_radix(digits, 16).ok()).unwrap_or_default()
 }
 

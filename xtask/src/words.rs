@@ -8,13 +8,13 @@
 use std::{
     collections::BTreeMap,
     path::{Path, PathBuf},
-    process::{Command, Stdio},
+    process::Stdio,
 };
 
 use anyhow::{Context, Result, bail};
 
 use crate::{
-    cargo::{cargo, output},
+    cargo::{cargo, git},
     new_analysis::{read, translation_files, write},
 };
 
@@ -24,16 +24,8 @@ use crate::{
 /// Sentences that have no translation still; what could be carried over is, even so.
 pub fn run(root: &Path, base: &str) -> Result<()> {
     let missing = missing(root)?;
-    let diff = output(Command::new("git").current_dir(root).args([
-        "diff",
-        "--unified=0",
-        "--no-color",
-        "--no-ext-diff",
-        base,
-        "--",
-        "*.rs",
-        "*.toml",
-    ]))?;
+    let diff =
+        git(root, &["diff", "--unified=0", "--no-color", "--no-ext-diff", base, "--", "*.rs", "*.toml"])?;
     let hunks = hunks(&diff);
     let mut files = BTreeMap::new();
     for folder in ["crates", "plugins"] {
@@ -186,7 +178,7 @@ fn bounded(key: &str) -> String {
 
 /// The words of all sources and cases.
 fn sources(root: &Path) -> Result<String> {
-    let listed = output(Command::new("git").current_dir(root).args(["ls-files", "crates", "plugins"]))?;
+    let listed = git(root, &["ls-files", "crates", "plugins"])?;
     let wanted = |path: &&str| {
         Path::new(path).extension().is_some_and(|have| have == "rs") || path.contains("/cases/")
     };

@@ -176,7 +176,7 @@ fn passes(program: &Path, mutant: usize) -> Result<bool> {
 
 /// Copies the files that git tracks, unchanged.
 fn copy(root: &Path, to: &Path) -> Result<()> {
-    let listed = crate::cargo::output(Command::new("git").current_dir(root).args(["ls-files", "-z"]))?;
+    let listed = crate::cargo::git(root, &["ls-files", "-z"])?;
     if to.exists() {
         fs::remove_dir_all(to)?;
     }

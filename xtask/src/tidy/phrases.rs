@@ -5,7 +5,7 @@ use std::path::Path;
 use anyhow::{Context, Result};
 
 use super::{Tree, ends_in, lines};
-use crate::cargo::output;
+use crate::cargo::git;
 
 /// Path of the document with the retired phrases, in a table under [`HEADING`].
 pub(super) const GLOSSARY: &str = "docs/glossary.md";
@@ -54,12 +54,7 @@ pub(super) fn commits(root: &Path, glossary: &str) -> Result<Vec<String>> {
         return Ok(Vec::new());
     };
     let range = format!("{}..HEAD", since.trim().trim_end_matches('.'));
-    let Ok(log) = output(std::process::Command::new("git").current_dir(root).args([
-        "log",
-        "--no-merges",
-        "--format=%h%x1f%s%x1f%b%x1e",
-        &range,
-    ])) else {
+    let Ok(log) = git(root, &["log", "--no-merges", "--format=%h%x1f%s%x1f%b%x1e", &range]) else {
         return Ok(Vec::new());
     };
     let retired = retired(glossary);
