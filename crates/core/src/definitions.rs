@@ -454,8 +454,9 @@ impl Plan {
         let whole =
             name.rsplit_once(['.', '_']).filter(|(_, axis)| AXES.contains(axis)).map(|(whole, _)| whole);
         let is_there = |name: &str| self.find(place, name).is_some() || units::unit(name).is_ok();
-        let known = self.names.known(self.scope_of_formula(place), name);
-        if is_there(whole.unwrap_or(name)) || !nearest_names(name, &known).is_empty() {
+        if is_there(whole.unwrap_or(name))
+            || !nearest_names(name, &self.names.known(self.scope_of_formula(place), name)).is_empty()
+        {
             return None;
         }
         let why = Text::new(

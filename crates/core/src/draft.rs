@@ -431,9 +431,8 @@ fn read(draft: &Draft, shape: &Shape, path: &str, faults: &mut Faults) -> Value 
 }
 
 /// The refusal of a number below one, without a unit, where per cent is asked: books print fractions there, 0.05 for 5 %.
-fn fraction(text: &str, quantity: &units::Quantity) -> Option<Text> {
-    let is_meant = quantity.unit.text == "%" && quantity.si != 0.0 && quantity.si.abs() < 0.01;
-    if !is_meant || units::quantity_of(text).is_none_or(|read| !read.unit.text.is_empty()) {
+fn fraction(text: &str, quantity: &units::Quantity, shape: &Shape) -> Option<Text> {
+    if quantity.unit.text != "%" || quantity.si.abs() >= 0.01 || !is_bare(text, shape) {
         return None;
     }
     let style = Style { ascii: true, ..Style::default() };
@@ -466,10 +465,12 @@ fn leaf(text: &str, shape: &Shape, path: &str, faults: &mut Faults) -> Value {
         Shape::Quantity(measure) => {
             let one = measure.meant(text);
             match units::read_quantity(text, &one.own_unit(), one.kind()) {
-                Ok(quantity) => match one.outside(quantity.si, text).or_else(|| fraction(text, &quantity)) {
-                    Some(why) => fail(why, None),
-                    None => Value::Quantity(quantity),
-                },
+                Ok(quantity) => {
+                    match one.outside(quantity.si, text).or_else(|| fraction(text, &quantity, shape)) {
+                        Some(why) => fail(why, None),
+                        None => Value::Quantity(quantity),
+                    }
+                }
                 Err(err) => {
                     let why = kinds::also(reading::text(&err), *measure);
                     if !text.chars().any(char::is_alphabetic) && !is_unknown(text) {

@@ -319,11 +319,12 @@ impl Plan {
     fn number_within(&self, scope: usize, inner: &str, record: &mut Record) -> Option<f64> {
         let problem = self.names.scopes[scope].problem;
         let mut changed = self.inputs.iter().filter(|input| scope != problem && input.scope == scope);
-        let number = |input: &PlannedInput| {
-            let at = input.numbers().iter().position(|known| known == inner)?;
-            match input.value {
-                Number::Scalar(si) => Some(si),
-                Number::Vector(si) => input.formula.as_ref().map(|_| si[at]),
+        let number = |input: &PlannedInput| match input.value {
+            Number::Scalar(si) => (input.inner == inner).then_some(si),
+            Number::Vector(si) => {
+                let axis = inner.strip_prefix(&input.inner)?.strip_prefix('.')?;
+                let at = AXES.iter().position(|known| *known == axis)?;
+                input.formula.as_ref().map(|_| si[at])
             }
         };
         changed

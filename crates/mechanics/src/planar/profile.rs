@@ -208,21 +208,22 @@ fn second_derivatives(points: &[[f64; 2]], closed: bool) -> Option<Vec<f64>> {
     let n = points.len();
     let width = |k: usize| points[k + 1][0] - points[k][0];
     let slope = |k: usize| (points[k + 1][1] - points[k][1]) / width(k);
-    let mut rows = Vec::with_capacity(n);
     let mut b = vec![0.0; n];
-    for k in 1..n - 1 {
-        rows.push(vec![(k - 1, width(k - 1)), (k, 2.0 * (width(k - 1) + width(k))), (k + 1, width(k))]);
+    let inner = (1..n - 1).map(|k| {
         b[k] = 6.0 * (slope(k) - slope(k - 1));
-    }
-    if closed {
+        vec![(k - 1, width(k - 1)), (k, 2.0 * (width(k - 1) + width(k))), (k + 1, width(k))]
+    });
+    let inner: Vec<_> = inner.collect();
+    let [first, end] = if closed {
         let last = n - 2;
-        let before = (last, width(last));
-        rows.insert(0, vec![(0, 2.0 * (width(last) + width(0))), (1, width(0)), before]);
         b[0] = 6.0 * (slope(0) - slope(last));
-        rows.push(vec![(0, 1.0), (n - 1, -1.0)]);
+        [
+            vec![(0, 2.0 * (width(last) + width(0))), (1, width(0)), (last, width(last))],
+            vec![(0, 1.0), (n - 1, -1.0)],
+        ]
     } else {
-        rows.insert(0, vec![(0, 1.0)]);
-        rows.push(vec![(n - 1, 1.0)]);
-    }
+        [vec![(0, 1.0)], vec![(n - 1, 1.0)]]
+    };
+    let rows = [first].into_iter().chain(inner).chain([end]).collect();
     Elimination::of_sparse(&SparseMatrix::new(n, rows)).ok()?.solve(&b).ok()
 }
