@@ -16,8 +16,8 @@ use crate::{
 
 pub(crate) use names::{A, A4, B, B_RELATIVE_TO_A, D, Names, P};
 
-/// Below this part of the velocity or acceleration of the driven pin a vector has no direction.
-const AT_REST: f64 = 1e-9;
+/// Below this part of the velocities or accelerations of a mechanism a vector has no direction.
+pub(crate) const AT_REST: f64 = 1e-9;
 
 /// Velocity and acceleration of a point.
 #[derive(Clone, Copy)]

@@ -151,24 +151,25 @@ pub(super) fn system<W: Worksheet>(
     let (natural, zeta, start, elastic, units) = match given {
         OscillatorGiven::Translation { mass, stiffness, damping, displacement, velocity } => {
             let [mass, natural, stiffness] = mass.on_springs(stiffness, sheet)?;
-            let (data, coefficient) = match damping {
-                TranslationalDampingGiven::Any(data) => (Some(data), None),
-                TranslationalDampingGiven::Coefficient { coefficient } => (None, Some(*coefficient)),
+            let damping = match damping {
+                TranslationalDampingGiven::Any(data) => KnownDamping::Data(data),
+                TranslationalDampingGiven::Coefficient { coefficient } => {
+                    KnownDamping::Coefficient(*coefficient)
+                }
             };
             let body = (mass, stiffness);
-            let zeta =
-                damping_ratio(body, natural, (data, coefficient), (settled, Units::TRANSLATION), sheet);
+            let zeta = damping_ratio(body, natural, damping, (settled, Units::TRANSLATION), sheet);
             (natural, zeta, [*displacement, *velocity], Some(body), Units::TRANSLATION)
         }
         OscillatorGiven::Rotation { inertia, stiffness, damping, angle, rate } => {
             let inertia = moment_of_inertia(inertia, sheet, "J".into());
             let [natural, stiffness] = stiffness.frequency_and_stiffness(inertia, sheet)?;
-            let (data, coefficient) = match damping {
-                TorsionalDampingGiven::Any(data) => (Some(data), None),
-                TorsionalDampingGiven::Coefficient { coefficient } => (None, Some(*coefficient)),
+            let damping = match damping {
+                TorsionalDampingGiven::Any(data) => KnownDamping::Data(data),
+                TorsionalDampingGiven::Coefficient { coefficient } => KnownDamping::Coefficient(*coefficient),
             };
             let body = (inertia, stiffness);
-            let zeta = damping_ratio(body, natural, (data, coefficient), (settled, Units::ROTATION), sheet);
+            let zeta = damping_ratio(body, natural, damping, (settled, Units::ROTATION), sheet);
             (natural, zeta, [*angle, *rate], Some(body), Units::ROTATION)
         }
         OscillatorGiven::Ratios { natural_frequency, ratio, displacement, velocity } => {
@@ -188,25 +189,34 @@ pub(super) fn system<W: Worksheet>(
     Ok(FreeOscillator { natural, zeta, x0, v0, elastic, units })
 }
 
+/// Damping of a translation or of a rotation.
+enum KnownDamping<'d, W: Worksheet> {
+    Data(&'d DampingDataGiven<W>),
+    Coefficient(W::Num),
+}
+
 /// The damping ratio of a body on its spring, and its coefficient as an answer.
 fn damping_ratio<W: Worksheet>(
     (mass, stiffness): (W::Num, W::Num),
     natural: W::Num,
-    (data, coefficient): (Option<&DampingDataGiven<W>>, Option<W::Num>),
+    damping: KnownDamping<'_, W>,
     (settled, units): (W::Num, Units),
     sheet: W,
 ) -> W::Num {
     let critical = critical_damping(stiffness, mass, units, sheet);
     let one = W::Num::from(1.0);
-    if let Some(coefficient) = coefficient {
-        let zeta = ratio_of(coefficient, critical, stiffness, mass, sheet);
-        sheet.answer("damping", "Damping coefficient", coefficient);
-        return zeta;
-    }
+    let data = match damping {
+        KnownDamping::Data(data) => data,
+        KnownDamping::Coefficient(coefficient) => {
+            let zeta = ratio_of(coefficient, critical, stiffness, mass, sheet);
+            sheet.answer("damping", "Damping coefficient", coefficient);
+            return zeta;
+        }
+    };
     let zeta = match data {
-        Some(DampingDataGiven::Ratio { ratio }) => *ratio,
-        Some(DampingDataGiven::Critical {}) | None => sheet.step("ζ", "1", one, "The damping is critical"),
-        Some(DampingDataGiven::Overshoot { overshoot }) => {
+        DampingDataGiven::Ratio { ratio } => *ratio,
+        DampingDataGiven::Critical {} => sheet.step("ζ", "1", one, "The damping is critical"),
+        DampingDataGiven::Overshoot { overshoot } => {
             let log = sheet.step(
                 "Λ",
                 "1",
@@ -216,11 +226,11 @@ fn damping_ratio<W: Worksheet>(
             let why = ("Damping ratio from that decrement", RAO.at("§2.6.3"));
             sheet.step("ζ", "1", sdof::damping_ratio_from_decrement(log * 2.0), why)
         }
-        Some(DampingDataGiven::Settling { time }) => {
+        DampingDataGiven::Settling { time } => {
             let why = "The envelope e^(−ζωₙt) has decayed to the fraction taken as settled";
             sheet.step("ζ", "1", (one / settled).ln() / (natural * *time), why)
         }
-        Some(DampingDataGiven::Decay { amplitudes }) => decrement(amplitudes, sheet).damping_ratio,
+        DampingDataGiven::Decay { amplitudes } => decrement(amplitudes, sheet).damping_ratio,
     };
     coefficient_of(zeta, critical, units, sheet);
     zeta

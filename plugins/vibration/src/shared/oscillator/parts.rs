@@ -1,7 +1,6 @@
 //! Body, springs and damping of one degree of freedom that moves along a line or about an axis.
 
 use dalembert_core::{Inputs, Refusal, Worksheet};
-use dalembert_mechanics::Real;
 
 use super::{
     Elasticity, ElasticityGiven, GivenDamping, SpringDataGiven, Suspension, ViscousDamping,
@@ -239,16 +238,16 @@ impl<W: Worksheet> SpringDataGiven<W> {
     /// # Errors
     /// A spring that is none.
     pub(crate) fn stiffness_under(&self, mass: W::Num, sheet: W) -> Result<W::Num, Refusal> {
-        let (k, why) = match self {
-            SpringDataGiven::Stiffness { stiffness } => return Ok(*stiffness),
-            SpringDataGiven::Springs { springs } => return spring::stiffness(springs, sheet),
+        Ok(match self {
+            SpringDataGiven::Stiffness { stiffness } => *stiffness,
+            SpringDataGiven::Springs { springs } => spring::stiffness(springs, sheet)?,
             SpringDataGiven::StaticDeflection { deflection, gravity } => {
-                (mass * *gravity / *deflection, "Stiffness from the static deflection: k δ_st = m g")
+                let why = ("Stiffness from the static deflection: k δ_st = m g", RAO.at("§2.2"));
+                sheet.step("k", "N/m", mass * *gravity / *deflection, why)
             }
             SpringDataGiven::NaturalFrequency { frequency } => {
-                (mass * frequency.powi(2), "Stiffness that gives the mass this natural frequency")
+                stiffness_of(OscillatorMotion::Translation, mass, *frequency, sheet)
             }
-        };
-        Ok(sheet.step("k", "N/m", k, (why, RAO.at("§2.2"))))
+        })
     }
 }

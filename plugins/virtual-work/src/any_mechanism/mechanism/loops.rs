@@ -5,6 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use dalembert_core::{Reference, Text, Worksheet};
 use dalembert_mechanics::{Real, Vector, planar::BodyFrame};
+use nalgebra::Vector2;
 
 use super::{Mechanism, MechanismGiven, Solved};
 use crate::{
@@ -90,6 +91,12 @@ impl<'a, 'g, W: Worksheet> Loops<'a, 'g, W> {
 
     fn on(&self, point: Reference) -> BodyFrame {
         self.of.parts.points[point.0].on
+    }
+
+    /// Position of a point, as the constraint equations have it.
+    fn drawn(&self, point: Reference) -> Vector2<f64> {
+        let [at, ..] = self.of.system.point(self.of.parts.point(point), self.of.state);
+        at.into()
     }
 
     /// The pins of a body.
@@ -298,11 +305,7 @@ impl<'a, 'g, W: Worksheet> Loops<'a, 'g, W> {
     }
 
     fn close(&mut self, [one, two]: [usize; 2], [first, second]: [Pinned; 2], knee: Pinned) -> bool {
-        let place = |point: Reference| {
-            let [at, ..] = self.of.system.point(self.of.parts.point(point), self.of.state);
-            nalgebra::Vector2::from(at)
-        };
-        let (p, q, b) = (place(first.own), place(second.own), place(knee.own));
+        let (p, q, b) = (self.drawn(first.own), self.drawn(second.own), self.drawn(knee.own));
         let (span, near, far) = (q - p, b - p, b - q);
         let side = span.perp(&near);
         let sines = [side / (span.norm() * near.norm()), near.perp(&far) / (near.norm() * far.norm())];
@@ -341,12 +344,7 @@ impl<'a, 'g, W: Worksheet> Loops<'a, 'g, W> {
 
     /// The angular velocities of two bars to a common pin, from the velocities of their other ends.
     fn common_velocity(&self, ends: [Option<W::Vec>; 2], [one, two]: [W::Vec; 2]) -> Option<[W::Num; 2]> {
-        let apart = match ends {
-            [Some(p), Some(q)] => p - q,
-            [Some(p), None] => p,
-            [None, Some(q)] => -q,
-            [None, None] => return None,
-        };
+        let apart = difference::<W>(ends)?;
         let first = -(apart.dot(two)) / across::<W>(one).dot(two);
         let second = apart.dot(one) / across::<W>(two).dot(one);
         Some([first, second])
@@ -389,12 +387,8 @@ impl<'a, 'g, W: Worksheet> Loops<'a, 'g, W> {
         let JointGiven::Slider { direction: along, angle: kept, .. } = self.given.joints[row].joint else {
             return false;
         };
-        let place = |point: Reference| {
-            let [at, ..] = self.of.system.point(self.of.parts.point(point), self.of.state);
-            nalgebra::Vector2::from(at)
-        };
-        let way = place(end.own) - place(start.own);
-        let ahead = nalgebra::Vector2::new(along.value().cos(), along.value().sin()).dot(&way) / way.norm();
+        let way = self.drawn(end.own) - self.drawn(start.own);
+        let ahead = Vector2::new(along.value().cos(), along.value().sin()).dot(&way) / way.norm();
         if !ahead.is_finite() || ahead.abs() < FLAT {
             return false;
         }
@@ -484,19 +478,23 @@ impl<'a, 'g, W: Worksheet> Loops<'a, 'g, W> {
         };
         let line = self.of.state.positions[lever][2] + slope.value();
         let behind = span.value().x * line.cos() + span.value().y * line.sin() < 0.0;
-        let apart = match [end.1, start.1] {
-            [Some(p), Some(q)] => Some(p - q),
-            [Some(p), None] => Some(p),
-            [None, Some(q)] => Some(-q),
-            [None, None] => None,
-        };
         let angle = y.atan2(x) - slope;
         let angle = if behind { angle + PI } else { angle };
         let words = "Angle of {name}: its slot goes through the pin";
         self.settle(lever, (angle, None), (pivot.own, start), words);
-        if let Some(apart) = apart {
+        if let Some(apart) = difference::<W>([end.1, start.1]) {
             let value = apart.dot(across::<W>(span)) / span.dot(span);
             self.turn(lever, value, "Angular velocity of {name}: velocity of the pin across the slot");
         }
+    }
+}
+
+/// The velocity of one place relative to another; none where both are fixed.
+fn difference<W: Worksheet>(ends: [Option<W::Vec>; 2]) -> Option<W::Vec> {
+    match ends {
+        [Some(p), Some(q)] => Some(p - q),
+        [Some(p), None] => Some(p),
+        [None, Some(q)] => Some(-q),
+        [None, None] => None,
     }
 }

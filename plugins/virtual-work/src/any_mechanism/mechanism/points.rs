@@ -11,14 +11,12 @@ use super::{RelativePoint, Solved, WatchedPoint, loops::Loops};
 use crate::{
     shared::{
         built::turned,
+        kinematics::AT_REST,
         parts::{Joint, closure},
         works::{across, direction},
     },
     sources::{NORTON, SHIGLEY},
 };
-
-/// Below this part of the velocities and accelerations of the mechanism a vector has no direction.
-const AT_REST: f64 = 1e-9;
 
 /// A vector of a point that is asked for by magnitude and direction: names, labels, unit and words.
 struct Polar {
