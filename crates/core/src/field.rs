@@ -87,6 +87,8 @@ pub struct Measure {
     /// The measures of the other kinds that may stand here instead. The unit that is written decides, and is of the same
     /// kind in all such fields of a problem.
     pub others: &'static [Measure],
+    /// True if books print the quantity as a number too: below one and alone it is that number, 0.05 and not 0.05 %.
+    pub fraction: bool,
 }
 
 /// An end of the permitted range.
@@ -251,10 +253,20 @@ impl Measure {
     /// The one that a text is of. A number alone is a number, where one may stand here.
     #[must_use]
     pub fn meant(self, text: &str) -> Measure {
-        if self.others.is_empty() {
+        if self.others.is_empty() && !self.fraction {
             return self;
         }
-        units::quantity_of(text).map_or(self, |read| self.of(&read.unit))
+        let Some(read) = units::quantity_of(text) else { return self };
+        if self.fraction && read.unit.text.is_empty() && read.si < 1.0 {
+            let own = self.own_unit();
+            let scaled = |limit| match limit {
+                FieldLimit::None => FieldLimit::None,
+                FieldLimit::Including(limit) => FieldLimit::Including(own.si(limit)),
+                FieldLimit::Excluding(limit) => FieldLimit::Excluding(own.si(limit)),
+            };
+            return Measure { unit: "1", min: scaled(self.min), max: scaled(self.max), ..self };
+        }
+        self.of(&read.unit)
     }
 
     /// The units of all its kinds: `µm | mm/s | 1`.

@@ -260,8 +260,14 @@ pub mod derive_support {
     }
 
     fn measure_of(shape: &Shape) -> &'static Measure {
-        const NONE: &Measure =
-            &Measure { unit: "1", kind: None, min: FieldLimit::None, max: FieldLimit::None, others: &[] };
+        const NONE: &Measure = &Measure {
+            unit: "1",
+            kind: None,
+            min: FieldLimit::None,
+            max: FieldLimit::None,
+            others: &[],
+            fraction: false,
+        };
         match shape {
             Shape::Optional(inner) => measure_of(inner()),
             Shape::Rows { item, .. } => match item() {

@@ -111,6 +111,7 @@ pub fn inputs(record: &Record) -> Vec<VariedInput> {
                 min: FieldLimit::None,
                 max: FieldLimit::None,
                 others: &[],
+                fraction: false,
             },
             unit: unit.clone(),
             si,

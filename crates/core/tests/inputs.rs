@@ -503,3 +503,36 @@ fn a_table_is_saved_with_the_units_it_was_read_in() {
         assert_eq!(dalembert_core::table::with_units(&saved, columns()), None, "{saved}");
     }
 }
+
+/// A flywheel.
+#[derive(Clone, Debug, Inputs)]
+pub struct Flywheel {
+    /// Coefficient of fluctuation.
+    #[input("C_s", "%", positive, fraction, max = 50)]
+    pub fluctuation: f64,
+    /// Scatter.
+    #[input("p", "%", nonnegative)]
+    pub scatter: f64,
+}
+
+#[test]
+fn a_fraction_is_written_as_a_number_or_in_per_cent() {
+    let fields = Flywheel::SHAPE.fields(None);
+    let read =
+        |field: usize, text: &str| match dalembert_core::draft::read_leaf(text, &fields[field].shape, "x") {
+            Ok(dalembert_core::Value::Quantity(quantity)) => Ok(quantity.si),
+            Ok(other) => Err(format!("{other:?}")),
+            Err(errors) => Err(errors[0].why.english()),
+        };
+    for (text, si) in
+        [("0.05", 0.05), ("5", 0.05), ("5 %", 0.05), ("0.5 %", 0.005), ("0.5", 0.5), ("50", 0.5)]
+    {
+        assert_eq!(read(0, text), Ok(si), "{text}");
+    }
+    assert_eq!(read(0, "0.6"), Err("must be 0.5 or less; you wrote 0.6".to_owned()));
+    assert_eq!(read(0, "60"), Err("must be 50 % or less; you wrote 60".to_owned()));
+    assert_eq!(read(0, "0"), Err("must be above zero; you wrote 0".to_owned()));
+    assert_eq!(read(1, "5"), Ok(0.05));
+    let why = read(1, "0.05").unwrap_err();
+    assert!(why.contains("write `5 %` or `0.05 %`"), "{why}");
+}

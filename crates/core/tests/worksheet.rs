@@ -22,7 +22,14 @@ struct Bench<'s> {
 
 /// An input of that symbol in that unit.
 fn input(symbol: &'static str, unit: &'static str) -> InputNumber<'static> {
-    let measure = Measure { unit, kind: None, min: FieldLimit::None, max: FieldLimit::None, others: &[] };
+    let measure = Measure {
+        unit,
+        kind: None,
+        min: FieldLimit::None,
+        max: FieldLimit::None,
+        others: &[],
+        fraction: false,
+    };
     let field = Field {
         name: symbol,
         label: "",

@@ -282,7 +282,7 @@ impl Arguments {
                     Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => found.texts.push(text.value()),
                     Expr::Path(path) if path.path.get_ident().is_some() => {
                         let word = path.path.require_ident()?.to_string();
-                        let known = ["positive", "nonnegative", "planar", "table", "flatten"];
+                        let known = ["positive", "nonnegative", "fraction", "planar", "table", "flatten"];
                         if !known.contains(&word.as_str()) {
                             return Err(Error::new_spanned(
                                 &argument,
@@ -414,8 +414,9 @@ impl Arguments {
         };
         let min = limit("min", "above", Some(("positive", "nonnegative")));
         let max = limit("max", "below", None);
+        let fraction = self.has("fraction");
         Ok(code! {
-            dalembert_core::Measure { unit: #unit, kind: #kind, min: #min, max: #max, others: &[#(#others),*] }
+            dalembert_core::Measure { unit: #unit, kind: #kind, min: #min, max: #max, others: &[#(#others),*], fraction: #fraction }
         })
     }
 }

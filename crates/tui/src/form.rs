@@ -713,6 +713,7 @@ mod tests {
             min: FieldLimit::None,
             max: FieldLimit::None,
             others: &[],
+            fraction: false,
         })
     }
 

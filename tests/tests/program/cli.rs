@@ -651,6 +651,7 @@ fn every_kind_of_field_refuses_nonsense() {
         min: FieldLimit::Excluding(0.0),
         max: FieldLimit::None,
         others: &[],
+        fraction: false,
     };
     let any: &[&str] = &[];
     // What a text may be: anything that is one visible line.

@@ -120,6 +120,7 @@ mod tests {
             min: FieldLimit::None,
             max: FieldLimit::None,
             others: &[],
+            fraction: false,
         });
         let mut shown = "1000.0 rpm".to_owned();
         let mut seen = Vec::new();
@@ -138,8 +139,14 @@ mod tests {
 
     #[test]
     fn a_number_alone_takes_the_unit_that_is_there_whatever_it_is() {
-        let measure =
-            |unit| Measure { unit, kind: None, min: FieldLimit::None, max: FieldLimit::None, others: &[] };
+        let measure = |unit| Measure {
+            unit,
+            kind: None,
+            min: FieldLimit::None,
+            max: FieldLimit::None,
+            others: &[],
+            fraction: false,
+        };
         for known in dalembert_units::spellings() {
             let Ok(unit) = units::unit(known.symbols[0]) else { continue };
             if unit.sense == dalembert_units::UnitMeaning::Level {
@@ -166,6 +173,7 @@ mod tests {
             min: FieldLimit::Excluding(0.0),
             max: FieldLimit::None,
             others: &[],
+            fraction: false,
         };
         let (length, vector) = (Shape::Quantity(measure), Shape::Vector(measure, 3));
         let angle = Shape::Quantity(Measure { unit: "rad", ..measure });

@@ -26,7 +26,7 @@ pub struct FreeVibration {
     #[input("t", "s", nonnegative)]
     pub time: Option<f64>,
     /// Fraction of the maximum displacement taken as settled.
-    #[input("p", "%", positive, below = 100, default = "2 %")]
+    #[input("p", "%", positive, fraction, below = 100, default = "2 %")]
     pub settled: f64,
 }
 

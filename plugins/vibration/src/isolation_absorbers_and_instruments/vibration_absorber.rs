@@ -154,7 +154,7 @@ pub enum LinearAbsorber {
     /// Resonances kept away from the speed
     Separation {
         /// Minimum separation from the speed, as a fraction of it.
-        #[input("s", "%", positive, below = 100)]
+        #[input("s", "%", positive, fraction, below = 100)]
         separation: f64,
     },
     /// Resonances kept out of a range of speeds
@@ -199,7 +199,7 @@ pub enum TorsionalAbsorber {
     /// Resonances kept away from the speed
     Separation {
         /// Minimum separation from the speed, as a fraction of it.
-        #[input("s", "%", positive, below = 100)]
+        #[input("s", "%", positive, fraction, below = 100)]
         separation: f64,
     },
     /// Resonances kept out of a range of speeds

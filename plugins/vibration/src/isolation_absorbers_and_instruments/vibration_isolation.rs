@@ -95,7 +95,7 @@ pub enum Requirement {
     Isolation {
         /// Isolation.
         /// The fraction of the force or motion that is not transmitted: 85 % for a transmissibility of 0.15.
-        #[input("I_r", "%", positive, below = 100)]
+        #[input("I_r", "%", positive, fraction, below = 100)]
         isolation: f64,
     },
 }

@@ -134,7 +134,7 @@ pub enum FlywheelUnknown {
     Inertia {
         /// Coefficient of fluctuation of speed.
         /// Maximum minus minimum speed, divided by the mean; twice the value stated as ± of the mean.
-        #[input("C_s", "%", positive, max = 100)]
+        #[input("C_s", "%", positive, fraction, max = 100)]
         fluctuation: f64,
         /// Radius of gyration.
         /// Used to find the mass of the flywheel.

@@ -24,7 +24,7 @@ pub struct RackPress {
     #[input("i", "1", positive, default = "1")]
     pub reduction: f64,
     /// Efficiency.
-    #[input("η", "%", positive, max = 100, default = "100 %")]
+    #[input("η", "%", positive, fraction, max = 100, default = "100 %")]
     pub efficiency: f64,
     /// Sought.
     pub sought: RackPressUnknown,

@@ -35,7 +35,7 @@ pub enum Waveform {
     /// One for a fraction of the period, zero for the rest.
     Pulse {
         /// Fraction of the period.
-        #[input("d", "%", positive, below = 100)]
+        #[input("d", "%", positive, fraction, below = 100)]
         share: f64,
     },
     /// Table
