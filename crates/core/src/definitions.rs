@@ -1,13 +1,15 @@
 //! Definitions, formulas of inputs, questions of the user's own, unknowns, configurations and links: what every problem has
 //! beside its inputs.
 //!
-//! A definition is a named quantity, `nu = 0.3` or `G = E/(2*(1+nu))`. An input takes a formula over definitions and
-//! other inputs, and over the answers of problems that are linked. A question is a formula over definitions, inputs,
+//! A definition is a named quantity, `nu = 0.3` or `G = E/(2*(1+nu))`; one that no input of its problem rests on may be
+//! over answers. An input takes a formula over definitions and other inputs, and over the answers of problems that are
+//! linked. A question is a formula over definitions, inputs,
 //! answers and steps, and is an answer like any other. An input may be unknown, `?`, where an answer is given in its place.
 //! A configuration is the same problem with some inputs changed. They are read into a [`Plan`], which every reading of
 //! the problem follows: the worked one records each formula as a step, the plain one does the same operations in the same
 //! order.
 
+mod cells;
 mod configurations;
 mod fields;
 mod names;
@@ -48,6 +50,7 @@ use crate::{
     Determined, FieldError, Measure, Number, Plain, Record, Stop, Symbol, Text, Value,
     formula::{Formula, FormulaError, Operand, evaluate, missing, nearest_names, unit_of},
     intern::intern,
+    table::{self, HeadingWords},
 };
 
 /// The formulas of a problem, in an order in which each rests on earlier ones.
@@ -60,6 +63,8 @@ pub(crate) struct Plan {
     /// The parts of the inputs that configurations replace.
     replacements: Vec<Replacement>,
     order: Vec<Place>,
+    /// Definitions that inputs of their own problem rest on, by their places: they take no answers of it.
+    before_solution: BTreeSet<usize>,
     /// Definitions, inputs and questions that rest on the solution of a problem: they have no value before.
     after_solution: BTreeSet<Place>,
     /// Definitions and inputs whose formula has its unit.
@@ -106,6 +111,8 @@ struct PlannedInput {
     unit: Unit,
     value: Number,
     formula: Option<Formula>,
+    /// True of a cell of a table.
+    is_cell: bool,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -126,10 +133,28 @@ pub(crate) struct Pending {
     pub(crate) text: String,
     /// Reason for which it is no quantity.
     pub(crate) error: FieldError,
+    /// The cell of a table that it stands in.
+    pub(crate) cell: Option<PendingCell>,
+}
+
+/// A cell of a table with a text that may be a formula.
+pub(crate) struct PendingCell {
+    /// Number of its line, from 1.
+    pub(crate) line: usize,
+    /// Place of its row and of its column, counted from 0.
+    pub(crate) row: usize,
+    pub(crate) column: usize,
+    /// Unit of its column.
+    pub(crate) unit: Unit,
 }
 
 /// Reads definitions, formulas and questions, and writes the values of the inputs that have a formula into the record.
-pub(crate) fn plan(record: &mut Record, pending: Vec<Pending>, errors: &mut Vec<FieldError>) {
+pub(crate) fn plan(
+    record: &mut Record,
+    pending: Vec<Pending>,
+    headings: &[(String, HeadingWords)],
+    errors: &mut Vec<FieldError>,
+) {
     let scopes = scope::scopes(record);
     let is_empty = COMMON_LISTS.iter().all(|list| rows(record, list).is_empty());
     if pending.is_empty() && is_empty && scopes.len() == 1 {
@@ -143,9 +168,10 @@ pub(crate) fn plan(record: &mut Record, pending: Vec<Pending>, errors: &mut Vec<
         }
     }
     let Reader { names, errors: mut wrong } = reader;
+    wrong.extend(headings.iter().filter_map(|(path, heading)| names.in_heading(path, heading)));
     for pending in pending {
         if let Err(error) = found.take(pending, &names, record) {
-            wrong.push(error);
+            table::add_fault(&mut wrong, error);
         }
     }
     found.names = Arc::new(names);
@@ -188,7 +214,10 @@ impl Plan {
     /// Takes the text of an input for a formula or an unknown. Only what names something that is there, or calls a
     /// function, is taken for a formula; any other text keeps its own error.
     fn take(&mut self, pending: Pending, names: &Names, record: &mut Record) -> Result<(), FieldError> {
-        let Pending { path, text, error } = pending;
+        if pending.cell.is_some() {
+            return self.take_cell(pending, names, record);
+        }
+        let Pending { path, text, error, .. } = pending;
         let Some(mut input) = names.input(&path) else { return Err(error) };
         if let Some((measure, len)) = names::vector_at(record, &path).filter(|_| has_unknown(&text)) {
             let (unknowns, vector) =
@@ -428,7 +457,7 @@ impl Plan {
                     answer(&named).map(|(si, dim)| Operand::Number(si, dim))
                 }
                 Some(named) => self.place(&named).map(|place| self.operand(place)),
-                None => return self.before_solution(place, name).map_or(Ok(None), Err),
+                None => return self.is_too_early(place, name).map_or(Ok(None), Err),
             })
         };
         let known = |name: &str| self.names.known(self.scope_of_formula(place), name);
@@ -448,9 +477,9 @@ impl Plan {
         self.take_value(place, value, unit)
     }
 
-    /// The refusal of a name in the formula of a definition or an input that is neither an input, a definition, nor a
-    /// unit, nor nearly one: it may be that of an answer.
-    fn before_solution(&self, place: Place, name: &str) -> Option<Text> {
+    /// The refusal of a name in the formula of an input, or of a definition that it rests on, that is neither an input, a
+    /// definition, nor a unit, nor nearly one: it may be that of an answer.
+    fn is_too_early(&self, place: Place, name: &str) -> Option<Text> {
         let whole =
             name.rsplit_once(['.', '_']).filter(|(_, axis)| AXES.contains(axis)).map(|(whole, _)| whole);
         let is_there = |name: &str| self.find(place, name).is_some() || units::unit(name).is_ok();
@@ -460,7 +489,7 @@ impl Plan {
             return None;
         }
         let why = Text::new(
-            "there is no `{name}` here: definitions and inputs take inputs and other definitions; a formula over answers is a question, under [ask]",
+            "`{name}` is neither an input nor a definition, and no answer of this problem is known before its inputs; to find an input from an answer, write ? in it and the answer under [given]",
         );
         Some(why.with("name", name))
     }

@@ -11,10 +11,11 @@ use dalembert_units::{self as units, Style};
 
 use crate::{
     Field, FieldError, Measure, Record, Shape, Text, Value,
-    definitions::{self, AXES, Pending, has_unknown, is_unknown},
+    definitions::{self, AXES, Pending, PendingCell, has_unknown, is_unknown},
     gravity, kinds,
     path::{Segment, segments, step, unknown},
-    reading, table,
+    reading,
+    table::{self, CellFormula, HeadingWords},
 };
 
 /// The longest text of one line that is read, in bytes.
@@ -110,8 +111,8 @@ impl Draft {
         let Value::Group(mut record) = read(&filled, shape, "", &mut faults) else {
             return Err(vec![FieldError::new("", "a group of inputs is needed")]);
         };
-        let Faults { mut errors, pending } = faults;
-        definitions::plan(&mut record, pending, &mut errors);
+        let Faults { mut errors, pending, headings } = faults;
+        definitions::plan(&mut record, pending, &headings, &mut errors);
         read_references(&mut record, "", &mut errors);
         if errors.is_empty() { Ok(record) } else { Err(errors) }
     }
@@ -220,7 +221,9 @@ pub(crate) fn read_part(draft: &Draft, shape: &Shape, path: &str) -> (Value, Vec
 pub fn read_leaf(text: &str, shape: &Shape, path: &str) -> Result<Value, Vec<FieldError>> {
     let mut faults = Faults::default();
     let value = leaf(text, shape, path, &mut faults);
-    faults.errors.extend(faults.pending.into_iter().map(|pending| pending.error));
+    for pending in faults.pending {
+        table::add_fault(&mut faults.errors, pending.error);
+    }
     if faults.errors.is_empty() { Ok(value) } else { Err(faults.errors) }
 }
 
@@ -367,6 +370,8 @@ fn of_value(value: &Value) -> Draft {
 struct Faults {
     errors: Vec<FieldError>,
     pending: Vec<Pending>,
+    /// The headings of tables that may be rows of names, each with the path of its table.
+    headings: Vec<(String, HeadingWords)>,
 }
 
 fn read(draft: &Draft, shape: &Shape, path: &str, faults: &mut Faults) -> Value {
@@ -477,7 +482,12 @@ fn leaf(text: &str, shape: &Shape, path: &str, faults: &mut Faults) -> Value {
                         return fail(why, err.span());
                     }
                     let error = FieldError { path: path.into(), why, span: err.span() };
-                    faults.pending.push(Pending { path: path.into(), text: text.to_owned(), error });
+                    faults.pending.push(Pending {
+                        path: path.into(),
+                        text: text.to_owned(),
+                        error,
+                        cell: None,
+                    });
                     // The value follows, if it is a formula.
                     let unit = one.own_unit();
                     Value::Quantity(units::Quantity { si: f64::NAN, unit, last_place: 0.0 })
@@ -488,7 +498,12 @@ fn leaf(text: &str, shape: &Shape, path: &str, faults: &mut Faults) -> Value {
             match definitions::read_vector(text, path, *measure, *len) {
                 Ok((_, vector)) => {
                     let error = FieldError::new(path, "only an input of a problem can be unknown");
-                    faults.pending.push(Pending { path: path.into(), text: text.to_owned(), error });
+                    faults.pending.push(Pending {
+                        path: path.into(),
+                        text: text.to_owned(),
+                        error,
+                        cell: None,
+                    });
                     Value::Vector(vector)
                 }
                 Err(why) => fail(why, None),
@@ -499,7 +514,12 @@ fn leaf(text: &str, shape: &Shape, path: &str, faults: &mut Faults) -> Value {
                 Ok(vector) => Value::Vector(vector),
                 Err(err) if text.chars().any(char::is_alphabetic) => {
                     let error = FieldError { path: path.into(), why: reading::text(&err), span: err.span() };
-                    faults.pending.push(Pending { path: path.into(), text: text.to_owned(), error });
+                    faults.pending.push(Pending {
+                        path: path.into(),
+                        text: text.to_owned(),
+                        error,
+                        cell: None,
+                    });
                     // The components follow, if it is a formula.
                     let unit = measure.own_unit();
                     Value::Vector(units::VectorQuantity {
@@ -531,15 +551,18 @@ fn leaf(text: &str, shape: &Shape, path: &str, faults: &mut Faults) -> Value {
             fail("the name of a row is needed here".into(), None)
         }
         Shape::Reference(_) => Value::Reference { name: text.trim().to_owned(), row: usize::MAX },
-        Shape::Table(columns) => match table::read(text, columns()) {
-            Ok(table) => Value::Table(table),
-            Err(faults) => {
-                for why in faults {
-                    fail(why, None);
-                }
-                Value::Absent
+        Shape::Table(columns) => {
+            let read = table::read(text, columns());
+            faults.errors.extend(read.faults.into_iter().map(|why| FieldError::new(path, why)));
+            for CellFormula { row, column, line, text, why } in read.formulas {
+                let error = FieldError::new(path, table::of_line(line, why));
+                let cell = PendingCell { line, row, column, unit: read.table.units[column].clone() };
+                let path = format!("{path}[{}].{}", row + 1, columns()[column].name);
+                faults.pending.push(Pending { path, text, error, cell: Some(cell) });
             }
-        },
+            faults.headings.extend(read.words.map(|words| (path.to_owned(), words)));
+            Value::Table(read.table)
+        }
         Shape::Optional(inner) => leaf(text, inner(), path, faults),
         Shape::OneOf(_) | Shape::Group(_) | Shape::Rows { .. } => fail("is missing".into(), None),
     }

@@ -11,12 +11,45 @@ use std::borrow::Cow;
 use dalembert_units::{self as units, Dim, Kind, Style, Unit};
 
 use self::heading::Heading;
-use crate::{Field, Shape, Text, reading, record::NumberTable, uff};
+use crate::{Field, FieldError, Shape, Text, reading, record::NumberTable, uff};
 
 /// The longest table that is read, in bytes.
 const LONGEST_TABLE: usize = 256 << 20;
 /// The most faults that are listed.
 const MOST_FAULTS: usize = 20;
+/// What is written behind them.
+const MORE_FAULTS: &str = "there are more faults; these are the first";
+/// The most cells that may be formulas.
+const MOST_FORMULAS: usize = 1000;
+
+/// A table as it was read; its formulas have no value yet.
+pub(crate) struct ReadTable {
+    pub(crate) table: NumberTable,
+    pub(crate) formulas: Vec<CellFormula>,
+    /// The last heading without a unit, which may as well be a row of names.
+    pub(crate) words: Option<HeadingWords>,
+    /// What is wrong with each line.
+    pub(crate) faults: Vec<Text>,
+}
+
+/// A cell that is no number and may be a formula.
+pub(crate) struct CellFormula {
+    /// Place in the table, counted from 0.
+    pub(crate) row: usize,
+    pub(crate) column: usize,
+    /// Number of its line, from 1.
+    pub(crate) line: usize,
+    pub(crate) text: String,
+    /// Reason for which it is no number.
+    pub(crate) why: Text,
+}
+
+/// The words of a heading, one for each column.
+pub(crate) struct HeadingWords {
+    /// Number of its line, from 1.
+    pub(crate) line: usize,
+    pub(crate) cells: Vec<String>,
+}
 
 /// A heading with the names and units of columns: `time [s]; displacement [m]`.
 pub fn heading(columns: &'static [Field]) -> String {
@@ -61,8 +94,10 @@ fn headed(
     if uff::is_universal(text.as_bytes()) {
         return None;
     }
-    let table = read(text, columns).ok()?;
-    if !table.assumed.iter().zip(columns).any(|(assumed, column)| *assumed && asks(column)) {
+    let ReadTable { table, faults, .. } = read(text, columns);
+    if !faults.is_empty()
+        || !table.assumed.iter().zip(columns).any(|(assumed, column)| *assumed && asks(column))
+    {
         return None;
     }
     let one = |(column, (own, assumed)): (&Field, (&Unit, &bool))| {
@@ -81,17 +116,22 @@ fn headed(
     Some((lines.join("\n"), units.join(", ")))
 }
 
-/// Reads a table, or says what is wrong with each line.
-pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<NumberTable, Vec<Text>> {
+/// Reads a table.
+pub(crate) fn read(text: &str, columns: &'static [Field]) -> ReadTable {
+    let refused = |why: Text| {
+        let table = NumberTable::new(columns.iter().map(own_unit).collect());
+        ReadTable { table, formulas: Vec::new(), words: None, faults: vec![why] }
+    };
     if text.len() > LONGEST_TABLE {
         let why = Text::new("this table has {have} bytes; at most {most} are read");
-        return Err(vec![why.with("have", text.len()).with("most", LONGEST_TABLE)]);
+        return refused(why.with("have", text.len()).with("most", LONGEST_TABLE));
     }
     if uff::is_universal(text.as_bytes()) {
-        return uff::text_table(text, columns).map_err(|why| vec![why]).and_then(|text| read(&text, columns));
+        return uff::text_table(text, columns).map_or_else(refused, |text| read(&text, columns));
     }
     let mut table = NumberTable::new(columns.iter().map(own_unit).collect());
     let mut row = Vec::with_capacity(columns.len());
+    let (mut formulas, mut words_of_heading) = (Vec::new(), None);
     let mut faults = Vec::new();
     let mut miscounts: Vec<Miscount> = Vec::new();
     let (mut headings, mut heading) = (Vec::new(), None);
@@ -123,30 +163,39 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<NumberTable,
         }
         if !headings.is_empty() {
             heading::read(&headings, separator, columns, &mut named, &mut faults);
-            heading = headings.drain(..).rfind(|heading| !heading.comment).map(|heading| heading.line);
+            let last = headings.drain(..).rfind(|heading| !heading.comment);
+            heading = last.map(|heading| heading.line);
+            words_of_heading = last.filter(|_| named.iter().all(Option::is_none)).map(|heading| {
+                let cells = separator.split(heading.text).into_iter().map(Cow::into_owned).collect();
+                HeadingWords { line: heading.line, cells }
+            });
             for (unit, named) in table.units.iter_mut().zip(&named) {
                 if let Some(named) = named {
                     unit.clone_from(named);
                 }
             }
         }
-        match read_row(&cells, columns, &table.units, &mut row) {
-            Ok(()) => {
-                for (((cell, si), named), assumed) in
-                    cells.iter().zip(&row).zip(&named).zip(&mut table.assumed)
-                {
-                    *assumed = *assumed || named.is_none() && *si != 0.0 && is_bare(cell);
+        row.clear();
+        let at = table.rows().len();
+        for (column, (text, field)) in cells.iter().zip(columns).enumerate() {
+            row.push(read_cell(text, field, &table.units[column]).unwrap_or_else(|why| {
+                if is_formula(text) && formulas.len() < MOST_FORMULAS {
+                    let text = units::with_point(text).into_owned();
+                    formulas.push(CellFormula { row: at, column, line: n + 1, text, why });
+                } else {
+                    faults.push(of_line(n + 1, why));
                 }
-                table.push(&row);
-                settled = Some(separator);
-            }
-            Err(why) => {
-                faults.push(Text::new("line {line}: {why}").with("line", n + 1).with_text("why", why));
-            }
+                f64::NAN
+            }));
         }
+        for (((cell, si), named), assumed) in cells.iter().zip(&row).zip(&named).zip(&mut table.assumed) {
+            *assumed = *assumed || named.is_none() && *si != 0.0 && is_bare(cell);
+        }
+        table.push(&row);
+        settled = Some(separator);
         if faults.len() >= MOST_FAULTS {
-            faults.push("there are more faults; these are the first".into());
-            return Err(faults);
+            faults.push(MORE_FAULTS.into());
+            return ReadTable { table, formulas, words: words_of_heading, faults };
         }
     }
     faults.extend(miscounts.iter().take(MOST_FAULTS).map(|miscount| miscount.text(columns)));
@@ -165,7 +214,21 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<NumberTable,
         };
         faults.push(why.with_text("columns", headings_of(columns)));
     }
-    if faults.is_empty() { Ok(table) } else { Err(faults) }
+    ReadTable { table, formulas, words: words_of_heading, faults }
+}
+
+/// Adds an error of a field to others; of the same field, only the first ones are listed.
+pub(crate) fn add_fault(errors: &mut Vec<FieldError>, error: FieldError) {
+    match errors.iter().filter(|other| other.path == error.path).count() {
+        0..MOST_FAULTS => errors.push(error),
+        MOST_FAULTS => errors.push(FieldError::new(error.path, MORE_FAULTS)),
+        _ => {}
+    }
+}
+
+/// The reason of a line.
+pub(crate) fn of_line(line: usize, why: Text) -> Text {
+    Text::new("line {line}: {why}").with("line", line).with_text("why", why)
 }
 
 /// The text that gives a table again: a heading with the units, then the rows.
@@ -356,28 +419,20 @@ fn is_bare(cell: &str) -> bool {
     units::read_quantity(cell, &Unit::ONE, Kind::Other).is_ok_and(|number| number.unit.text.is_empty())
 }
 
-/// Reads the cells of a row into `row`.
-fn read_row(
-    cells: &[Cow<'_, str>],
-    columns: &'static [Field],
-    found: &[Unit],
-    row: &mut Vec<f64>,
-) -> Result<(), Text> {
-    let cell = |((text, column), unit): ((&Cow<'_, str>, &Field), &Unit)| {
-        if let Some(number) = plain_number(text) {
-            return Ok(unit.si(number));
-        }
-        let kind = measure(column).map_or(Kind::Other, |measure| measure.of(unit).kind());
-        // The separator of its columns tells that the comma of a table is a decimal one.
-        units::read_quantity(&units::with_point(text), unit, kind)
-            .map(|quantity| quantity.si)
-            .map_err(|err| reading::text(&err))
-    };
-    row.clear();
-    for each in cells.iter().zip(columns).zip(found) {
-        row.push(cell(each)?);
+/// Returns true if a cell that is no number may be a formula: it has a letter, a bracket or an operator.
+fn is_formula(cell: &str) -> bool {
+    cell.contains(|c: char| c.is_alphabetic() || "*/^()√".contains(c))
+}
+
+/// Reads a cell, in SI. `unit` is that of its column.
+fn read_cell(text: &str, column: &Field, unit: &Unit) -> Result<f64, Text> {
+    if let Some(number) = plain_number(text) {
+        return Ok(unit.si(number));
     }
-    Ok(())
+    let kind = measure(column).map_or(Kind::Other, |measure| measure.of(unit).kind());
+    // The separator of its columns tells that the comma of a table is a decimal one.
+    let read = units::read_quantity(&units::with_point(text), unit, kind);
+    read.map(|quantity| quantity.si).map_err(|err| reading::text(&err))
 }
 
 /// A number of digits, a point and an exponent, as instruments write them; anything else is left to the reader of

@@ -152,7 +152,8 @@ pub(crate) fn found(draft: &Draft, shape: &Shape, forces: bool) -> Option<UnitSy
             _ if is_zero => {}
             Shape::Table(columns) => {
                 let head = text.lines().take(TABLE_LINES).collect::<Vec<_>>().join("\n");
-                units.extend(table::read(&head, columns()).map(|table| table.units).unwrap_or_default());
+                let read = table::read(&head, columns());
+                units.extend(read.faults.is_empty().then_some(read.table.units).unwrap_or_default());
             }
             Shape::Quantity(measure) => {
                 units.extend(gravity::unit_of(text, &Shape::Quantity(measure.meant(text))));

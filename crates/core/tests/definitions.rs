@@ -206,6 +206,41 @@ fn the_plain_reading_gives_the_numbers_of_the_worked_one() {
 }
 
 #[test]
+fn a_definition_that_no_input_rests_on_may_be_over_answers() {
+    let definitions =
+        "bolt = \"12 g\"\nhalf = \"natural_frequency/2\"\nv_max = \"half*amplitude*shape[2]/0.5\"\n";
+    let text = FILE.replace("bolt = \"12 g\"\n", definitions).replace("\"G\"", "\"m*v_max^2/2\"");
+    let solution = solved(&text);
+    let energy = 40.0 * (50.0 * si(&solution, "amplitude")).powi(2) / 2.0;
+    assert!((si(&solution, "shear_modulus") / energy - 1.0).abs() < 1e-14);
+    assert_eq!(written(&solution, "half"), "half = ω_n / 2 = 100 rad/s / 2 = 50 rad/s");
+    // Swept, the definition follows the answer.
+    let problem = file::parse(&text).expect("the file can be read");
+    let record = problem.draft.read(&problem.entry.shape()).expect("the inputs can be read");
+    for wanted in [&["amplitude"][..], &["amplitude", "shear_modulus"]] {
+        let mut evaluate = problem.entry.prepare(&record, &["mass"], wanted).expect("it can be varied");
+        let mut found = vec![0.0; wanted.len()];
+        evaluate.sweep(&[35.0], &mut found, &Stop::new()).expect("nobody stops it");
+        let changed = vary::changed(&record, "mass", 35.0).expect("it is an input");
+        let worked = problem.entry.solve(&changed, &Stop::new()).expect("it has an answer");
+        for (name, found) in wanted.iter().zip_eq(found) {
+            assert_eq!(found.to_bits(), si(&worked, name).to_bits(), "{name}");
+        }
+    }
+    let refused = |from: &str, to: &str| {
+        let problem = file::parse(&text.replace(from, to)).expect("the file can be read");
+        match problem.draft.read(&problem.entry.shape()) {
+            Err(errors) => errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "),
+            Ok(record) => problem.entry.solve(&record, &Stop::new()).expect_err("it is wrong").to_string(),
+        }
+    };
+    let early = refused("speed = \"1500 rpm\"", "speed = \"2*half\"");
+    assert!(early.contains("`natural_frequency` is neither an input nor a definition"), "{early}");
+    let wrong = refused("\"natural_frequency/2\"", "\"natural_freqency/2\"");
+    assert!(wrong.contains("let[5].formula: there is no `natural_freqency` here; did you mean"), "{wrong}");
+}
+
+#[test]
 fn a_file_is_written_as_it_was_read() {
     let problem = file::parse(FILE).expect("the file can be read");
     assert_eq!(file::write(&problem, FILE), FILE);
@@ -259,6 +294,8 @@ fn what_is_wrong_is_named_with_its_repair() {
         ("2*X\"       #", "cos(X)\"       #", "cos is of a number without a unit"),
         ("2*X\"       #", "sine(X)\"       #", "did you mean `sin`?"),
         ("2*X\"       #", "(2*X\"       #", "a closing bracket expected"),
+        ("maximum(shape)", "shape[4]", "`shape` has 3 elements, counted from 1"),
+        ("maximum(shape)", "shape[3] - 0.25", ""),
         ("\"G\"", "\"1/(r - r)\"", "divides by zero"),
         ("unit = \"W\"", "unit = \"kg\"", "which kg does not measure"),
         ("unit = \"W\"", "units = \"kg\"", "did you mean `unit`?"),

@@ -162,6 +162,7 @@ impl Reader {
             unit,
             value: Number::Scalar(si),
             formula: Some(formula),
+            is_cell: false,
         }))
     }
 
@@ -214,6 +215,8 @@ impl Reader {
                 found.push((inner, field.label, symbol, measure, unit.clone(), value));
             }
         });
+        let in_cells = pending.iter().filter(|pending| pending.cell.is_some());
+        self.errors.extend(in_cells.map(|pending| error_of(pending.error.clone())));
         let configuration = &self.names.scopes[at];
         let name = of.inside(configuration.name).unwrap_or(configuration.name);
         let mut inputs = Vec::new();
@@ -248,6 +251,7 @@ impl Reader {
                 unit,
                 value,
                 formula,
+                is_cell: false,
             });
         }
         for input in inputs {

@@ -80,6 +80,7 @@ impl Names {
                     unit: unit.clone(),
                     value,
                     formula: None,
+                    is_cell: false,
                 });
             });
             let names = rows(own, "let").iter();
@@ -95,6 +96,11 @@ impl Names {
     pub(super) fn add(&mut self, input: PlannedInput) {
         self.symbols.push(symbol_of(&input));
         self.inputs.push(input);
+    }
+
+    /// Returns true if a scope is that of an analysis: that of a file of linked problems is not.
+    pub(super) fn has_analysis(&self, scope: usize) -> bool {
+        scope != TOP || self.scopes.iter().all(|scope| scope.problem == TOP)
     }
 
     /// Returns true if a word in a formula of a scope is a name.
@@ -220,6 +226,18 @@ impl Names {
         known
     }
 
+    /// Returns true if a word is the name of a definition that formulas of a scope can use.
+    pub(super) fn is_definition(&self, scope: usize, name: &str) -> bool {
+        matches!(self.local(scope, name), Some(Named::Definition(_)))
+    }
+
+    /// The problem that the path of an input is of.
+    pub(super) fn scope_of_input(&self, path: &str) -> usize {
+        let scopes = self.scopes.iter().enumerate();
+        let of = scopes.filter(|(at, scope)| scope.problem == *at && scope.inside(path).is_some());
+        of.max_by_key(|(_, scope)| scope.name.len()).map_or(TOP, |(at, _)| at)
+    }
+
     /// Returns true if a word is the name of a problem or a configuration.
     pub(super) fn is_scope_name(&self, scope: usize, name: &str) -> bool {
         let full = self.scopes[scope].outside(name);
@@ -338,7 +356,7 @@ pub(super) fn value(record: &mut Record, path: &str) -> Option<Value> {
     at(record, path).map(|(value, _)| value.clone())
 }
 
-/// Puts another value at a path, a row more behind the last one, or a number into a cell of a table.
+/// Puts another value at a path, or a row more behind the last one.
 pub(super) fn replace(record: &mut Record, path: &str, new: Value) {
     let Ok(segments) = segments(path) else { return };
     if let Some(Segment::Row(row)) = segments.last()
@@ -348,23 +366,22 @@ pub(super) fn replace(record: &mut Record, path: &str, new: Value) {
         rows.push(new);
         return;
     }
+    write(record, path, new);
+}
+
+/// Writes a value at a path, or a number into a cell of a table.
+pub(super) fn write(record: &mut Record, path: &str, value: Value) {
+    let Ok(segments) = segments(path) else { return };
     match record.place_mut(&segments) {
-        Some((place, _, [])) => *place = new,
+        Some((place, _, [])) => *place = value,
         Some((Value::Table(table), Shape::Table(columns), [Segment::Row(row), Segment::Name(name)])) => {
             let column = columns().iter().position(|column| column.name == *name);
             let cell = column.and_then(|column| table.rows_mut().nth(*row)?.get_mut(column));
-            if let (Some(cell), Value::Quantity(quantity)) = (cell, new) {
+            if let (Some(cell), Value::Quantity(quantity)) = (cell, value) {
                 *cell = quantity.si;
             }
         }
         _ => {}
-    }
-}
-
-/// Writes a value at a path.
-pub(super) fn write(record: &mut Record, path: &str, value: Value) {
-    if let Some((place, _)) = at(record, path) {
-        *place = value;
     }
 }
 

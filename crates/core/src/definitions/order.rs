@@ -5,6 +5,8 @@ use std::{
     sync::Arc,
 };
 
+use dalembert_units as units;
+
 use super::{
     Plan,
     names::{Named, Place},
@@ -36,6 +38,7 @@ impl Plan {
 
     /// Finds the order of evaluation.
     pub(super) fn arrange(&mut self) -> Result<(), FieldError> {
+        self.before_solution = self.before_solution();
         self.meanings = Arc::new(self.meanings());
         let (mut order, mut open, mut begun) = (Vec::new(), Vec::new(), BTreeSet::new());
         let scopes = &self.names.scopes;
@@ -147,8 +150,32 @@ impl Plan {
         known.map_or_else(|| self.looked_up(place, name), |(_, named)| named.clone())
     }
 
+    /// A word in a definition that is nothing before the solution, nor a unit, is an answer, unless an input needs it.
     fn looked_up(&self, place: Place, name: &str) -> Option<Named> {
-        self.names.find(self.scope_of_formula(place), name)
+        let scope = self.scope_of_formula(place);
+        self.names.find(scope, name).or_else(|| {
+            let is_later = matches!(place, Place::Definition(at) if !self.before_solution.contains(&at));
+            (is_later && self.names.has_analysis(scope) && units::unit(name).is_err())
+                .then(|| Named::Answer(scope, name.to_owned()))
+        })
+    }
+
+    /// The definitions that inputs of their own problem rest on.
+    fn before_solution(&self) -> BTreeSet<usize> {
+        let mut found = BTreeSet::new();
+        let mut open: Vec<Place> = (0..self.inputs.len()).map(Place::Input).collect();
+        while let Some(place) = open.pop() {
+            let scope = self.scope_of_formula(place);
+            for (name, _) in self.formula_of(place).map(Formula::names).unwrap_or_default() {
+                if let Some(Named::Definition(at)) = self.names.find(scope, name)
+                    && [scope, TOP].contains(&self.definitions[at].scope)
+                    && found.insert(at)
+                {
+                    open.push(Place::Definition(at));
+                }
+            }
+        }
+        found
     }
 
     /// Meanings of the names in each formula, so that a formula that is evaluated again does not look them up.

@@ -1,6 +1,9 @@
 //! The plain reading of a problem with definitions, formulas, questions, configurations and links.
 
-use std::{collections::BTreeMap, sync::Arc};
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::Arc,
+};
 
 use dalembert_units::Dim;
 
@@ -12,7 +15,7 @@ use super::{
 };
 use crate::{
     Answer, Entry, Evaluate, FieldError, Number, Plain, Record, Refusal, Solution, SolveError, Stop, Text,
-    formula::{Operand, evaluate, normalised},
+    formula::{Formula, Operand, evaluate, normalised},
     gravity, printer, vary,
 };
 
@@ -42,7 +45,8 @@ struct Readings {
     solutions: Vec<PlainSolution>,
     /// Values of the questions, and which of them are needed.
     questions: Vec<Option<(f64, Dim)>>,
-    needed_questions: Vec<bool>,
+    /// The questions, and the inputs and definitions over answers, that are needed.
+    needed: BTreeSet<Place>,
     wanted: Vec<Source>,
 }
 
@@ -108,9 +112,9 @@ pub(crate) fn prepare(
         readings: None,
     };
     let is_asked = |name: &&str| plan.question(name).is_some();
-    let is_plain =
-        plan.after_solution.iter().all(|place| matches!(place, Place::Question(_) | Place::Solution(_)));
-    if plan.search().is_none() && is_plain && !wanted.iter().any(is_asked) {
+    let is_plain = !plan.after_solution.iter().any(|place| matches!(place, Place::Input(_)));
+    let is_prepared = plan.search().is_none() && !plan.changes_cells(vary);
+    if is_prepared && is_plain && !wanted.iter().any(is_asked) {
         let has_no_formula = plan.inputs.iter().all(|input| input.formula.is_none());
         if plan.names.scopes.len() == 1
             && has_no_formula
@@ -133,7 +137,7 @@ pub(crate) fn prepare(
             return Err(unknown(name, "is not a number among the answers"));
         }
     }
-    if plan.search().is_none() {
+    if is_prepared {
         planned.readings = Readings::of_solution(plan, vary, wanted, record, &solution);
         // What is read plainly is what is worked out, to the last bit; else the working is read.
         let found = planned.first();
@@ -152,10 +156,10 @@ impl Readings {
         let levers: Vec<String> = plan.levers().map(|(name, ..)| name).collect();
         let varied = vary.iter().filter(|path| !levers.iter().any(|lever| lever == *path));
         let varied: Vec<String> = varied.flat_map(|path| gravity::shared(record, path)).collect();
-        let with_formula = plan.inputs.iter().filter(|input| input.formula.is_some());
+        let with_formula = plan.inputs.iter().filter(|input| input.formula.is_some() && !input.is_cell);
         for (at, solution) in solutions.iter_mut().enumerate() {
             let problem = scopes[at].problem;
-            let own = varied.iter().filter(|path| plan.problem_of(path) == problem);
+            let own = varied.iter().filter(|path| plan.names.scope_of_input(path) == problem);
             // What a configuration replaces does not change with the inputs that it replaces.
             let is_there = |inner: &&str| at == problem || !plan.names.is_replaced(at, inner);
             let own = own.filter_map(|path| scopes[problem].inside(path)).filter(is_there);
@@ -172,11 +176,10 @@ impl Readings {
             }
             solution.inputs = inputs;
         }
-        let questions = plan.questions.len();
         Self {
             solutions,
-            questions: vec![None; questions],
-            needed_questions: vec![false; questions],
+            questions: vec![None; plan.questions.len()],
+            needed: BTreeSet::new(),
             wanted: Vec::new(),
         }
     }
@@ -209,7 +212,7 @@ impl Readings {
                 .position(|question| plan.names.scopes[question.scope].outside(&question.key) == *name);
             let source = match question {
                 Some(at) => {
-                    readings.need_question(plan, at, solution)?;
+                    readings.need(plan, Place::Question(at), solution)?;
                     Source::Question(at)
                 }
                 None => {
@@ -220,47 +223,42 @@ impl Readings {
             };
             readings.wanted.push(source);
         }
-        for place in &plan.after_solution {
-            // Questions are needed where they are wanted; a solution has no formula.
-            let Some(formula) = plan.formula_of(*place).filter(|_| !matches!(place, Place::Question(_)))
-            else {
-                continue;
-            };
-            for (name, _) in formula.names() {
-                match plan.find(*place, name) {
-                    Some(Named::Answer(scope, name)) => {
-                        readings.need_answer(plan, scope, &name, solution)?;
-                    }
-                    Some(Named::Question(at)) => readings.need_question(plan, at, solution)?,
-                    _ => {}
-                }
-            }
+        // Inputs of problems that are linked rest on answers; questions and definitions are needed where they are named.
+        for place in plan.after_solution.iter().filter(|place| matches!(place, Place::Input(_))) {
+            readings.need(plan, *place, solution)?;
         }
         Some(readings)
     }
 
-    fn need_question(&mut self, plan: &Plan, at: usize, solution: &Solution) -> Option<()> {
-        if std::mem::replace(&mut self.needed_questions[at], true) {
+    /// Takes a question, an input or a definition over answers as needed, with all that it names.
+    fn need(&mut self, plan: &Plan, place: Place, solution: &Solution) -> Option<()> {
+        if !self.needed.insert(place) {
             return Some(());
         }
-        let question = &plan.questions[at];
-        for (name, _) in question.formula.names() {
-            match plan.names.find(question.scope, name) {
+        let scope = plan.scope_of(place);
+        for (name, _) in plan.formula_of(place).map(Formula::names).unwrap_or_default() {
+            match plan.find(place, name) {
                 Some(Named::Answer(scope, name)) => {
                     self.need_answer(plan, scope, &name, solution)?;
                 }
-                Some(Named::Question(at)) => self.need_question(plan, at, solution)?,
+                Some(Named::Question(at)) => self.need(plan, Place::Question(at), solution)?,
+                Some(Named::Definition(at)) if plan.after_solution.contains(&Place::Definition(at)) => {
+                    self.need(plan, Place::Definition(at), solution)?;
+                }
                 Some(Named::Input(_) | Named::Definition(_)) => {}
-                None => match plan.names.question(question.scope, name).filter(|before| *before < at) {
-                    Some(before) => self.need_question(plan, before, solution)?,
-                    // A unit has no answer.
-                    None if dalembert_units::unit(name).is_ok() => {
-                        let _ = self.need_answer(plan, question.scope, name, solution);
+                None => {
+                    let Place::Question(at) = place else { continue };
+                    match plan.names.question(scope, name).filter(|before| *before < at) {
+                        Some(before) => self.need(plan, Place::Question(before), solution)?,
+                        // A unit has no answer.
+                        None if dalembert_units::unit(name).is_ok() => {
+                            let _ = self.need_answer(plan, scope, name, solution);
+                        }
+                        None => {
+                            self.need_answer(plan, scope, name, solution)?;
+                        }
                     }
-                    None => {
-                        self.need_answer(plan, question.scope, name, solution)?;
-                    }
-                },
+                }
             }
         }
         Some(())
@@ -315,6 +313,14 @@ impl PlannedInput {
 }
 
 impl Plan {
+    /// Returns true if cells of tables may change with these levers: an analysis is prepared with its tables as they are.
+    fn changes_cells(&self, vary: &[&str]) -> bool {
+        let mut cells = (0..self.inputs.len()).filter(|at| self.inputs[*at].is_cell).peekable();
+        let is_named = |path: &&str| self.lever(path).is_some() || self.planned_input(path).is_some();
+        cells.peek().is_some()
+            && (vary.iter().any(is_named) || cells.any(|at| self.after_solution.contains(&Place::Input(at))))
+    }
+
     /// The number at a path within the problem or the configuration of a scope.
     fn number_within(&self, scope: usize, inner: &str, record: &mut Record) -> Option<f64> {
         let problem = self.names.scopes[scope].problem;
@@ -330,13 +336,6 @@ impl Plan {
         changed
             .find_map(number)
             .or_else(|| vary::number(record, &self.names.scopes[problem].outside(inner)).copied())
-    }
-
-    /// The problem that a path of an input is of.
-    fn problem_of(&self, path: &str) -> usize {
-        let scopes = self.names.scopes.iter().enumerate();
-        let of = scopes.filter(|(at, scope)| scope.problem == *at && scope.inside(path).is_some());
-        of.max_by_key(|(_, scope)| scope.name.len()).map_or(0, |(at, _)| at)
     }
 
     /// The scope that an answer is of.
@@ -417,10 +416,10 @@ impl Readings {
         for n in 0..plan.order.len() {
             match plan.order[n] {
                 Place::Solution(scope) => self.solve(entry, plan, scope, record, stop)?,
-                Place::Question(at) if self.needed_questions[at] => {
+                place @ Place::Question(at) if self.needed.contains(&place) => {
                     self.questions[at] = Some(self.question(plan, at, record, &plain)?);
                 }
-                place @ (Place::Definition(_) | Place::Input(_)) if plan.after_solution.contains(&place) => {
+                place @ (Place::Definition(_) | Place::Input(_)) if self.needed.contains(&place) => {
                     let answer = |named: &Named| self.number(named);
                     plan.evaluate(place, &plain, &answer).map_err(|error| SolveError::Fields(vec![error]))?;
                     if let Place::Input(at) = place {

@@ -81,9 +81,9 @@ fn answer<'s>(working: &Working<'_, 's>, at: usize) -> Result<(), Text> {
     Ok(())
 }
 
-/// The names that a question of a scope can use: those of a formula, its answers and those of other problems, and the symbols
+/// The names that a formula of a scope can use behind its solution: those of a formula, its answers and those of other problems, and the symbols
 /// of its steps.
-fn known(working: &Working<'_, '_>, scope: usize, name: &str) -> Vec<String> {
+pub(super) fn known(working: &Working<'_, '_>, scope: usize, name: &str) -> Vec<String> {
     let (names, solution) = (&working.plan.names, working.sheet.solution());
     let of = &names.scopes[scope];
     let inside = |name: String| of.inside(&name).map(str::to_owned).unwrap_or(name);
@@ -168,6 +168,7 @@ pub(super) fn answered<'s>(
             let all = numbers.iter().map(|si| sheet.constant(*si, &unit)).collect();
             Ok(Some(Operand::List(all, unit.dim)))
         }
+        Some(Meaning::Element(si, unit)) => Ok(Some(Operand::Number(sheet.constant(si, &unit), unit.dim))),
         None => Ok(None),
     }
 }
@@ -183,7 +184,7 @@ pub(super) fn unit_at(working: &Working<'_, '_>, scope: usize, name: &str) -> Op
                 _ => None,
             }
         }
-        Meaning::List(_, unit) => Some(unit),
+        Meaning::List(_, unit) | Meaning::Element(_, unit) => Some(unit),
     }
 }
 
@@ -192,6 +193,8 @@ enum Meaning {
     Node(Id),
     /// Numbers in SI, and their unit.
     List(Vec<f64>, Unit),
+    /// One of them.
+    Element(f64, Unit),
 }
 
 fn meaning(working: &Working<'_, '_>, scope: usize, name: &str) -> Result<Option<Meaning>, Text> {
@@ -226,6 +229,18 @@ fn meaning(working: &Working<'_, '_>, scope: usize, name: &str) -> Result<Option
         if let Some(numbers) = numbers {
             return Ok(Some(Meaning::List(numbers, first.unit.clone())));
         }
+    }
+    if let Some((list, n)) = name.strip_suffix(']').and_then(|name| name.rsplit_once('['))
+        && let Some(answer) = solution.answer(&plan.names.scopes[scope].outside(list))
+        && let AnswerValue::List(all) = &answer.value
+    {
+        let at = n.parse::<usize>().ok().and_then(|n| n.checked_sub(1));
+        let element = at.and_then(|at| all.get(at)).ok_or_else(|| {
+            Text::new("`{list}` has {count} elements, counted from 1")
+                .with("list", list)
+                .with("count", all.len())
+        })?;
+        return Ok(Some(Meaning::Element(*element, answer.unit.clone())));
     }
     if let Some(step) = name.strip_prefix("step[").and_then(|rest| rest.strip_suffix(']')) {
         let step = step.parse::<usize>().ok().and_then(|n| solution.steps.get(n.checked_sub(1)?));

@@ -90,12 +90,14 @@ impl<'s> Working<'_, 's> {
         let sheet = self.sheet;
         let Some(formula) = self.plan.formula_of(place).cloned() else { return Ok(None) };
         let formula = &formula;
+        let own = self.plan.scope_of(place);
         let scope = |name: &str| match self.plan.find(place, name) {
+            Some(Named::Answer(of, name)) if of == own => questions::answered(self, own, &name),
             Some(named) => self.operand(&named),
             None => Ok(None),
         };
         let fail = |error| SolveError::Fields(vec![super::field_error(&self.plan.path_of(place), error)]);
-        let known = |name: &str| self.plan.names.known(self.plan.scope_of_formula(place), name);
+        let known = |name: &str| questions::known(self, self.plan.scope_of_formula(place), name);
         let found = evaluate::<&Sheet<'_>>(formula, &scope, &known, sheet).map_err(fail)?;
         let (number, dim) = match &found {
             Operand::Number(x, dim) if !self.plan.is_vector(place) => (Number::Scalar(x.value()), *dim),
