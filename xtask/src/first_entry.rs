@@ -100,26 +100,39 @@ impl fmt::Display for Outcome {
     }
 }
 
-/// Prints the outcome of each problem, the rate of each work, and that of all.
+/// Prints the outcome of each problem, the rate of each work and each set, and that of all.
 pub fn run(root: &Path) -> Result<()> {
     let program = Program::built(root, root)?;
     let mut sets: Vec<_> = fs::read_dir(root.join(FOLDER))?.collect::<Result<_, _>>()?;
     sets.retain(|set| set.path().is_dir());
     sets.sort_by_key(fs::DirEntry::file_name);
     let mut rates: BTreeMap<String, [usize; 2]> = BTreeMap::new();
-    for set in sets {
-        let set = Set::read(root, &set.file_name().to_string_lossy())?;
+    let mut of_sets: Vec<(String, [usize; 2])> = Vec::new();
+    for folder in sets {
+        let name = folder.file_name().to_string_lossy().into_owned();
+        if !folder.path().join("printed.toml").exists() {
+            println!("{name}: listed, but not entered yet");
+            continue;
+        }
+        let set = Set::read(root, &name)?;
+        of_sets.push((name, [0, 0]));
         for problem in &set.problems.problem {
             let outcome = set.outcome(root, &program, &problem.id).with_context(|| problem.id.clone())?;
             println!("{} {}, {}: {outcome}", problem.id, problem.work, problem.place);
-            let [right, all] = rates.entry(problem.work.clone()).or_default();
-            *right += usize::from(outcome.is_right());
-            *all += 1;
+            let of_set = of_sets.last_mut().map(|(_, rate)| rate);
+            for [right, all] in of_set.into_iter().chain([rates.entry(problem.work.clone()).or_default()]) {
+                *right += usize::from(outcome.is_right());
+                *all += 1;
+            }
         }
     }
     println!();
     for (work, [right, all]) in &rates {
         println!("{right:>4} of {all:<4} {work}");
+    }
+    println!();
+    for (set, [right, all]) in &of_sets {
+        println!("{right:>4} of {all:<4} {set}");
     }
     let [right, all] = rates.values().fold([0, 0], |sum, rate| [sum[0] + rate[0], sum[1] + rate[1]]);
     ensure!(all > 0, "there are no problems in {FOLDER}");
