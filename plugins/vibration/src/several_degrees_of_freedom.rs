@@ -6,4 +6,5 @@ pub mod frequency_response_matrix;
 pub mod half_car;
 pub mod modal_analysis;
 pub mod multi_degree_response;
+pub mod numerical_integration;
 pub mod rayleigh_damping;

@@ -129,6 +129,10 @@ pub(crate) static CHOPRA: Source = Source {
     full: "A. K. Chopra, Dynamics of Structures: Theory and Applications to Earthquake Engineering, 4th ed., Pearson, 2012",
 };
 
+/// K.-J. Bathe, Finite Element Procedures.
+pub(crate) static BATHE: Source =
+    Source { short: "Bathe", full: "K.-J. Bathe, Finite Element Procedures, Prentice Hall, 1996" };
+
 /// J. L. Meriam and L. G. Kraige, Engineering Mechanics: Dynamics.
 pub(crate) static MERIAM: Source = Source {
     short: "Meriam",

@@ -149,7 +149,7 @@ impl Analysis for MultiDegreeResponse {
 
 impl MultiDegreeResponse {
     /// The start and the forces, as vectors over all coordinates.
-    fn excitation(&self, mass: &DMatrix<f64>) -> Result<TimeExcitation, Refusal> {
+    pub(super) fn excitation(&self, mass: &DMatrix<f64>) -> Result<TimeExcitation, Refusal> {
         let n = mass.nrows();
         let all =
             self.start.iter().map(|row| row.coordinate).chain(self.forces.iter().map(|row| row.coordinate));

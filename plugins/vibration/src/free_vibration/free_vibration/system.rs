@@ -158,7 +158,7 @@ pub(super) fn system<W: Worksheet>(
                 }
             };
             let body = (mass, stiffness);
-            let zeta = damping_ratio(body, natural, damping, (settled, Units::TRANSLATION), sheet);
+            let zeta = damping_ratio(body, natural, &damping, (settled, Units::TRANSLATION), sheet);
             (natural, zeta, [*displacement, *velocity], Some(body), Units::TRANSLATION)
         }
         OscillatorGiven::Rotation { inertia, stiffness, damping, angle, rate } => {
@@ -169,7 +169,7 @@ pub(super) fn system<W: Worksheet>(
                 TorsionalDampingGiven::Coefficient { coefficient } => KnownDamping::Coefficient(*coefficient),
             };
             let body = (inertia, stiffness);
-            let zeta = damping_ratio(body, natural, damping, (settled, Units::ROTATION), sheet);
+            let zeta = damping_ratio(body, natural, &damping, (settled, Units::ROTATION), sheet);
             (natural, zeta, [*angle, *rate], Some(body), Units::ROTATION)
         }
         OscillatorGiven::Ratios { natural_frequency, ratio, displacement, velocity } => {
@@ -199,7 +199,7 @@ enum KnownDamping<'d, W: Worksheet> {
 fn damping_ratio<W: Worksheet>(
     (mass, stiffness): (W::Num, W::Num),
     natural: W::Num,
-    damping: KnownDamping<'_, W>,
+    damping: &KnownDamping<'_, W>,
     (settled, units): (W::Num, Units),
     sheet: W,
 ) -> W::Num {
