@@ -1438,3 +1438,37 @@ standard-coefficients-of-engine-balance-the-halves-of-the-engine-mirror-each-oth
 the-data-are-printed-to-three-digits-and-the-angles-to-whole-degrees = os dados estão impressos com três algarismos e os ângulos em graus inteiros
 the-printed-angle-is-that-of-the-unbalance-the-balance-mass-is-opposite = O ângulo impresso é o do desbalanceamento; a massa de balanceamento fica do lado oposto.
 three-planes-well-conditioned = Três planos, bem condicionados
+
+# run-out and limits of readings
+n-10-w-4-2-w-1-at-the-least-of-the-larger-ratio-w-0-4-ratio-2-4 = (10 − w)/4 = (2 + w)/1 no mínimo da maior razão: w = 0,4, razão 2,4
+n-4-mil-at-45-and-8-mil-at-145-without-run-out-w-m-v-r-v = 4 mil a 45° e 8 mil a 145° sem run-out: W = −m V/(R − V).
+correction-mass-that-minimises-the-largest-ratio-of-a-reading-to-its-limit-by-a-second-order-cone = Massa de correção que minimiza a maior razão entre uma leitura e seu limite, por um método de barreira em cones de segunda ordem
+each-reading-has-its-own-limit = Cada leitura tem seu próprio limite
+each-sensor-has-its-own-run-out = Cada sensor tem seu próprio run-out
+equal-influence-on-a-reading-of-10-and-on-one-of-2-in-the-opposite-sense-the-correction-reduces-the = Influência igual sobre uma leitura de 10 e outra de 2 no sentido oposto: a correção reduz a leitura menos crítica só até onde a outra permite.
+for-sensors-of-unequal-importance-the-reading-nearest-to-its-limit-or-farthest-above-it-is-minimised = Para sensores de importância desigual: minimiza-se a leitura mais próxima de seu limite, ou mais acima dele.
+grinding-wheel-with-run-out-under-the-probe = Rebolo com run-out sob o sensor
+in-the-unit-of-the-readings-peak-peak-to-peak-or-rms-as-these = Na unidade das leituras; de pico, pico a pico ou eficaz como estas.
+its-phase = Sua fase
+largest-ratio-of-a-predicted-residual-reading-to-its-limit = Maior razão entre uma leitura residual prevista e seu limite
+maximum-residual-reading-over-limit = Maior leitura residual sobre o limite
+minimax-of-readings-over-their-limits = Minimax das leituras sobre seus limites
+one-limit-for-two-readings = Um limite para duas leituras
+one-slow-roll-reading-for-two-sensors = Uma leitura de giro lento para dois sensores
+permissible-vibration-of-each-reading-of-the-initial-run-in-the-same-order = Vibração admissível de cada leitura da medição inicial, na mesma ordem.
+phase-of-the-reading-without-run-out = Fase da leitura sem run-out
+reading-without-run-out = Leitura sem run-out
+reading-without-run-out-the-slow-roll-vector-is-subtracted = Leitura sem run-out: subtrai-se o vetor de giro lento
+readings-of-s-s-rao-mechanical-vibrations-example-9-1-with-a-slow-roll-vector-of-1-mil-at-200-added = Leituras de S. S. Rao, Mechanical Vibrations, exemplo 9.1, com um vetor de giro lento de 1 mil a 200° somado: a mesma correção
+run-out-of-the-shaft-under-each-sensor-read-far-below-the-first-critical-speed-one-for-each-reading = Run-out do eixo sob cada sensor, lido muito abaixo da primeira velocidade crítica; um para cada leitura da medição inicial, na mesma ordem. Subtraído como vetor de todas as leituras desse sensor; omita-o para sensores na carcaça.
+slow-roll-readings = Leituras de giro lento
+trim-of-two-planes-with-run-out-under-both-probes = Ajuste de dois planos com run-out sob os dois sensores
+two-readings-with-limits-of-4-and-1 = Duas leituras com limites de 4 e 1
+zero-for-a-sensor-without-run-out = Zero para um sensor sem run-out.
+no-permitted-masses-bring-every-reading-below-its-limit-the-largest-ratio-is-ratio-correct-in-more = nenhuma massa permitida leva todas as leituras abaixo de seus limites: a maior razão é { $ratio }; corrija em mais planos, ou permita massas maiores
+slow-roll-vector-and-the-reading-without-it-across-the-reading = vetor de giro lento e a leitura sem ele, na direção perpendicular à leitura
+square-of-the-largest-ratio-by-the-law-of-cosines-over-readings-and-effects = quadrado da maior razão pela lei dos cossenos sobre leituras e efeitos
+square-of-the-reading-without-run-out-by-the-law-of-cosines = quadrado da leitura sem run-out pela lei dos cossenos
+have-limits-are-given-and-want-readings-in-the-initial-run-enter-one-for-each = há { $have } limites e { $want } leituras na medição inicial; escreva um para cada uma
+have-slow-roll-readings-are-given-and-want-readings-in-the-initial-run-enter-one-for-each-zero-for-a = há { $have } leituras de giro lento e { $want } leituras na medição inicial; escreva uma para cada uma, zero para um sensor sem run-out
+w-v-v-s-with-w-20-g-at-70-and-12-g-at-250-slow-roll-vectors-6-m-at-15-and-9-m-at-300 = α W = −(V − V_s) com W = 20 g a 70° e 12 g a 250°, vetores de giro lento de 6 µm a 15° e 9 µm a 300°

@@ -75,3 +75,7 @@ pub(crate) static DEN_HARTOG: Source = Source {
     short: "Den Hartog",
     full: "J. P. Den Hartog, Mechanical Vibrations, 4th ed., McGraw-Hill, 1956; Dover, 1985",
 };
+
+/// Manual of an instrument for field balancing.
+pub(crate) static EZ_BALANCE: Source =
+    Source { short: "eZ-Balance", full: "Measurement Computing, eZ-Balance User Manual, rev. 9.0" };

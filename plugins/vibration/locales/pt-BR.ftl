@@ -6738,3 +6738,180 @@ three-houbolt-steps = Três passos de Houbolt
 one-runge-kutta-step-of-a-free-vibration = Um passo de Runge–Kutta de uma vibração livre
 initial-displacement-as-none-is-given = Deslocamento inicial, pois nenhum é dado
 initial-velocity-as-none-is-given = Velocidade inicial, pois nenhuma é dada
+
+# random loads of beams, rotations of one degree of freedom
+n-3-absolute-angular-acceleration = Aceleração angular absoluta 3σ
+n-3-angle = Ângulo 3σ
+n-3-relative-angle = Ângulo relativo 3σ
+a-beam-on-one-pin-turns-freely = Uma viga sobre um só apoio gira livremente
+a-solid-cylinder-that-rolls-has-the-equivalent-mass-3m-2-2k-3m-2-x-f-2k-3m-2-2-k = Um cilindro maciço que rola tem a massa equivalente 3m/2: ωₙ = √(2k/(3m/2)); X = F₀/√((2k − 3mω²/2)² + (2ηk)²)
+a-torque-turns-a-body = Um torque gira um corpo
+acceleration-of-the-supports = Aceleração dos apoios
+angle-over-one-period = Ângulo ao longo de um período
+angular-acceleration-of-the-base-by-a-table = Aceleração angular da base por uma tabela
+angular-acceleration-of-the-base-in-a-band = Aceleração angular da base numa faixa
+beam-on-a-pin-alone = Viga sobre um só apoio
+beam-without-damping = Viga sem amortecimento
+both-have-the-same-motion-the-responses-are-relative-to-it = Ambos têm o mesmo movimento; as respostas são relativas a ele.
+cantilever-tube-on-an-accelerated-base-moment-at-the-clamp = Tubo em balanço sobre base vibrante, momento no engaste
+cross-terms-what-every-two-modes-have-in-common-from-the-integral-of-h-h-s = Termos cruzados: o que cada dois modos têm em comum, da integral de H₁H₂*S
+cubic-coefficient-given = Coeficiente cúbico dado
+cubic-coefficient-of-a-pendulum-from-sin-6 = Coeficiente cúbico de um pêndulo, de sen θ ≈ θ − θ³/6
+curvature-of-the-mode-shape-at-the-place-over-1-l = Curvatura da forma modal no ponto, dividida por 1/L²
+damping-coefficient-per-unit-length = Coeficiente de amortecimento por unidade de comprimento
+damping-ratio-of-the-mode-c-2m = Fator de amortecimento do modo: c̄/(2m̄ωₙ)
+disc-on-a-hardening-torsional-spring-under-a-torque = Disco sobre uma mola torcional endurecedora sob um torque
+disc-on-a-shaft-with-structural-damping = Disco num eixo com amortecimento estrutural
+distance-from-the-pivot-to-the-centre-of-mass = Distância do pivô ao centro de massa
+distributed-load-without-correlation-between-points = Carga distribuída sem correlação entre os pontos
+double-sum-over-five-modes-with-re-h-h-d-2-4-4 = Soma dupla sobre cinco modos com ∫Re(H₁H₂*)dω = 2π(ζ₁ω₁ + ζ₂ω₂)/((ω₁² − ω₂²)² + 4ζ₁ζ₂ω₁ω₂(ω₁² + ω₂²) + 4(ζ₁² + ζ₂²)ω₁²ω₂²)
+equivalent-viscous-damping-8a-t-3 = Amortecimento viscoso equivalente, 8a_tωΘ/(3π)
+equivalent-viscous-damping-loss-factor-and-steady-state-amplitude-of-an-oscillator-moving-along-a = Amortecimento viscoso equivalente, fator de perda e amplitude em regime permanente de um oscilador, em translação ou em rotação, cujo amortecimento é dado pelo laço de histerese.
+five-modes-of-120-hermite-elements-adaptive-quadrature-over-5-to-200-hz = Cinco modos de 120 elementos de Hermite, quadratura adaptativa de 5 a 200 Hz
+five-modes-of-120-hermite-elements-adaptive-quadrature-over-5-to-300-hz = Cinco modos de 120 elementos de Hermite, quadratura adaptativa de 5 a 300 Hz
+five-modes-of-120-hermite-elements-adaptive-quadrature-over-all-frequencies = Cinco modos de 120 elementos de Hermite, quadratura adaptativa em todas as frequências
+for-a-rotation-about-its-pivot = Para uma rotação em torno do pivô.
+for-a-rotation-under-the-weight-of-the-body = Para uma rotação sob o peso do corpo.
+for-a-rotation-the-torque-of-the-spring-is-k-t-h-t = Para uma rotação: o torque da mola é k_t θ + h_t θ³.
+force-on-the-mode-over-its-mass-for-a-load-of-one = Força sobre o modo dividida por sua massa, para uma carga unitária
+force-or-torque = Força ou torque
+forced-rotation-under-a-harmonic-torque-with-viscous-damping = Rotação forçada por um torque harmônico, com amortecimento viscoso
+four-modes-of-120-hermite-elements-adaptive-quadrature-over-20-to-2000-hz = Quatro modos de 120 elementos de Hermite, quadratura adaptativa de 20 a 2000 Hz
+free-rotation-released-from-rest = Rotação livre, solta do repouso
+from-the-neutral-axis-for-the-bending-stress-omitted-half-the-depth-of-the-section = A partir da linha neutra, para a tensão de flexão. Omitida: metade da altura da seção.
+hysteretic-loop-area-of-a-rotation-given = Histerético: área do laço de uma rotação dada
+inertia-force-on-the-mode-over-its-mass-for-an-acceleration-of-one = Força de inércia sobre o modo dividida por sua massa, para uma aceleração unitária
+loss-factor-at-this-frequency-the-damping-torque-k-t-over-the-elastic-one = Fator de perda nesta frequência: o torque de amortecimento βωk_tΘ dividido pelo elástico
+loss-factor-the-area-of-the-loop-is-k-t = Fator de perda: a área do laço é πηk_tΘ²
+mass-on-a-cantilever-that-deflects-by-2-4525-mm-under-it = Massa sobre uma viga em balanço que se deflete 2,4525 mm sob ela
+maximum-amplitude-at-any-frequency-where-both-frequencies-of-an-amplitude-meet-h-t-k-t-c-t-4j-t-j-c-t = Amplitude máxima em qualquer frequência, onde as duas frequências de uma amplitude se encontram: ¾h_tΘ⁴ + (k_t − c_t²/4J)Θ² = T₀²J/c_t²
+maximum-angle-with-the-third-harmonic = Ângulo máximo com o terceiro harmônico
+maximum-angle-with-the-third-harmonic-also-balanced-by-newton-s-method = Ângulo máximo com o terceiro harmônico também balanceado, pelo método de Newton
+mean-of-the-mode-shape-along-the-beam = Média da forma modal ao longo da viga
+mean-square-of-the-mode-shape-along-the-beam-its-largest-deflection-one = Média quadrática da forma modal ao longo da viga, com deflexão máxima unitária
+mode-shape-at-the-force = Forma modal no ponto da força
+mode-shape-at-the-place-of-the-response = Forma modal no ponto da resposta
+nearly-static-s-f-k-t = Quase estática: σ_θ = √(S Δf)/k_t
+of-a-pendulum-sin-6 = De um pêndulo: sen θ ≈ θ − θ³/6
+pendulum-released-at-60-with-the-cubic-term-of-its-weight = Pêndulo solto a 60°, com o termo cúbico de seu peso
+place-of-the-response = Ponto da resposta
+power-spectral-density-of-the-angular-acceleration = Densidade espectral de potência da aceleração angular
+power-spectral-density-of-the-force-per-unit-length = Densidade espectral de potência da força por unidade de comprimento
+power-spectral-density-of-the-load-per-unit-length = Densidade espectral de potência da carga por unidade de comprimento
+power-spectral-density-of-the-response = Densidade espectral de potência da resposta
+power-spectral-density-of-the-torque = Densidade espectral de potência do torque
+rain-in-a-band-on-a-beam-with-elastic-and-guided-ends = Chuva numa faixa sobre uma viga com extremos elástico e guiado
+rain-on-a-simply-supported-beam-with-viscous-damping = Chuva sobre uma viga biapoiada com amortecimento viscoso
+rain-on-the-roof = Chuva no telhado.
+random-load-on-a-beam = Carga aleatória numa viga
+random-torque-with-only-a-natural-frequency = Torque aleatório com apenas uma frequência natural
+resisting-torque-proportional-to-the-square-of-the-angular-velocity = Torque resistente proporcional ao quadrado da velocidade angular
+response-beyond-the-end-of-the-beam = Resposta além do fim da viga
+restoring-torque-of-the-weight-per-radian-of-a-small-angle = Torque restaurador do peso por radiano de um ângulo pequeno
+roller-on-two-springs-in-parallel = Rolo sobre duas molas em paralelo
+root-mean-square-of-displacement-velocity-bending-moment-and-bending-stress-at-a-point-of-a-beam = Valor eficaz do deslocamento, da velocidade, do momento fletor e da tensão de flexão num ponto de uma viga sob força aleatória, carga distribuída ou movimento dos apoios, por superposição modal.
+root-mean-square-of-the-absolute-angular-acceleration = Valor eficaz da aceleração angular absoluta
+root-mean-square-of-the-angle-relative-to-the-base = Valor eficaz do ângulo em relação à base
+root-mean-square-of-the-angular-acceleration = Valor eficaz da aceleração angular
+root-mean-square-of-the-angular-velocity = Valor eficaz da velocidade angular
+root-mean-square-of-the-angular-velocity-relative-to-the-base = Valor eficaz da velocidade angular em relação à base
+root-mean-square-of-the-bending-moment = Valor eficaz do momento fletor
+root-mean-square-of-the-bending-moment-along-the-beam = Valor eficaz do momento fletor ao longo da viga
+root-mean-square-of-the-bending-stress = Valor eficaz da tensão de flexão
+root-mean-square-of-the-bending-stress-at-the-extreme-fibre = Valor eficaz da tensão de flexão na fibra extrema
+root-mean-square-of-the-displacement-along-the-beam = Valor eficaz do deslocamento ao longo da viga
+root-mean-square-of-the-modal-coordinate-under-white-noise-with-the-sign-of-the-load-on-the-mode = Valor eficaz da coordenada modal sob ruído branco, com o sinal da carga sobre o modo
+root-mean-square-of-the-modal-coordinate-from-the-integral-of-h-s-with-the-sign-of-the-load-on-the = Valor eficaz da coordenada modal, da integral de |H|²S, com o sinal da carga sobre o modo
+root-mean-square-of-the-modal-velocity-under-white-noise = Valor eficaz da velocidade modal sob ruído branco
+root-mean-square-of-the-modal-velocity-from-the-integral-of-h-s = Valor eficaz da velocidade modal, da integral de ω²|H|²S
+root-mean-square-of-the-relative-angle = Valor eficaz do ângulo relativo
+root-mean-square-of-the-relative-angular-velocity = Valor eficaz da velocidade angular relativa
+root-mean-square-of-the-torque-of-spring-and-damper-over-the-moment-of-inertia = Valor eficaz do torque de mola e amortecedor, dividido pelo momento de inércia
+root-mean-square-of-the-torque-on-the-support = Valor eficaz do torque no apoio
+root-of-the-balance-of-the-first-harmonic-stable-a-larger-amplitude-requires-a-larger-torque = Raiz do balanço do primeiro harmônico; estável: uma amplitude maior exige um torque maior
+root-of-the-balance-of-the-first-harmonic-unstable-a-larger-amplitude-requires-a-smaller-torque-so-it = Raiz do balanço do primeiro harmônico; instável: uma amplitude maior exige um torque menor, de modo que ela salta
+root-of-the-frequency-equation-of-the-beam-on-its-supports = Raiz da equação de frequências da viga sobre seus apoios
+root-of-the-sum-of-the-squares-of-the-modes-each-alone = Raiz da soma dos quadrados dos modos, cada um isolado
+roots-of-k-t-j-h-t-c-t-t-its-largest-amplitude = Raízes Θ² de ((k_t − Jω²) + ¾h_tΘ²)²Θ² + (c_tωΘ)² = T₀²; sua maior amplitude
+shares-of-the-modes-bending-moment = Parcelas dos modos, momento fletor
+shares-of-the-modes-displacement = Parcelas dos modos, deslocamento
+six-modes-of-120-hermite-elements-adaptive-quadrature-over-10-to-800-hz = Seis modos de 120 elementos de Hermite, quadratura adaptativa de 10 a 800 Hz
+specific-damping-capacity-that-energy-over-the-largest-elastic-energy-k-t-2 = Capacidade específica de amortecimento: essa energia dividida pela maior energia elástica k_tΘ²/2
+stability-limit-of-a-softening-torque-beyond-it-the-body-does-not-return = Limite de estabilidade de um torque amolecedor: além dele o corpo não retorna
+steady-state-amplitude-k-t-a-t-a-quadratic-equation-in = Amplitude em regime permanente: (K_t Θ)² + (A Θ²)² = T₀², uma equação quadrática em Θ²
+suddenly-applied-load-on-a-cushion-known-by-its-free-vibration = Carga aplicada subitamente sobre uma embalagem conhecida por sua vibração livre
+supports-under-white-acceleration = Apoios sob aceleração branca
+t-4-dx-v-with-k-t-m-g-d-h-t-k-t-6-j-m-d-t-2-j-k-t-1-8-zero-torque-at-6-rad = T = 4∫dx/v com k_t = m g d, h_t = −k_t/6, J = m d²; T′ = 2π√(J/(k_t(1 − Θ²/8))); torque nulo em √6 rad
+that-of-the-force-on-a-length-of-the-beam-over-this-length = A da força sobre um comprimento da viga, dividida por esse comprimento.
+the-50-hz-mount-with-rad-s-for-g = O coxim de 50 Hz com rad/s² no lugar de g.
+the-area-of-the-torque-angle-loop = A área do laço torque–ângulo.
+the-beam-and-its-load = A viga e sua carga
+the-drag-a-t-is-equivalent-to-a-viscous-damping-8a-t-3-which-dissipates-the-same-energy-per-cycle = O arrasto a_t Ω|Ω| equivale a um amortecimento viscoso 8a_tωΘ/(3π), que dissipa a mesma energia por ciclo
+the-place-lies-on-the-beam = O ponto está sobre a viga
+the-response-to-a-torque-needs-the-moment-of-inertia = A resposta a um torque requer o momento de inércia
+the-same-at-every-point-of-the-beam-at-the-same-time = A mesma em todos os pontos da viga ao mesmo tempo.
+the-same-cantilever-motion-of-its-tip = A mesma viga em balanço, movimento da ponta
+the-variance-of-an-undamped-mode-under-white-noise-grows-with-time = A variância de um modo sem amortecimento sob ruído branco cresce com o tempo
+torque-in-a-band-far-below-the-resonance = Torque numa faixa muito abaixo da ressonância
+torque-of-spring-and-inertia-per-radian-of-amplitude = Torque de mola e inércia por radiano de amplitude
+torque-over-the-square-of-the-angular-velocity = Torque sobre o quadrado da velocidade angular
+torque-with-a-table-of-its-density = Torque com uma tabela de sua densidade
+torque-angle-loop-over-one-cycle = Laço torque–ângulo ao longo de um ciclo
+torsional-cubic-coefficient = Coeficiente cúbico torcional
+torsional-cubic-coefficient-given = Coeficiente cúbico torcional dado
+torsional-loop-of-0-6-j-at-0-1-rad = Laço torcional de 0,6 J a 0,1 rad
+twenty-modes-have-all-but-0-002-of-the-mean-square = Vinte modos têm toda a média quadrática, menos 0,002 %.
+uniform-load = Carga uniforme
+uniform-load-in-a-band-between-two-clamps = Carga uniforme numa faixa entre dois engastes
+uniform-load-with-a-table-of-its-density = Carga uniforme com uma tabela de sua densidade
+uniform-white-load-first-mode = Carga branca uniforme, primeiro modo
+vane-in-a-fluid-at-resonance = Palheta num fluido em ressonância
+viscous-damping-along-the-beam = Amortecimento viscoso ao longo da viga
+weight-of-a-pendulum = Peso de um pêndulo
+white-angular-acceleration-of-the-base = Aceleração angular branca da base
+white-force-at-midspan-first-mode = Força branca no meio do vão, primeiro modo
+white-force-at-midspan-response-at-a-quarter-of-the-span = Força branca no meio do vão, resposta a um quarto do vão
+white-torque-on-a-disc = Torque branco sobre um disco
+a-place-lies-beyond-the-right-end-of-the-beam-write-a-distance-not-greater-than-its-length = um ponto está além do extremo direito da viga: escreva uma distância não maior que seu comprimento
+a-torque-turns-a-body-give-its-moment-of-inertia-in-addition-to-the-natural-frequency = um torque gira um corpo: dê seu momento de inércia além da frequência natural
+absolute-angular-acceleration-of-the-body = aceleração angular absoluta do corpo
+at-that-angle-the-restoring-torque-is-zero = nesse ângulo o torque restaurador é nulo
+at-the-jump-a-small-change-of-the-amplitude-needs-no-change-of-the-torque = no salto, uma pequena variação da amplitude não exige variação do torque
+at-the-jump-the-torques-of-spring-inertia-and-damping-balance-the-applied-torque = no salto, os torques de mola, inércia e amortecimento equilibram o torque aplicado
+at-this-angle-the-softening-torque-does-not-restore-choose-an-amplitude-below-k-t-h-t = neste ângulo o torque amolecedor não restaura: escolha uma amplitude abaixo de √(k_t/|h_t|)
+bending-moment = momento fletor
+bending-stress-by-the-root-mean-square-of-the-curvature-e-c = tensão de flexão pelo valor eficaz da curvatura, E c κ
+density-of-the-bending-moment = densidade do momento fletor
+density-of-the-displacement = densidade do deslocamento
+mean-of-mode-shape-n-by-the-shear-forces-at-its-ends = média da forma modal { $n } pelas forças cortantes em seus extremos
+no-natural-frequency-counted-is-inside-the-band-of-the-load-no-resonance-is-excited = nenhuma frequência natural considerada está na faixa da carga: nenhuma ressonância é excitada
+no-steady-state-vibration-was-found-these-values-differ-too-much-in-magnitude-check-the-units-of-h-t = nenhuma vibração em regime permanente foi encontrada: estes valores diferem demais em grandeza; confira as unidades de h_t e T₀
+response = resposta
+root-mean-square-of-the-torque-k-t-ic-t-of-spring-and-damper-on-the-angle = valor eficaz do torque k_t + ic_tω de mola e amortecedor sobre o ângulo
+sin-without-the-series-gives-2-1529-s-the-cubic-term-alone-is-0-4-from-it = sen θ sem a série dá 2,1529 s: só com o termo cúbico a diferença é de 0,4 %.
+spring-inertia-and-damper-balance-the-torque = mola, inércia e amortecedor equilibram o torque
+the-beam-can-move-as-a-rigid-body-and-a-random-load-moves-it-away-without-bound-add-supports = a viga pode mover-se como corpo rígido, e uma carga aleatória a afasta sem limite: acrescente apoios
+the-beam-is-neither-deflected-nor-bent-at-this-place-choose-another-place = neste ponto a viga não se desloca nem se flexiona: escolha outro ponto
+the-beam-is-so-slender-that-its-bending-cannot-be-resolved-count-fewer-modes = a viga é tão esbelta que sua flexão não pode ser resolvida: considere menos modos
+the-frequencies-cannot-be-found-the-springs-at-the-ends-differ-too-much-from-the-stiffness-of-the = as frequências não podem ser encontradas: as molas nos extremos diferem demais da rigidez da viga
+the-largest-amplitude-satisfies-the-balance-of-torques = a maior amplitude satisfaz o equilíbrio dos torques
+the-last-modes-still-contribute-share-of-the-mean-square-bending-moment-count-more-modes = os últimos modos ainda contribuem com { $share } da média quadrática do momento fletor: considere mais modos
+the-load-does-not-excite-these-modes-place-the-force-between-the-supports-or-count-more-modes = a carga não excita estes modos: coloque a força entre os apoios, ou considere mais modos
+the-response-has-no-maximum-amplitude-at-a-frequency-above-zero-the-softening-torque-does-not-restore = a resposta não tem amplitude máxima numa frequência acima de zero: o torque amolecedor não restaura, ou o amortecimento é forte demais
+the-torque-supplies-the-same-energy-t-sin = o torque fornece a mesma energia, πT₀Θ sen φ
+torque-of-the-spring-over-the-moment-of-inertia-under-white-noise-by-integration-over-all-frequencies = torque da mola sobre o momento de inércia sob ruído branco, por integração em todas as frequências
+torque-on-the-support-over-moment-of-inertia = torque no apoio sobre momento de inércia
+torque-over-moment-of-inertia = torque sobre momento de inércia
+torques-of-spring-and-inertia-are-balanced-by-the-torque-component-in-phase-with-the-motion = os torques de mola e inércia são equilibrados pela componente do torque em fase com o movimento
+under-a-white-noise-torque-the-angular-acceleration-has-no-finite-mean-square-it-grows-with-the = sob um torque de ruído branco a aceleração angular não tem média quadrática finita: ela cresce com a largura da faixa
+under-white-noise-with-viscous-damping-the-velocity-and-the-bending-moment-have-no-finite-mean-square = sob ruído branco com amortecimento viscoso, a velocidade e o momento fletor não têm média quadrática finita: crescem com o número de modos; dê um fator de amortecimento ou uma faixa
+work-of-the-torque-in-a-cycle-work-of-the-damper-t-sin-c-t = trabalho do torque num ciclo = trabalho do amortecedor, πT₀Θ sen φ = πc_tωΘ²
+what-by-the-integral-of-the-whole-response-over-the-frequency = { $what } pela integral da resposta total na frequência
+n-3-t-8a-t-at-the-natural-frequency-c-eq-8a-t-3 = Θ = √(3πT₀/(8a_tω²)) na frequência natural; c_eq = 8a_tωΘ/(3π)
+w-2-m-l-s-4-with-s-per-rad-s-m-ei-l-w-the-rate-is-the-natural-frequency = σ_w = 2/(m̄L) √(πS/(4ζω³)) com S por rad/s; σ_M = EI(π/L)² σ_w; a taxa é a frequência natural
+w-4-m-s-4-with-s-per-rad-s-m-ei-l-w = σ_w = 4/(πm̄) √(πS/(4ζω³)) com S por rad/s; σ_M = EI(π/L)² σ_w
+w-sl-96-c-ei-at-midspan-with-s-per-rad-s-every-mode-has-the-same-mean-energy-so-that-the-mean-square = σ_w² = πSL³/(96 c̄EI) no meio do vão com S por rad/s: todos os modos têm a mesma energia média, de modo que a média quadrática é a flexibilidade estática L³/(48EI) vezes πS/(2c̄)
+s-2-k-t-c-t-with-s-per-rad-s-s-2-j-c-t = σ_θ² = π S/(2 k_t c_t) com S por rad/s; σ_Ω² = π S/(2 J c_t)
+s-4-s-1-4-4-with-s-per-rad-s = σ_θ² = π S/(4ζωₙ³), σ_α² = π S ωₙ(1 + 4ζ²)/(4ζ) com S por rad/s
+d-1-8-rad-s-with-0-6-y-max-1-e-1-with-g = ω_d = ωₙ√(1 − ζ²) = 8 rad/s com ζ = 0,6; y_max = δ(1 + e^(−ζπ/√(1 − ζ²))) com δ = g/ωₙ²
+g-st-at-resonance-x-f-k = ωₙ² = g/δ_st; na ressonância X = F₀/(ηk)

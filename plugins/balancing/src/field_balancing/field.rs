@@ -1,6 +1,6 @@
 //! Field balancing by influence coefficients: any number of planes, sensors and speeds.
 
-use dalembert_core::{About, Analysis, Inputs, Refusal, Text, Worksheet, register};
+use dalembert_core::{About, Analysis, Inputs, MeasuredQuantity, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{
     Real,
     balance::{
@@ -17,6 +17,7 @@ use std::{
     ops::Bound,
 };
 
+mod limits;
 mod numbers;
 mod readings;
 mod show;
@@ -106,6 +107,26 @@ pub enum Method {
         #[input("m_max", "g", positive)]
         limit: Option<f64>,
     },
+    /// Minimax of readings over their limits
+    /// For sensors of unequal importance: the reading nearest to its limit, or farthest above it, is minimised.
+    Limits {
+        /// Limits.
+        /// Permissible vibration of each reading of the initial run, in the same order.
+        #[input(min = 1)]
+        limits: Vec<ReadingLimit>,
+        /// Maximum correction mass per plane.
+        #[input("m_max", "g", positive)]
+        limit: Option<f64>,
+    },
+}
+
+/// Limit of a reading.
+#[derive(Clone, Debug, Inputs)]
+pub struct ReadingLimit {
+    /// Limit.
+    /// In the unit of the readings, peak, peak to peak or rms as these.
+    #[input("A_l", "um | mm/s | m/s^2 | 1", positive, kind = "Amplitude|Velocity|Acceleration|Ratio")]
+    pub limit: MeasuredQuantity,
 }
 
 /// Weighting factor of a reading.
@@ -139,17 +160,20 @@ impl Analysis for Field {
     };
 
     fn solve<W: Worksheet>(&self, given: &FieldGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let job = self.measured.job(&given.measured);
+        let job = self.measured.job(&given.measured, sheet)?;
         let opposed = (self.phase == PhaseSense::Lag) != (self.angles == WeightSense::Against);
         let spread = ReadingSpread { amplitude: self.amplitude_uncertainty, phase: self.phase_uncertainty };
         let numbers = Numbers::new(&job, opposed, spread, sheet)?;
         let factors = self.factors(numbers.first.len())?;
+        let limits = self.limits(numbers.first.len())?;
         let squares = influence::least_squares(&numbers.alpha, &numbers.first, &factors)
             .map_err(|error| refusal(error, &numbers.alpha))?;
         numbers.assess_planes(squares.condition, spread, sheet)?;
 
         let corrections = match &self.method {
-            Method::MinMax { limit } => self.min_max(&numbers, *limit, sheet)?,
+            Method::MinMax { limit } | Method::Limits { limit, .. } => {
+                self.min_max(&numbers, &limits, *limit, sheet)?
+            }
             _ => {
                 let corrections = match worked::solve(&job, opposed, sheet) {
                     Some(corrections) => corrections,
@@ -173,13 +197,16 @@ impl Analysis for Field {
         self.answers(&corrections, given.radius, &numbers, &factors, sheet);
         trim(&numbers, &weights, sheet);
         let left = self.predict(&numbers, &weights, job.units.reading, sheet);
+        if let Method::Limits { .. } = self.method {
+            limits::nearest(&numbers, &weights, &limits, sheet);
+        }
         condition(squares.condition, &numbers, &factors, sheet);
         sheet.verify(|| {
             let choice = match self.method {
-                Method::MinMax { limit } => Choice::MinMax(limit),
+                Method::MinMax { limit } | Method::Limits { limit, .. } => Choice::MinMax(limit),
                 _ => Choice::LeastSquares(&factors),
             };
-            ranges(&numbers, choice, spread, &weights, job.units.reading, sheet);
+            ranges((&numbers, &limits), choice, spread, &weights, job.units.reading, sheet);
         });
         show::all(&numbers, &weights, &left, &factors, job.units, sheet);
         Ok(())
@@ -205,6 +232,21 @@ impl Field {
         }
     }
 
+    /// The limits of the readings; all one where none are given.
+    fn limits(&self, readings: usize) -> Result<Vec<f64>, Refusal> {
+        let Method::Limits { limits, .. } = &self.method else { return Ok(vec![1.0; readings]) };
+        if limits.len() != readings {
+            return Err(Refusal::because(
+                Text::new(
+                    "{have} limits are given and {want} readings in the initial run; enter one for each",
+                )
+                .with("have", limits.len())
+                .with("want", readings),
+            ));
+        }
+        Ok(limits.iter().map(|limit| limit.limit.si).collect())
+    }
+
     fn by_least_squares<W: Worksheet>(&self, solved: &influence::Weights, sheet: W) -> Vec<Found<W::Num>> {
         let how = match self.method {
             Method::Weighted { .. } => {
@@ -227,15 +269,20 @@ impl Field {
     fn min_max<W: Worksheet>(
         &self,
         numbers: &Numbers,
+        limits: &[f64],
         limit: Option<f64>,
         sheet: W,
     ) -> Result<Vec<Found<W::Num>>, Refusal> {
+        let over = numbers.over(limits);
         let solved =
-            min_max(&numbers.alpha, &numbers.first, limit).map_err(|error| refusal(error, &numbers.alpha))?;
-        let how = (
-            "Correction mass that minimises the largest reading, by a second-order-cone barrier method",
-            BOYD.at("§11.6"),
-        );
+            min_max(&over.alpha, &over.first, limit).map_err(|error| refusal(error, &numbers.alpha))?;
+        let how = match self.method {
+            Method::Limits { .. } => {
+                "Correction mass that minimises the largest ratio of a reading to its limit, by a second-order-cone barrier method"
+            }
+            _ => "Correction mass that minimises the largest reading, by a second-order-cone barrier method",
+        };
+        let how = (how, BOYD.at("§11.6"));
         let found = |(n, weight): (usize, &Complex<f64>)| Found {
             mass: sheet.numerical(("m_c", n), "g", weight.norm(), how),
             angle: sheet.numerical(
@@ -249,7 +296,7 @@ impl Field {
         sheet.check_zero(
             "lower bound of the largest reading for the permitted masses, from the multipliers",
             (solved.largest - solved.bound).into(),
-            numbers.first.iter().map(|v| v.norm()).fold(0.0, f64::max),
+            over.first.iter().map(|v| v.norm()).fold(0.0, f64::max),
         );
         Ok(corrections)
     }
@@ -264,7 +311,7 @@ impl Field {
         sheet: W,
     ) {
         let mut existing = Vec::new();
-        let estimated = !matches!(self.method, Method::MinMax { .. });
+        let estimated = !matches!(self.method, Method::MinMax { .. } | Method::Limits { .. });
         for (n, found) in (1..).zip(corrections) {
             sheet.answer(("correction", n), "Correction mass in plane", found.mass);
             sheet.answer(("correction_angle", n), "Angle of the correction in plane", found.angle);
@@ -469,7 +516,7 @@ fn condition<W: Worksheet>(condition: f64, numbers: &Numbers, factors: &[f64], s
 /// Ranges of weights and predictions by the uncertainty of the readings. These are no numbers of the plain reading,
 /// which somebody may repeat a million times.
 fn ranges<W: Worksheet>(
-    numbers: &Numbers,
+    (numbers, limits): (&Numbers, &[f64]),
     choice: Choice<'_>,
     spread: ReadingSpread,
     weights: &[Complex<f64>],
@@ -490,7 +537,8 @@ fn ranges<W: Worksheet>(
         });
         return;
     }
-    let measured = numbers.measured(choice, spread);
+    let over = numbers.over(limits);
+    let measured = over.measured(choice, spread);
     let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let Some(ranges) = spread::ranges(&measured, weights, SAMPLES, threads) else { return };
     let between = |[low, high]: [f64; 2]| IntervalSet::interval(Bound::Included(low), Bound::Included(high));
@@ -528,6 +576,6 @@ fn ranges<W: Worksheet>(
         "residual_limit",
         "95 % upper limit of the residual vibration",
         unit,
-        &ranges.residuals,
+        &ranges.residuals.iter().zip(limits).map(|(ratio, limit)| ratio * limit).collect::<Vec<_>>(),
     );
 }

@@ -8,26 +8,46 @@ use dalembert_core::{
 use dalembert_mechanics::{Real, sdof};
 
 use crate::{
-    shared::oscillator::{Mass, mass},
+    shared::oscillator::{
+        motion::OscillatorMotion,
+        parts::{BodyStiffness, OscillatingBody, one_motion},
+        plots::inertia_spring_damper,
+    },
     sources::{RAO, THOMSON},
 };
 
 /// An oscillator under a harmonic force, and what its damping is known by.
 #[derive(Clone, Debug, Inputs)]
 pub struct EquivalentDamping {
-    /// Mass or weight.
-    pub mass: Mass,
-    /// Stiffness.
-    #[input("k", "N/m", positive)]
-    pub stiffness: f64,
+    /// Inertia.
+    pub mass: OscillatingBody,
+    /// Springs.
+    pub stiffness: BodyStiffness,
     /// Damping.
     pub damping: DampingLaw,
-    /// Amplitude of the force.
-    #[input("F₀", "N", positive)]
-    pub force: f64,
+    /// Force or torque.
+    pub force: ForceAmplitude,
     /// Frequency of the force.
     #[input("ω", "rad/s", positive)]
     pub frequency: f64,
+}
+
+/// Amplitude of the force, or of the torque.
+#[derive(Clone, Debug, Inputs)]
+pub enum ForceAmplitude {
+    /// Force
+    Force {
+        /// Amplitude of the force.
+        #[input("F₀", "N", positive)]
+        force: f64,
+    },
+    /// Torque
+    /// For a rotation.
+    Torque {
+        /// Amplitude of the torque.
+        #[input("T₀", "N*m", positive)]
+        torque: f64,
+    },
 }
 
 /// Damping law and its parameters.
@@ -64,6 +84,24 @@ pub enum DampingLaw {
         #[input("a", "N*s^2/m^2", positive)]
         drag: f64,
     },
+    /// Hysteretic: loop area of a rotation given
+    /// For a rotation.
+    RotationLoop {
+        /// Energy lost per cycle.
+        /// The area of the torque–angle loop.
+        #[input("ΔW", "J", positive)]
+        energy: f64,
+        /// Amplitude at which it was measured.
+        #[input("Θ_W", "rad", positive)]
+        amplitude: f64,
+    },
+    /// Resisting torque proportional to the square of the angular velocity
+    /// For a rotation.
+    TorsionalDrag {
+        /// Torque over the square of the angular velocity.
+        #[input("a_t", "N*m*s^2/rad^2", positive)]
+        drag: f64,
+    },
 }
 
 register!(EquivalentDamping);
@@ -73,7 +111,7 @@ impl Analysis for EquivalentDamping {
         id: "vibration/equivalent-damping",
         title: "Hysteretic and other equivalent damping",
         topic: "Harmonic excitation",
-        summary: "Equivalent viscous damping, loss factor and steady-state amplitude of an oscillator whose damping is given by its hysteresis loop.",
+        summary: "Equivalent viscous damping, loss factor and steady-state amplitude of an oscillator, moving along a line or about an axis, whose damping is given by its hysteresis loop.",
         keywords: "structural damping hysteresis loop area loss factor specific damping capacity quadratic drag \
                    amortecimento histerético estrutural fator de perda laço de histerese arrasto quadrático",
         sources: &[&RAO, &THOMSON],
@@ -81,44 +119,61 @@ impl Analysis for EquivalentDamping {
     };
 
     fn solve<W: Worksheet>(&self, given: &EquivalentDampingGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let (stiffness, frequency, force) = (given.stiffness, given.frequency, given.force);
-        let mass = mass(&given.mass, sheet);
-        let natural = sheet.step(
-            "ωₙ",
-            "rad/s",
-            sdof::natural_frequency(stiffness, mass),
-            ("Natural frequency without damping", RAO.at("§2.2")),
-        );
+        let (of_force, force) = match given.force {
+            ForceAmplitudeGiven::Force { force } => (OscillatorMotion::Translation, force),
+            ForceAmplitudeGiven::Torque { torque } => (OscillatorMotion::Rotation, torque),
+        };
+        let rest = [given.stiffness.motion(), given.damping.motion(), Some(of_force)];
+        let motion = one_motion(Some(given.mass.motion()), &rest)?;
+        let frequency = given.frequency;
+        let mass = given.mass.inertia(sheet)?;
+        let [natural, stiffness] = given.stiffness.with_body(&given.mass, mass, sheet)?;
+        let (amplitude_symbol, amplitude_unit) = (motion.of("X", "Θ"), motion.displacement_unit());
         let why =
             ("Steady-state amplitude: spring and inertia on one side, damping on the other", RAO.at("§3.9"));
         let (loss, amplitude, damping) = match &given.damping {
-            DampingLawGiven::QuadraticDrag { drag } => {
+            DampingLawGiven::QuadraticDrag { drag } | DampingLawGiven::TorsionalDrag { drag } => {
                 let elastic = sheet.step(
-                    "K",
-                    "N/m",
+                    motion.of("K", "K_t"),
+                    motion.stiffness().1,
                     (stiffness - mass * frequency.powi(2)).abs(),
-                    "Force of spring and inertia per metre of amplitude",
+                    motion.of(
+                        "Force of spring and inertia per metre of amplitude",
+                        "Torque of spring and inertia per radian of amplitude",
+                    ),
                 );
                 let first = sheet.step(
                     "A",
-                    "N/m^2",
+                    motion.of("N/m^2", "N*m/rad^2"),
                     *drag * frequency.powi(2) * 8.0 / (3.0 * PI),
-                    ("The drag a v|v| is equivalent to a viscous damping 8aωX/(3π), which dissipates the same energy per cycle", RAO.at("§3.10")),
+                    (
+                        motion.of(
+                            "The drag a v|v| is equivalent to a viscous damping 8aωX/(3π), which dissipates the same energy per cycle",
+                            "The drag a_t Ω|Ω| is equivalent to a viscous damping 8a_tωΘ/(3π), which dissipates the same energy per cycle",
+                        ),
+                        RAO.at("§3.10"),
+                    ),
                 );
                 // X² is the positive root of A²X⁴ + K²X² = F₀², without cancellation.
                 let square = force.powi(2) * 2.0
                     / (elastic.powi(2) + (elastic.powi(4) + (first * force).powi(2) * 4.0).sqrt());
                 let amplitude = sheet.step(
-                    "X",
-                    "mm",
+                    amplitude_symbol,
+                    amplitude_unit,
                     square.sqrt(),
-                    "Steady-state amplitude: (K X)² + (A X²)² = F₀², a quadratic equation in X²",
+                    motion.of(
+                        "Steady-state amplitude: (K X)² + (A X²)² = F₀², a quadratic equation in X²",
+                        "Steady-state amplitude: (K_t Θ)² + (A Θ²)² = T₀², a quadratic equation in Θ²",
+                    ),
                 );
                 let damping = sheet.step(
                     "c_eq",
-                    "N*s/m",
+                    motion.damping_unit(),
                     *drag * frequency * amplitude * 8.0 / (3.0 * PI),
-                    "Equivalent viscous damping, 8aωX/(3π)",
+                    motion.of(
+                        "Equivalent viscous damping, 8aωX/(3π)",
+                        "Equivalent viscous damping, 8a_tωΘ/(3π)",
+                    ),
                 );
                 let loss = sheet.step(
                     "η",
@@ -131,19 +186,31 @@ impl Analysis for EquivalentDamping {
             other => {
                 let loss = match other {
                     DampingLawGiven::LossFactor { loss_factor } => *loss_factor,
-                    DampingLawGiven::LoopArea { energy, amplitude } => sheet.step(
+                    DampingLawGiven::LoopArea { energy, amplitude }
+                    | DampingLawGiven::RotationLoop { energy, amplitude } => sheet.step(
                         "η",
                         "1",
                         *energy / (stiffness * amplitude.powi(2) * PI),
-                        ("Loss factor: the area of the loop is πηkX²", RAO.at("§2.10")),
+                        (
+                            motion.of(
+                                "Loss factor: the area of the loop is πηkX²",
+                                "Loss factor: the area of the loop is πηk_tΘ²",
+                            ),
+                            RAO.at("§2.10"),
+                        ),
                     ),
                     DampingLawGiven::StiffnessMultiplier { multiplier } => sheet.step(
                         "η",
                         "1",
                         frequency * *multiplier,
-                        "Loss factor at this frequency: the damping force βωkX over the elastic one",
+                        motion.of(
+                            "Loss factor at this frequency: the damping force βωkX over the elastic one",
+                            "Loss factor at this frequency: the damping torque βωk_tΘ over the elastic one",
+                        ),
                     ),
-                    DampingLawGiven::QuadraticDrag { .. } => unreachable!("done above"),
+                    DampingLawGiven::QuadraticDrag { .. } | DampingLawGiven::TorsionalDrag { .. } => {
+                        unreachable!("done above")
+                    }
                 };
                 if loss.value() == 0.0 && stiffness.value() == mass.value() * frequency.value().powi(2) {
                     return Err(Refusal::because(
@@ -153,10 +220,10 @@ impl Analysis for EquivalentDamping {
                 }
                 let amplitude = force
                     / ((stiffness - mass * frequency.powi(2)).powi(2) + (loss * stiffness).powi(2)).sqrt();
-                let amplitude = sheet.step("X", "mm", amplitude, why);
+                let amplitude = sheet.step(amplitude_symbol, amplitude_unit, amplitude, why);
                 let damping = sheet.step(
                     "c_eq",
-                    "N*s/m",
+                    motion.damping_unit(),
                     loss * stiffness / frequency,
                     ("Equivalent viscous damping at this frequency", RAO.at("§2.10")),
                 );
@@ -172,7 +239,7 @@ impl Analysis for EquivalentDamping {
             "φ",
             "deg",
             (loss * stiffness).atan2(stiffness - mass * frequency.powi(2)),
-            ("The motion lags the force by", RAO.at("§3.9")),
+            (motion.of("The motion lags the force by", "The motion lags the torque by"), RAO.at("§3.9")),
         );
         let energy = sheet.step(
             "W",
@@ -181,17 +248,23 @@ impl Analysis for EquivalentDamping {
             ("Energy lost per cycle: the area of the loop", RAO.at("§2.10")),
         );
         sheet.check(
-            "the force supplies the same energy, πF₀X sin φ",
+            motion.of(
+                "the force supplies the same energy, πF₀X sin φ",
+                "the torque supplies the same energy, πT₀Θ sin φ",
+            ),
             force * amplitude * phase.sin() * PI,
             energy,
         );
-        self.summed_loop(amplitude.value(), energy, sheet);
+        self.summed_loop([stiffness, amplitude].map(Real::value), energy, sheet);
         let capacity = sheet.step(
             "ψ",
             "%",
             loss * 2.0 * PI,
             (
-                "Specific damping capacity: that energy over the largest elastic energy kX²/2",
+                motion.of(
+                    "Specific damping capacity: that energy over the largest elastic energy kX²/2",
+                    "Specific damping capacity: that energy over the largest elastic energy k_tΘ²/2",
+                ),
                 RAO.at("§2.6.4"),
             ),
         );
@@ -210,6 +283,12 @@ impl Analysis for EquivalentDamping {
             );
             sheet.check("the loss factor at this frequency is 2ζr", ratio * over * 2.0, loss);
         });
+        let (name, label) = motion.of(("mass", "Mass"), ("inertia", "Moment of inertia"));
+        sheet.answer(name, label, mass);
+        sheet.answer("stiffness", motion.of("Stiffness", "Torsional stiffness"), stiffness);
+        let (name, label) =
+            motion.of(("force", "Amplitude of the force"), ("torque", "Amplitude of the torque"));
+        sheet.answer(name, label, force);
         sheet.answer("natural_frequency", "Natural frequency", natural);
         sheet.answer("loss_factor", "Loss factor", loss);
         sheet.answer("amplitude", "Amplitude at this frequency", amplitude);
@@ -218,12 +297,14 @@ impl Analysis for EquivalentDamping {
         sheet.answer("equivalent_ratio", "Equivalent damping ratio", ratio);
         sheet.answer("energy", "Energy lost per cycle", energy);
         sheet.answer("damping_capacity", "Specific damping capacity", capacity);
-        if let DampingLawGiven::LossFactor { .. } | DampingLawGiven::LoopArea { .. } = &given.damping
+        if let DampingLawGiven::LossFactor { .. }
+        | DampingLawGiven::LoopArea { .. }
+        | DampingLawGiven::RotationLoop { .. } = &given.damping
             && loss.value() > 0.0
         {
             let largest = sheet.step(
-                "Xₘₐₓ",
-                "mm",
+                motion.of("Xₘₐₓ", "Θₘₐₓ"),
+                amplitude_unit,
                 force / (loss * stiffness),
                 (
                     "Maximum amplitude, exactly at the natural frequency, unlike that of viscous damping",
@@ -241,22 +322,24 @@ impl Analysis for EquivalentDamping {
             });
         }
         let numbers = Numbers {
+            motion,
             mass: mass.value(),
-            stiffness: self.stiffness,
-            force: self.force,
+            stiffness: stiffness.value(),
+            force: force.value(),
             loss: loss.value(),
             natural: natural.value(),
         };
         let amplitude = amplitude.value();
-        sheet.show(|| Exhibit::Plot(self.hysteresis(amplitude, loss.value())));
+        sheet.show(|| Exhibit::Plot(self.hysteresis(&numbers, amplitude)));
         sheet.show(|| Exhibit::Plot(self.response(&numbers, amplitude)));
-        sheet.show(|| Exhibit::Drawing(drawing()));
+        sheet.show(|| Exhibit::Drawing(drawing(motion)));
         Ok(())
     }
 }
 
 /// Parameters of the plotted response.
 struct Numbers {
+    motion: OscillatorMotion,
     mass: f64,
     stiffness: f64,
     force: f64,
@@ -264,27 +347,43 @@ struct Numbers {
     natural: f64,
 }
 
+impl<W: Worksheet> DampingLawGiven<W> {
+    /// The motion that it is of, if it is of one only.
+    fn motion(&self) -> Option<OscillatorMotion> {
+        match self {
+            DampingLawGiven::QuadraticDrag { .. } | DampingLawGiven::LoopArea { .. } => {
+                Some(OscillatorMotion::Translation)
+            }
+            DampingLawGiven::TorsionalDrag { .. } | DampingLawGiven::RotationLoop { .. } => {
+                Some(OscillatorMotion::Rotation)
+            }
+            DampingLawGiven::LossFactor { .. } | DampingLawGiven::StiffnessMultiplier { .. } => None,
+        }
+    }
+}
+
 impl EquivalentDamping {
-    /// The damping force at a phase of the cycle `x = X sin ψ`.
-    fn damping_force(&self, amplitude: f64, loss: f64, phase: f64) -> f64 {
+    /// The damping force at a phase of the cycle `x = X sin ψ`; `elastic` is the force of the spring at its amplitude.
+    fn damping_force(&self, elastic: f64, amplitude: f64, loss: f64, phase: f64) -> f64 {
         match self.damping {
-            DampingLaw::QuadraticDrag { drag } => {
+            DampingLaw::QuadraticDrag { drag } | DampingLaw::TorsionalDrag { drag } => {
                 let velocity = self.frequency * amplitude * phase.cos();
                 drag * velocity * velocity.abs()
             }
-            _ => loss * self.stiffness * amplitude * phase.cos(),
+            _ => loss * elastic * phase.cos(),
         }
     }
 
     /// Holds the energy to the area of the loop, summed.
-    fn summed_loop<W: Worksheet>(&self, amplitude: f64, energy: W::Num, sheet: W) {
-        let (stiffness, loss) = (self.stiffness, energy.value() / (PI * self.stiffness * amplitude.powi(2)));
+    fn summed_loop<W: Worksheet>(&self, [stiffness, amplitude]: [f64; 2], energy: W::Num, sheet: W) {
+        let loss = energy.value() / (PI * stiffness * amplitude.powi(2));
         sheet.verify(|| {
             // Half a turn forward, by Simpson's rule; the other half takes as much.
             let panels = 1000u32;
             let at = |n: u32| {
                 let phase = -PI / 2.0 + PI * f64::from(n) / f64::from(panels);
-                let force = stiffness * amplitude * phase.sin() + self.damping_force(amplitude, loss, phase);
+                let elastic = stiffness * amplitude;
+                let force = elastic * phase.sin() + self.damping_force(elastic, amplitude, loss, phase);
                 force * amplitude * phase.cos()
             };
             let weight = |n: u32| {
@@ -303,35 +402,34 @@ impl EquivalentDamping {
     }
 
     /// The loop of spring and damping together.
-    fn hysteresis(&self, amplitude: f64, loss: f64) -> Plot {
+    fn hysteresis(&self, numbers: &Numbers, amplitude: f64) -> Plot {
+        let Numbers { motion, stiffness, loss, .. } = *numbers;
+        let elastic = stiffness * amplitude;
         let at = |n: u16| {
             let phase = TAU * f64::from(n) / 240.0;
-            let x = amplitude * phase.sin();
-            (x, self.stiffness * x + self.damping_force(amplitude, loss, phase))
+            let force = elastic * phase.sin() + self.damping_force(elastic, amplitude, loss, phase);
+            (amplitude * phase.sin(), force)
         };
         Plot::new(
-            "Force–displacement loop over one cycle",
-            Axis::linear("displacement", "mm"),
-            Axis::linear("force", "N"),
+            motion.of("Force–displacement loop over one cycle", "Torque–angle loop over one cycle"),
+            Axis::linear(motion.of("displacement", "angle"), motion.displacement_unit()),
+            Axis::linear(motion.of("force", "torque"), motion.force_unit()),
             vec![
                 Series::line("spring and damping", (0..=240).map(at).collect()),
-                Series::line(
-                    "spring alone",
-                    vec![(-amplitude, -self.stiffness * amplitude), (amplitude, self.stiffness * amplitude)],
-                ),
+                Series::line("spring alone", vec![(-amplitude, -elastic), (amplitude, elastic)]),
             ],
         )
     }
 
     /// Amplitude over frequency, beside the viscous damping with the same loss at resonance.
     fn response(&self, numbers: &Numbers, amplitude: f64) -> Plot {
-        let Numbers { mass, stiffness, force, loss, natural } = *numbers;
+        let Numbers { motion, mass, stiffness, force, loss, natural } = *numbers;
         let last = (2.0 * natural).max(1.2 * self.frequency);
         let points = || (1..=300u16).map(|n| last * f64::from(n) / 300.0);
         let here = |w: f64| {
             let elastic = (stiffness - mass * w * w).abs();
             let amplitude = match self.damping {
-                DampingLaw::QuadraticDrag { drag } => {
+                DampingLaw::QuadraticDrag { drag } | DampingLaw::TorsionalDrag { drag } => {
                     let first = 8.0 * drag * w * w / (3.0 * PI);
                     (2.0 * force * force
                         / (elastic * elastic + (elastic.powi(4) + (2.0 * first * force).powi(2)).sqrt()))
@@ -349,8 +447,8 @@ impl EquivalentDamping {
         let viscous = |w: f64| (w, sdof::forced_amplitude(force, stiffness, mass, damping, w));
         Plot::new(
             "Amplitude against frequency",
-            Axis::linear("frequency of the force", "Hz"),
-            Axis::log("amplitude", "mm"),
+            Axis::linear(motion.of("frequency of the force", "frequency of the torque"), "Hz"),
+            Axis::log("amplitude", motion.displacement_unit()),
             vec![
                 Series::line("this damping", points().map(here).collect()).of("amplitude"),
                 Series::line("viscous, with the same loss here", points().map(viscous).collect()),
@@ -361,7 +459,10 @@ impl EquivalentDamping {
     }
 }
 
-fn drawing() -> Drawing {
+fn drawing(motion: OscillatorMotion) -> Drawing {
+    if motion == OscillatorMotion::Rotation {
+        return inertia_spring_damper("T₀ cos ωt");
+    }
     Sketch::new("One degree of freedom")
         .ground((-1.0, -1.5), (1.0, -1.5))
         .spring("k(1 + iη)", (0.0, -1.5), (0.0, -0.4))

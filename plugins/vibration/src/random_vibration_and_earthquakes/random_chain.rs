@@ -5,9 +5,7 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    vibration::random::{
-        Resonance, absolute_squared, integrate, integrate_about, modal_moment, relative_squared,
-    },
+    vibration::random::{Resonance, absolute_squared, integrate, integrate_about, relative_squared},
 };
 
 use crate::{
@@ -90,7 +88,7 @@ impl Excited {
         Self { modes: (0..modes.len()).map(at).collect(), spectrum }
     }
 
-    fn resonances(&self) -> impl Iterator<Item = Resonance> {
+    fn resonances(&self) -> impl Iterator<Item = Resonance> + Clone {
         self.modes[0].iter().map(|(mode, _)| *mode)
     }
 
@@ -136,7 +134,7 @@ impl Excited {
         sheet: W,
     ) -> Result<W::Num, Refusal> {
         sheet.keep_going()?;
-        let (ends, points) = self.points();
+        let points = self.spectrum.breaks(self.resonances());
         let integral =
             integrate(|omega| self.integrand(mass, response, omega), &points).map_err(not_found)?;
         let why = match response {
@@ -162,7 +160,7 @@ impl Excited {
                 (value.value().powi(2) - closed).into(),
                 scale,
             ),
-            None if ends.iter().all(|end| end.is_finite()) => {
+            None if points.iter().all(|point| point.is_finite()) => {
                 let (first, _) = self.modes[0][0];
                 let mut points = points.clone();
                 points.sort_by(f64::total_cmp);
@@ -179,20 +177,6 @@ impl Excited {
         Ok(value)
     }
 
-    /// The ends of the density, and all places at which the integral is broken.
-    fn points(&self) -> (Vec<f64>, Vec<f64>) {
-        let ends = self.spectrum.ends();
-        let (first, last) = (ends[0], ends[ends.len() - 1]);
-        let inside = |omega: &f64| *omega > first && *omega < last;
-        let mut points = ends.clone();
-        points.extend(self.resonances().flat_map(Resonance::breaks).filter(inside));
-        if last.is_infinite() {
-            let highest = self.resonances().fold(0.0, |most: f64, mode| most.max(mode.natural));
-            points.push(40.0 * highest);
-        }
-        (ends, points)
-    }
-
     fn integrand(&self, mass: usize, response: Response, omega: f64) -> f64 {
         let modes = &self.modes[mass];
         let squared = match response {
@@ -205,29 +189,20 @@ impl Excited {
 
     /// The mean square in closed form where the density is a level, with the size of its terms.
     fn partial_fractions(&self, mass: usize, response: Response) -> Option<(f64, f64)> {
-        let (level, ends) = match &self.spectrum {
-            Spectrum::White(level) => (*level, [0.0, f64::INFINITY]),
-            Spectrum::Band(level, ends) => (*level, *ends),
-            Spectrum::Table(_) => return None,
+        let modes = &self.modes[mass];
+        let terms = match (response, &modes[..]) {
+            (Response::Displacement, _) => vec![(0, 1.0)],
+            (Response::RelativeAcceleration, _) => vec![(4, 1.0)],
+            (Response::AbsoluteAcceleration, [(only, _)]) => {
+                vec![(0, only.natural.powi(4)), (2, (2.0 * only.ratio * only.natural).powi(2))]
+            }
+            (Response::AbsoluteAcceleration, _) => return None,
         };
         let (mut value, mut scale) = (0.0, 0.0);
-        for (r, r_share) in &self.modes[mass] {
-            for (s, s_share) in &self.modes[mass] {
-                let weight = r_share * s_share;
-                let terms: Vec<(u8, f64)> = match response {
-                    Response::Displacement => vec![(0, 1.0)],
-                    Response::RelativeAcceleration => vec![(4, 1.0)],
-                    Response::AbsoluteAcceleration if self.modes[mass].len() == 1 => {
-                        vec![(0, r.natural.powi(4)), (2, (2.0 * r.ratio * r.natural).powi(2))]
-                    }
-                    Response::AbsoluteAcceleration => return None,
-                };
-                for (power, factor) in terms {
-                    let moment = modal_moment(*r, *s, power, ends)?;
-                    value += weight * factor * moment.value * level;
-                    scale += (weight * factor).abs() * moment.scale * level;
-                }
-            }
+        for (power, factor) in terms {
+            let moment = self.spectrum.partial_fractions(modes, power)?;
+            value += factor * moment.value;
+            scale += factor * moment.scale;
         }
         Some((value, scale))
     }

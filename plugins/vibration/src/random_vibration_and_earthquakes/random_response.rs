@@ -1,4 +1,4 @@
-//! One degree of freedom under a random force or on a randomly excited base.
+//! One degree of freedom under a random force or torque, or on a randomly excited base.
 
 use dalembert_core::{
     About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Symbol, Text, Worksheet, register,
@@ -10,11 +10,15 @@ use dalembert_mechanics::{
 
 use crate::{
     shared::{
-        free_motion::{DampedOscillator, system},
-        oscillator::{Elasticity, Mass, ViscousDamping, mass},
+        free_motion::{DampedOscillator, system_of_body},
+        oscillator::{
+            motion::OscillatorMotion,
+            parts::{BodyDamping, BodySprings, OscillatingBody, motion_of},
+        },
         spectral_density::{
-            AccelerationDensity, AccelerationDensityGiven, ForceDensity, ForceDensityGiven, Spectrum,
-            not_found,
+            AccelerationDensity, AccelerationDensityGiven, AngularAccelerationDensity,
+            AngularAccelerationDensityGiven, ForceDensity, ForceDensityGiven, Spectrum, TorqueDensity,
+            TorqueDensityGiven, not_found,
         },
     },
     sources::{MILES, RAO, THOMSON},
@@ -23,13 +27,13 @@ use crate::{
 /// The oscillator and what shakes it.
 #[derive(Clone, Debug, Inputs)]
 pub struct RandomResponse {
-    /// Mass.
-    /// Required only for a force on it, or if the stiffness is given instead of a frequency.
-    pub mass: Option<Mass>,
+    /// Inertia.
+    /// Required only for a force or torque on it, or if the stiffness is given instead of a frequency.
+    pub mass: Option<OscillatingBody>,
     /// Springs.
-    pub elasticity: Elasticity,
+    pub elasticity: BodySprings,
     /// Damping.
-    pub damping: ViscousDamping,
+    pub damping: BodyDamping,
     /// Excitation.
     /// Stationary, Gaussian, zero mean.
     pub excitation: RandomExcitation,
@@ -48,6 +52,18 @@ pub enum RandomExcitation {
         /// Power spectral density of the force.
         density: ForceDensity,
     },
+    /// Angular acceleration of the base
+    /// For a rotation.
+    BaseRotation {
+        /// Power spectral density of the angular acceleration.
+        density: AngularAccelerationDensity,
+    },
+    /// Torque on the body
+    /// For a rotation.
+    Torque {
+        /// Power spectral density of the torque.
+        density: TorqueDensity,
+    },
 }
 
 register!(RandomResponse);
@@ -57,7 +73,7 @@ impl Analysis for RandomResponse {
         id: "vibration/random-response",
         title: "Random response",
         topic: "Random vibration and earthquakes",
-        summary: "Root mean square of displacement and acceleration, crossing rate and three-sigma values of one degree of freedom under a spectral density.",
+        summary: "Root mean square of displacement and acceleration, crossing rate and three-sigma values of one degree of freedom, moving along a line or about an axis, under a spectral density.",
         keywords: "psd random vibration rms grms white noise Miles three sigma spectral density crossing rate vibração \
                    aleatória densidade espectral ruído branco valor eficaz três sigma cruzamentos",
         sources: &[&RAO, &THOMSON, &MILES],
@@ -65,8 +81,9 @@ impl Analysis for RandomResponse {
     };
 
     fn solve<W: Worksheet>(&self, given: &RandomResponseGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let mass = given.mass.as_ref().map(|given| mass(given, sheet));
-        let system = system(mass, &given.elasticity, &given.damping, sheet)?;
+        let RandomResponseGiven { mass, elasticity, damping, .. } = given;
+        let motion = motion_of(mass.as_ref(), elasticity, damping, Some(given.excitation.motion()))?;
+        let system = system_of_body(motion, mass.as_ref(), elasticity, damping, sheet)?;
         if system.ratio.value() == 0.0 {
             return Err(Refusal::because(
                 "without damping a random excitation makes the motion grow without bound, as √t: give a damping ratio",
@@ -74,16 +91,22 @@ impl Analysis for RandomResponse {
         }
         sheet.answer("natural_frequency", "Natural frequency", system.natural);
         sheet.answer("damping_ratio", "Damping ratio", system.ratio);
-        let (spectrum, scale) = match &self.excitation {
-            RandomExcitation::Base { density } => (density.spectrum()?, 1.0),
-            RandomExcitation::Force { density } => {
-                let body = system.body.ok_or_else(|| {
-                    Refusal::because(
-                        "a force moves a mass: give the mass in addition to the natural frequency",
-                    )
-                })?;
-                (density.spectrum()?, 1.0 / body.mass.value().powi(2))
-            }
+        let (spectrum, on_base) = match &self.excitation {
+            RandomExcitation::Base { density } => (density.spectrum()?, true),
+            RandomExcitation::BaseRotation { density } => (density.spectrum()?, true),
+            RandomExcitation::Force { density } => (density.spectrum()?, false),
+            RandomExcitation::Torque { density } => (density.spectrum()?, false),
+        };
+        let scale = if on_base {
+            1.0
+        } else {
+            let body = system.body.ok_or_else(|| {
+                Refusal::because(motion.of(
+                    "a force moves a mass: give the mass in addition to the natural frequency",
+                    "a torque turns a body: give its moment of inertia in addition to the natural frequency",
+                ))
+            })?;
+            1.0 / body.mass.value().powi(2)
         };
         let problem = Random { spectrum, scale, system };
         if !problem.spectrum.reaches(system.natural.value()) {
@@ -93,28 +116,47 @@ impl Analysis for RandomResponse {
                 )
             });
         }
-        match &given.excitation {
-            RandomExcitationGiven::Base { density } => {
-                let level = match density {
-                    AccelerationDensityGiven::White { level } => {
-                        Some(sheet.step("S₀", "m^2/s^3/rad", *level, PER_RADIAN))
-                    }
-                    _ => None,
-                };
-                problem.base(level, sheet)?;
+        let level = given.excitation.level().map(|(unit, level)| sheet.step("S₀", unit, level, PER_RADIAN));
+        if on_base {
+            problem.base(level, sheet)?;
+        } else {
+            problem.force(level, sheet)?;
+        }
+        sheet.show(|| Exhibit::Plot(problem.plot(on_base)));
+        Ok(())
+    }
+}
+
+impl<W: Worksheet> RandomExcitationGiven<W> {
+    /// The motion that it is of.
+    fn motion(&self) -> OscillatorMotion {
+        match self {
+            RandomExcitationGiven::Base { .. } | RandomExcitationGiven::Force { .. } => {
+                OscillatorMotion::Translation
             }
-            RandomExcitationGiven::Force { density } => {
-                let level = match density {
-                    ForceDensityGiven::White { level } => {
-                        Some(sheet.step("S₀", "N^2*s/rad", *level, PER_RADIAN))
-                    }
-                    _ => None,
-                };
-                problem.force(level, sheet)?;
+            RandomExcitationGiven::BaseRotation { .. } | RandomExcitationGiven::Torque { .. } => {
+                OscillatorMotion::Rotation
             }
         }
-        sheet.show(|| Exhibit::Plot(problem.plot(matches!(self.excitation, RandomExcitation::Base { .. }))));
-        Ok(())
+    }
+
+    /// The level of white noise, with its unit per rad/s.
+    fn level(&self) -> Option<(&'static str, W::Num)> {
+        match self {
+            RandomExcitationGiven::Base { density: AccelerationDensityGiven::White { level } } => {
+                Some(("m^2/s^3/rad", *level))
+            }
+            RandomExcitationGiven::Force { density: ForceDensityGiven::White { level } } => {
+                Some(("N^2*s/rad", *level))
+            }
+            RandomExcitationGiven::BaseRotation {
+                density: AngularAccelerationDensityGiven::White { level },
+            } => Some(("rad/s^3", *level)),
+            RandomExcitationGiven::Torque { density: TorqueDensityGiven::White { level } } => {
+                Some(("N^2*m^2*s/rad", *level))
+            }
+            _ => None,
+        }
     }
 }
 
@@ -144,37 +186,63 @@ impl<N: Real> Random<N> {
 
     /// The relative displacement and the absolute acceleration of a mass on a base.
     fn base<W: Worksheet<Num = N>>(&self, level: Option<N>, sheet: W) -> Result<(), Refusal> {
-        let DampedOscillator { natural, ratio, .. } = self.system;
+        let DampedOscillator { natural, ratio, motion, .. } = self.system;
+        let (relative, speed, absolute) = motion.of(
+            (
+                "Root mean square of the displacement relative to the base",
+                "Root mean square of the velocity relative to the base",
+                "Root mean square of the absolute acceleration",
+            ),
+            (
+                "Root mean square of the angle relative to the base",
+                "Root mean square of the angular velocity relative to the base",
+                "Root mean square of the absolute angular acceleration",
+            ),
+        );
+        let acceleration_unit = motion.of("m/s^2", "rad/s^2");
         let displacement = self.rms(
-            ["σ_z", "mm"],
+            [motion.of("σ_z", "σ_θ"), motion.displacement_unit()],
             Weight { power: 0, constant: 1.0, square: 0.0 },
             level.map(|level| random::white_displacement(level, natural, ratio)),
-            "Root mean square of the displacement relative to the base",
+            relative,
             sheet,
         )?;
         let velocity = self.rms(
-            ["σ_v", "mm/s"],
+            [motion.of("σ_v", "σ_Ω"), motion.velocity_unit()],
             Weight { power: 2, constant: 1.0, square: 0.0 },
             level.map(|level| random::white_velocity(level, natural, ratio)),
-            "Root mean square of the velocity relative to the base",
+            speed,
             sheet,
         )?;
         let (wn, zeta) = (natural.value(), ratio.value());
         let acceleration = self.rms(
-            ["σ_a", "m/s^2"],
+            [motion.of("σ_a", "σ_α"), acceleration_unit],
             Weight { power: 0, constant: wn.powi(4), square: (2.0 * zeta * wn).powi(2) },
             level.map(|level| random::white_acceleration(level, natural, ratio)),
-            "Root mean square of the absolute acceleration",
+            absolute,
             sheet,
         )?;
-        sheet.answer("displacement", "Root mean square of the relative displacement", displacement);
-        sheet.answer("velocity", "Root mean square of the relative velocity", velocity);
-        sheet.answer("acceleration", "Root mean square of the absolute acceleration", acceleration);
+        let labels = motion.of(
+            [
+                "Root mean square of the relative displacement",
+                "Root mean square of the relative velocity",
+                "Root mean square of the absolute acceleration",
+            ],
+            [
+                "Root mean square of the relative angle",
+                "Root mean square of the relative angular velocity",
+                "Root mean square of the absolute angular acceleration",
+            ],
+        );
+        sheet.answer("displacement", labels[0], displacement);
+        sheet.answer("velocity", labels[1], velocity);
+        sheet.answer("acceleration", labels[2], acceleration);
         let at_natural = match level {
             Some(level) => Some(level),
             None if self.spectrum.reaches(wn) => {
                 let why = "Power spectral density of the acceleration at the natural frequency";
-                Some(sheet.numerical("S_n", "m^2/s^4/Hz", self.spectrum.at(wn), why))
+                let unit = motion.of("m^2/s^4/Hz", "rad^2/s^4/Hz");
+                Some(sheet.numerical("S_n", unit, self.spectrum.at(wn), why))
             }
             None => None,
         };
@@ -183,13 +251,17 @@ impl<N: Real> Random<N> {
                 "Miles' value, which treats the density at the natural frequency as white noise and neglects 4ζ²",
                 MILES.at("1954"),
             );
-            let miles = sheet.step("σ_M", "m/s^2", random::miles(density, natural, ratio).sqrt(), why);
+            let miles =
+                sheet.step("σ_M", acceleration_unit, random::miles(density, natural, ratio).sqrt(), why);
             let error =
                 sheet.step("ε_M", "%", (miles - acceleration) / acceleration, "Error of Miles' value");
             sheet.verify(|| {
                 let white = Random { spectrum: Spectrum::White(self.spectrum.at(wn)), scale: 1.0, system: self.system };
                 if let Ok(square) = white.integral(Weight { power: 0, constant: wn.powi(4), square: 0.0 }) {
-                    let what = "force of the spring over the mass under white noise, by integration over all frequencies";
+                    let what = motion.of(
+                        "force of the spring over the mass under white noise, by integration over all frequencies",
+                        "torque of the spring over the moment of inertia under white noise, by integration over all frequencies",
+                    );
                     sheet.check(what, square.sqrt().into(), miles);
                 }
             });
@@ -198,74 +270,100 @@ impl<N: Real> Random<N> {
         }
         self.crossings(displacement, velocity, sheet);
         let why = "Three standard deviations: reached or passed 0.27 % of the time";
-        let three = sheet.step("3σ_z", "mm", displacement * 3.0, why);
-        sheet.answer("three_sigma_displacement", "3σ relative displacement", three);
-        let three = sheet.step("3σ_a", "m/s^2", acceleration * 3.0, why);
-        sheet.answer("three_sigma_acceleration", "3σ absolute acceleration", three);
+        let symbol = motion.of("3σ_z", "3σ_θ");
+        let three = sheet.step(symbol, motion.displacement_unit(), displacement * 3.0, why);
+        let label = motion.of("3σ relative displacement", "3σ relative angle");
+        sheet.answer("three_sigma_displacement", label, three);
+        let symbol = motion.of("3σ_a", "3σ_α");
+        let three = sheet.step(symbol, acceleration_unit, acceleration * 3.0, why);
+        let label = motion.of("3σ absolute acceleration", "3σ absolute angular acceleration");
+        sheet.answer("three_sigma_acceleration", label, three);
         Ok(())
     }
 
     /// The displacement of a mass under a force, and the force on its support.
     fn force<W: Worksheet<Num = N>>(&self, level: Option<N>, sheet: W) -> Result<(), Refusal> {
-        let DampedOscillator { natural, ratio, .. } = self.system;
+        let DampedOscillator { natural, ratio, motion, .. } = self.system;
+        let (moved, speed, carried, on_support) = motion.of(
+            (
+                "Root mean square of the displacement",
+                "Root mean square of the velocity",
+                "Root mean square of the force of spring and damper, over the mass",
+                "Root mean square of the force on the support",
+            ),
+            (
+                "Root mean square of the angle",
+                "Root mean square of the angular velocity",
+                "Root mean square of the torque of spring and damper, over the moment of inertia",
+                "Root mean square of the torque on the support",
+            ),
+        );
+        let acceleration_unit = motion.of("m/s^2", "rad/s^2");
         let body = self.system.body.expect("a force has a mass to move");
         let level = level.map(|level| level / body.mass.powi(2));
         let displacement = self.rms(
-            ["σ_x", "mm"],
+            [motion.of("σ_x", "σ_θ"), motion.displacement_unit()],
             Weight { power: 0, constant: 1.0, square: 0.0 },
             level.map(|level| random::white_displacement(level, natural, ratio)),
-            "Root mean square of the displacement",
+            moved,
             sheet,
         )?;
         let velocity = self.rms(
-            ["σ_v", "mm/s"],
+            [motion.of("σ_v", "σ_Ω"), motion.velocity_unit()],
             Weight { power: 2, constant: 1.0, square: 0.0 },
             level.map(|level| random::white_velocity(level, natural, ratio)),
-            "Root mean square of the velocity",
+            speed,
             sheet,
         )?;
         let (wn, zeta) = (natural.value(), ratio.value());
         let transmitted = self.rms(
-            ["σ_f", "m/s^2"],
+            ["σ_f", acceleration_unit],
             Weight { power: 0, constant: wn.powi(4), square: (2.0 * zeta * wn).powi(2) },
             level.map(|level| random::white_acceleration(level, natural, ratio)),
-            "Root mean square of the force of spring and damper, over the mass",
+            carried,
             sheet,
         )?;
-        let why = "Root mean square of the force on the support";
-        let force = sheet.step("σ_F", "N", body.mass * transmitted, why);
-        sheet.answer("displacement", "Root mean square of the displacement", displacement);
-        sheet.answer("velocity", "Root mean square of the velocity", velocity);
-        sheet.answer("support_force", "Root mean square of the force on the support", force);
+        let (symbol, name) = motion.of(("σ_F", "support_force"), ("σ_T", "support_torque"));
+        let force = sheet.step(symbol, motion.force_unit(), body.mass * transmitted, on_support);
+        sheet.answer("displacement", moved, displacement);
+        sheet.answer("velocity", speed, velocity);
+        sheet.answer(name, on_support, force);
         sheet.verify(|| {
             let stiffness = body.stiffness.value();
             let damping = 2.0 * zeta * body.mass.value() * wn;
             let weight = Weight { power: 0, constant: stiffness.powi(2), square: damping.powi(2) };
             if let Some(square) = self.second(weight) {
-                let what = "root mean square of the force k + icω of spring and damper on the displacement";
+                let what = motion.of(
+                    "root mean square of the force k + icω of spring and damper on the displacement",
+                    "root mean square of the torque k_t + ic_tω of spring and damper on the angle",
+                );
                 sheet.check(what, square.sqrt().into(), force);
             }
         });
         if matches!(self.spectrum, Spectrum::White(_)) {
             sheet.warn(|| {
-                Text::new(
+                Text::new(motion.of(
                     "under a white-noise force the acceleration of the mass has no finite mean square: it grows with the bandwidth",
-                )
+                    "under a white-noise torque the angular acceleration has no finite mean square: it grows with the bandwidth",
+                ))
             });
         } else {
+            let why = motion
+                .of("Root mean square of the acceleration", "Root mean square of the angular acceleration");
             let acceleration = self.rms(
-                ["σ_a", "m/s^2"],
+                [motion.of("σ_a", "σ_α"), acceleration_unit],
                 Weight { power: 4, constant: 1.0, square: 0.0 },
                 None,
-                "Root mean square of the acceleration",
+                why,
                 sheet,
             )?;
-            sheet.answer("acceleration", "Root mean square of the acceleration", acceleration);
+            sheet.answer("acceleration", why, acceleration);
         }
         self.crossings(displacement, velocity, sheet);
         let why = "Three standard deviations: reached or passed 0.27 % of the time";
-        let three = sheet.step("3σ_x", "mm", displacement * 3.0, why);
-        sheet.answer("three_sigma_displacement", "3σ displacement", three);
+        let symbol = motion.of("3σ_x", "3σ_θ");
+        let three = sheet.step(symbol, motion.displacement_unit(), displacement * 3.0, why);
+        sheet.answer("three_sigma_displacement", motion.of("3σ displacement", "3σ angle"), three);
         Ok(())
     }
 
@@ -390,15 +488,22 @@ impl<N: Real> Random<N> {
         let line = |of: &dyn Fn(f64) -> f64| (0..=400).map(|n| (frequency(n), of(frequency(n)))).collect();
         let response = line(&|omega| self.integrand(weight, omega));
         let excitation = line(&|omega| self.spectrum.at(omega) * self.scale);
+        let motion = self.system.motion;
         let labels = if base {
-            ["acceleration of the base", "absolute acceleration of the mass"]
+            motion.of(
+                ["acceleration of the base", "absolute acceleration of the mass"],
+                ["angular acceleration of the base", "absolute angular acceleration of the body"],
+            )
         } else {
-            ["force over mass", "force on the support over mass"]
+            motion.of(
+                ["force over mass", "force on the support over mass"],
+                ["torque over moment of inertia", "torque on the support over moment of inertia"],
+            )
         };
         Plot::new(
             "Power spectral density",
             Axis::log("frequency", "Hz"),
-            Axis::log("density", "m^2/s^4/Hz"),
+            Axis::log("density", motion.of("m^2/s^4/Hz", "rad^2/s^4/Hz")),
             vec![Series::line(labels[0], excitation), Series::line(labels[1], response)],
         )
     }

@@ -1,7 +1,9 @@
 //! Power spectral density of a random excitation: a level over all frequencies, over a band, or a table.
 
 use dalembert_core::{Inputs, Refusal};
-use dalembert_mechanics::vibration::random::{Density, DensityError, QuadratureError};
+use dalembert_mechanics::vibration::random::{
+    Closed, Density, DensityError, QuadratureError, Resonance, modal_moment,
+};
 
 /// Spectral density of an acceleration, one-sided, over the frequency in Hz.
 #[derive(Clone, Debug, Inputs)]
@@ -73,6 +75,136 @@ pub enum ForceDensity {
     },
 }
 
+/// Spectral density of an angular acceleration, one-sided, over the frequency in Hz.
+#[derive(Clone, Debug, Inputs)]
+pub enum AngularAccelerationDensity {
+    /// White: the same at every frequency
+    White {
+        /// Level.
+        /// One-sided.
+        #[input("S", "rad^2/s^4/Hz", positive)]
+        level: f64,
+    },
+    /// Level over a band
+    Band {
+        /// Level.
+        /// One-sided.
+        #[input("S", "rad^2/s^4/Hz", positive)]
+        level: f64,
+        /// From.
+        #[input("f₁", "Hz", nonnegative)]
+        from: f64,
+        /// To.
+        #[input("f₂", "Hz", positive)]
+        to: f64,
+    },
+    /// Table
+    /// Zero outside it.
+    Table {
+        /// Points.
+        /// Two rows at the same frequency define a step.
+        #[input(table)]
+        points: Vec<AngularAccelerationPoint>,
+        /// Between the points.
+        between: Between,
+    },
+}
+
+/// Spectral density of a torque, one-sided, over the frequency in Hz.
+#[derive(Clone, Debug, Inputs)]
+pub enum TorqueDensity {
+    /// White: the same at every frequency
+    White {
+        /// Level.
+        /// One-sided.
+        #[input("S", "N^2*m^2/Hz", positive)]
+        level: f64,
+    },
+    /// Level over a band
+    Band {
+        /// Level.
+        /// One-sided.
+        #[input("S", "N^2*m^2/Hz", positive)]
+        level: f64,
+        /// From.
+        #[input("f₁", "Hz", nonnegative)]
+        from: f64,
+        /// To.
+        #[input("f₂", "Hz", positive)]
+        to: f64,
+    },
+    /// Table
+    /// Zero outside it.
+    Table {
+        /// Points.
+        /// Two rows at the same frequency define a step.
+        #[input(table)]
+        points: Vec<TorqueDensityPoint>,
+        /// Between the points.
+        between: Between,
+    },
+}
+
+/// Spectral density of a load per unit length, one-sided, over the frequency in Hz.
+#[derive(Clone, Debug, Inputs)]
+pub enum LineLoadDensity {
+    /// White: the same at every frequency
+    White {
+        /// Level.
+        /// One-sided.
+        #[input("S", "N^2/m^2/Hz", positive)]
+        level: f64,
+    },
+    /// Level over a band
+    Band {
+        /// Level.
+        /// One-sided.
+        #[input("S", "N^2/m^2/Hz", positive)]
+        level: f64,
+        /// From.
+        #[input("f₁", "Hz", nonnegative)]
+        from: f64,
+        /// To.
+        #[input("f₂", "Hz", positive)]
+        to: f64,
+    },
+    /// Table
+    /// Zero outside it.
+    Table {
+        /// Points.
+        /// Two rows at the same frequency define a step.
+        #[input(table)]
+        points: Vec<LineLoadDensityPoint>,
+        /// Between the points.
+        between: Between,
+    },
+}
+
+/// Spectral density of a load without correlation between points: one-sided, over the frequency in Hz, for each length.
+#[derive(Clone, Debug, Inputs)]
+pub enum UncorrelatedDensity {
+    /// White: the same at every frequency
+    White {
+        /// Level.
+        /// One-sided.
+        #[input("S", "N^2/m/Hz", positive)]
+        level: f64,
+    },
+    /// Level over a band
+    Band {
+        /// Level.
+        /// One-sided.
+        #[input("S", "N^2/m/Hz", positive)]
+        level: f64,
+        /// From.
+        #[input("f₁", "Hz", nonnegative)]
+        from: f64,
+        /// To.
+        #[input("f₂", "Hz", positive)]
+        to: f64,
+    },
+}
+
 /// Interpolation of a density between the points of its table.
 #[derive(Clone, Debug, Inputs)]
 pub enum Between {
@@ -101,6 +233,39 @@ pub struct ForceDensityPoint {
     pub frequency: f64,
     /// Density.
     #[input("S", "N^2/Hz", nonnegative)]
+    pub density: f64,
+}
+
+/// A point of the density of an angular acceleration.
+#[derive(Clone, Debug, Inputs)]
+pub struct AngularAccelerationPoint {
+    /// Frequency.
+    #[input("f", "Hz", nonnegative)]
+    pub frequency: f64,
+    /// Density.
+    #[input("S", "rad^2/s^4/Hz", nonnegative)]
+    pub density: f64,
+}
+
+/// A point of the density of a torque.
+#[derive(Clone, Debug, Inputs)]
+pub struct TorqueDensityPoint {
+    /// Frequency.
+    #[input("f", "Hz", nonnegative)]
+    pub frequency: f64,
+    /// Density.
+    #[input("S", "N^2*m^2/Hz", nonnegative)]
+    pub density: f64,
+}
+
+/// A point of the density of a load per unit length.
+#[derive(Clone, Debug, Inputs)]
+pub struct LineLoadDensityPoint {
+    /// Frequency.
+    #[input("f", "Hz", nonnegative)]
+    pub frequency: f64,
+    /// Density.
+    #[input("S", "N^2/m^2/Hz", nonnegative)]
     pub density: f64,
 }
 
@@ -140,6 +305,55 @@ impl ForceDensity {
     }
 }
 
+impl AngularAccelerationDensity {
+    /// The density per rad/s.
+    pub(crate) fn spectrum(&self) -> Result<Spectrum, Refusal> {
+        match self {
+            AngularAccelerationDensity::White { level } => Ok(Spectrum::White(*level)),
+            AngularAccelerationDensity::Band { level, from, to } => band(*level, *from, *to),
+            AngularAccelerationDensity::Table { points, between } => {
+                table(points.iter().map(|point| (point.frequency, point.density)).collect(), between)
+            }
+        }
+    }
+}
+
+impl TorqueDensity {
+    /// The density per rad/s.
+    pub(crate) fn spectrum(&self) -> Result<Spectrum, Refusal> {
+        match self {
+            TorqueDensity::White { level } => Ok(Spectrum::White(*level)),
+            TorqueDensity::Band { level, from, to } => band(*level, *from, *to),
+            TorqueDensity::Table { points, between } => {
+                table(points.iter().map(|point| (point.frequency, point.density)).collect(), between)
+            }
+        }
+    }
+}
+
+impl LineLoadDensity {
+    /// The density per rad/s.
+    pub(crate) fn spectrum(&self) -> Result<Spectrum, Refusal> {
+        match self {
+            LineLoadDensity::White { level } => Ok(Spectrum::White(*level)),
+            LineLoadDensity::Band { level, from, to } => band(*level, *from, *to),
+            LineLoadDensity::Table { points, between } => {
+                table(points.iter().map(|point| (point.frequency, point.density)).collect(), between)
+            }
+        }
+    }
+}
+
+impl UncorrelatedDensity {
+    /// The density per rad/s.
+    pub(crate) fn spectrum(&self) -> Result<Spectrum, Refusal> {
+        match self {
+            UncorrelatedDensity::White { level } => Ok(Spectrum::White(*level)),
+            UncorrelatedDensity::Band { level, from, to } => band(*level, *from, *to),
+        }
+    }
+}
+
 impl Spectrum {
     /// The density at a frequency, rad/s.
     pub(crate) fn at(&self, omega: f64) -> f64 {
@@ -163,6 +377,38 @@ impl Spectrum {
             Spectrum::Band(_, ends) => ends.to_vec(),
             Spectrum::Table(density) => density.frequencies().collect(),
         }
+    }
+
+    /// The points at which an integral of modal responses over it is broken: its ends, and frequencies about each
+    /// resonance.
+    pub(crate) fn breaks(&self, modes: impl Iterator<Item = Resonance> + Clone) -> Vec<f64> {
+        let mut points = self.ends();
+        let (first, last) = (points[0], points[points.len() - 1]);
+        let inside = |omega: &f64| *omega > first && *omega < last;
+        points.extend(modes.clone().flat_map(Resonance::breaks).filter(inside));
+        if last.is_infinite() {
+            points.push(40.0 * modes.fold(0.0, |most: f64, mode| most.max(mode.natural)));
+        }
+        points
+    }
+
+    /// `∫ |Σ γ H|² ω^m S dω` in closed form, mode by mode with their cross terms, where the density is a level.
+    pub(crate) fn partial_fractions(&self, modes: &[(Resonance, f64)], power: u8) -> Option<Closed> {
+        let (level, ends) = match self {
+            Spectrum::White(level) => (*level, [0.0, f64::INFINITY]),
+            Spectrum::Band(level, ends) => (*level, *ends),
+            Spectrum::Table(_) => return None,
+        };
+        let mut sum = Closed { value: 0.0, scale: 0.0 };
+        for (r, r_share) in modes {
+            for (s, s_share) in modes {
+                let weight = r_share * s_share * level;
+                let moment = modal_moment(*r, *s, power, ends)?;
+                sum.value += weight * moment.value;
+                sum.scale += weight.abs() * moment.scale;
+            }
+        }
+        Some(sum)
     }
 
     /// Returns true if the spectrum covers a frequency.

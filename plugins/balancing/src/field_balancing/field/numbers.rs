@@ -83,6 +83,24 @@ impl Numbers {
         }
     }
 
+    /// The same numbers with every reading over a limit of its own.
+    pub(super) fn over(&self, limits: &[f64]) -> Self {
+        let divided = |readings: &[Complex<f64>]| -> Vec<Complex<f64>> {
+            readings.iter().zip(limits).map(|(reading, limit)| reading / *limit).collect()
+        };
+        let run = |run: &TrialRun| TrialRun { readings: divided(&run.readings), ..run.clone() };
+        let alpha = DMatrix::from_fn(self.alpha.nrows(), self.alpha.ncols(), |row, plane| {
+            self.alpha[(row, plane)] / limits[row]
+        });
+        Self {
+            first: divided(&self.first),
+            runs: self.runs.iter().map(run).collect(),
+            stay: self.stay,
+            known: self.known,
+            alpha,
+        }
+    }
+
     /// Refuses planes that the uncertainty cannot tell apart, and warns of those that are nearly so.
     pub(super) fn assess_planes<W: Worksheet>(
         &self,

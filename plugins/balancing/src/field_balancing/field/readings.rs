@@ -1,8 +1,12 @@
 //! Measured readings, in the unit of the measurement.
 
-use dalembert_core::{Inputs, MeasuredQuantity, Worksheet};
+use dalembert_core::{Inputs, MeasuredQuantity, Refusal, Symbol, Text, Worksheet};
+use dalembert_mechanics::{Real, balance::Phasor};
 
-use crate::shared::reading::{SensorReading, SensorReadingGiven};
+use crate::{
+    shared::reading::{SensorReading, SensorReadingGiven},
+    sources::EZ_BALANCE,
+};
 
 /// Readings without and with trial weights.
 #[derive(Clone, Debug, Inputs)]
@@ -11,8 +15,26 @@ pub struct Measurements {
     /// A row for each sensor, and for each speed where there are several.
     #[input("0", min = 1)]
     pub first: Vec<SensorReading>,
+    /// Slow-roll readings.
+    /// Run-out of the shaft under each sensor, read far below the first critical speed; one for each reading of the initial
+    /// run, in the same order. Subtracted as a vector from all readings of that sensor; omit it for sensors on the casing.
+    #[input("s")]
+    pub slow_roll: Vec<SlowRollReading>,
     /// Influence of the planes.
     pub influence: InfluenceSource,
+}
+
+/// Reading of a sensor at slow roll.
+#[derive(Clone, Debug, Inputs)]
+pub struct SlowRollReading {
+    /// Amplitude.
+    /// Zero for a sensor without run-out.
+    #[input("A_s", "um | mm/s | m/s^2 | 1", nonnegative, kind = "Amplitude|Velocity|Acceleration|Ratio")]
+    pub amplitude: MeasuredQuantity,
+    /// Phase.
+    /// As the instrument shows it.
+    #[input("φ_s", "deg")]
+    pub phase: f64,
 }
 
 /// Influence of the planes on the sensors.
@@ -86,6 +108,7 @@ pub struct KnownCoefficient {
 }
 
 /// A reading as numbers of a worksheet.
+#[derive(Clone, Copy)]
 pub(super) struct WorkedReading<N> {
     pub(super) amplitude: N,
     pub(super) phase: N,
@@ -126,8 +149,15 @@ pub(super) struct Units {
 }
 
 impl Measurements {
-    /// The measurements as numbers of a worksheet.
-    pub(super) fn job<W: Worksheet>(&self, given: &MeasurementsGiven<W>) -> Job<W::Num> {
+    /// The measurements as numbers of a worksheet, without run-out.
+    ///
+    /// # Errors
+    /// Slow-roll readings that are not as many as the readings.
+    pub(super) fn job<W: Worksheet>(
+        &self,
+        given: &MeasurementsGiven<W>,
+        sheet: W,
+    ) -> Result<Job<W::Num>, Refusal> {
         let reading = self.first.first().map_or("1", |reading| reading.amplitude.unit);
         let coefficient = match reading {
             "um" => "um/g",
@@ -135,7 +165,8 @@ impl Measurements {
             "m/s^2" => "m/(s^2*g)",
             _ => "1/g",
         };
-        let influence = match (&self.influence, &given.influence) {
+        let run_out = RunOut::of(given, self.first.len())?;
+        let mut influence = match (&self.influence, &given.influence) {
             (InfluenceSource::Runs { after, runs }, InfluenceSourceGiven::Runs { runs: given, .. }) => {
                 let run = |(run, given): (&TrialRunInput, &TrialRunInputGiven<W>)| WorkedRun {
                     plane: run.plane - 1,
@@ -155,7 +186,87 @@ impl Measurements {
                 Influence::Known(Vec::new())
             }
         };
-        Job { units: Units { reading, coefficient }, first: readings(&self.first, &given.first), influence }
+        let mut first = readings(&self.first, &given.first);
+        if let Some(run_out) = run_out {
+            for (n, found) in (1..).zip(run_out.taken_from(&mut first, None, reading, sheet)) {
+                sheet.answer(("compensated", n), "Reading without run-out", found.amplitude);
+                sheet.answer(("compensated_phase", n), "Phase of the reading without run-out", found.phase);
+            }
+            if let Influence::Runs { runs, .. } = &mut influence {
+                for (run, worked) in (1..).zip(runs) {
+                    run_out.taken_from(&mut worked.readings, Some(run), reading, sheet);
+                }
+            }
+        }
+        Ok(Job { units: Units { reading, coefficient }, first, influence })
+    }
+}
+
+/// Slow-roll vectors of the sensors: amplitude and phase.
+struct RunOut<N>(Vec<(N, N)>);
+
+impl<N: Real> RunOut<N> {
+    fn of<W: Worksheet<Num = N>>(
+        given: &MeasurementsGiven<W>,
+        readings: usize,
+    ) -> Result<Option<Self>, Refusal> {
+        let vectors: Vec<_> = given.slow_roll.iter().map(|slow| (slow.amplitude, slow.phase)).collect();
+        if vectors.is_empty() {
+            return Ok(None);
+        }
+        if vectors.len() != readings {
+            return Err(Refusal::because(
+                Text::new(
+                    "{have} slow-roll readings are given and {want} readings in the initial run; enter one for each, zero for a sensor without run-out",
+                )
+                .with("have", vectors.len())
+                .with("want", readings),
+            ));
+        }
+        Ok(Some(RunOut(vectors)))
+    }
+
+    /// Subtracts the vectors from the readings of a run, the initial one or a numbered one.
+    fn taken_from<W: Worksheet<Num = N>>(
+        &self,
+        readings: &mut [WorkedReading<N>],
+        run: Option<usize>,
+        unit: &'static str,
+        sheet: W,
+    ) -> Vec<WorkedReading<N>> {
+        for (n, (reading, (amplitude, phase))) in (1..).zip(readings.iter_mut().zip(&self.0)) {
+            if amplitude.value() == 0.0 {
+                continue;
+            }
+            let symbol = |base: &'static str| {
+                let symbol = Symbol::from(base);
+                run.map_or(symbol, |run| symbol.row(run)).row(n)
+            };
+            let shown = *reading;
+            let left = Phasor::polar(shown.amplitude, shown.phase).minus(Phasor::polar(*amplitude, *phase));
+            let why =
+                ("Reading without run-out: the slow-roll vector is subtracted", EZ_BALANCE.at("p. 4-4"));
+            reading.amplitude = sheet.step(symbol("A_c"), unit, left.size(), why);
+            reading.phase = sheet.step(symbol("φ_c"), "deg", left.marked_angle(), "Its phase");
+            sheet.verify(|| {
+                let size = (shown.amplitude.value() + amplitude.value()).powi(2);
+                let between = (shown.phase - *phase).cos();
+                sheet.check_sum(
+                    "square of the reading without run-out by the law of cosines",
+                    reading.amplitude.powi(2),
+                    shown.amplitude.powi(2) + amplitude.powi(2)
+                        - shown.amplitude * *amplitude * between * 2.0,
+                    size,
+                );
+                sheet.check_sum(
+                    "slow-roll vector and the reading without it, across the reading",
+                    *amplitude * (*phase - shown.phase).sin(),
+                    -(reading.amplitude * (reading.phase - shown.phase).sin()),
+                    size.sqrt(),
+                );
+            });
+        }
+        readings.to_vec()
     }
 }
 

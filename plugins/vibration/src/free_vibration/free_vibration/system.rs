@@ -208,8 +208,8 @@ fn damping_ratio<W: Worksheet>(
     let data = match damping {
         KnownDamping::Data(data) => data,
         KnownDamping::Coefficient(coefficient) => {
-            let zeta = ratio_of(coefficient, critical, stiffness, mass, sheet);
-            sheet.answer("damping", "Damping coefficient", coefficient);
+            let zeta = ratio_of(*coefficient, critical, stiffness, mass, sheet);
+            sheet.answer("damping", "Damping coefficient", *coefficient);
             return zeta;
         }
     };

@@ -3,7 +3,7 @@
 use dalembert_core::{Inputs, Refusal, Worksheet};
 
 use super::{
-    Elasticity, ElasticityGiven, GivenDamping, SpringDataGiven, Suspension, ViscousDamping,
+    Elasticity, ElasticityGiven, GivenDamping, SpringData, SpringDataGiven, Suspension, ViscousDamping,
     ViscousDampingGiven, frequency_and_stiffness, frequency_of, motion::OscillatorMotion, stiffness_of,
     suspension_of,
 };
@@ -36,6 +36,21 @@ pub enum BodySprings {
     /// Translation
     #[input(flatten)]
     Any(Elasticity),
+    /// Torsional springs and shafts
+    /// For a rotation.
+    Torsional {
+        /// Torsional springs.
+        /// A network: series and parallel groups may be nested.
+        springs: TorsionalSpring,
+    },
+}
+
+/// Stiffness of straight or torsional springs, or what it follows from.
+#[derive(Clone, Debug, Inputs)]
+pub enum BodyStiffness {
+    /// Translation
+    #[input(flatten)]
+    Straight(SpringData),
     /// Torsional springs and shafts
     /// For a rotation.
     Torsional {
@@ -124,9 +139,20 @@ pub(crate) fn motion_of<W: Worksheet>(
         BodyDampingGiven::Viscous(ViscousDampingGiven::Coefficient { .. }) => Some(Translation),
         BodyDampingGiven::Viscous(_) | BodyDampingGiven::LossFactor { .. } => None,
     };
-    let rest = [of_springs, of_damping, excitation];
-    let motion = of_body.or_else(|| rest.into_iter().flatten().next()).unwrap_or(Translation);
-    if rest.into_iter().flatten().all(|other| other == motion) {
+    one_motion(of_body, &[of_springs, of_damping, excitation])
+}
+
+/// The one motion of a body and of all else.
+///
+/// # Errors
+/// Inputs of a translation beside those of a rotation.
+pub(crate) fn one_motion(
+    of_body: Option<OscillatorMotion>,
+    rest: &[Option<OscillatorMotion>],
+) -> Result<OscillatorMotion, Refusal> {
+    let mut others = rest.iter().flatten().copied();
+    let motion = of_body.or_else(|| others.clone().next()).unwrap_or(OscillatorMotion::Translation);
+    if others.all(|other| other == motion) {
         return Ok(motion);
     }
     Err(Refusal::because(motion.of(
@@ -140,6 +166,44 @@ fn rolling_deflection() -> Refusal {
     Refusal::because(
         "the weight of a rolling body does not deflect its springs, and its equivalent mass is not that of its weight: give the stiffness of the springs",
     )
+}
+
+impl<W: Worksheet> BodyStiffnessGiven<W> {
+    /// The motion that it is of, if it is of one only.
+    pub(crate) fn motion(&self) -> Option<OscillatorMotion> {
+        match self {
+            BodyStiffnessGiven::Torsional { .. } => Some(OscillatorMotion::Rotation),
+            BodyStiffnessGiven::Straight(SpringDataGiven::NaturalFrequency { .. }) => None,
+            BodyStiffnessGiven::Straight(_) => Some(OscillatorMotion::Translation),
+        }
+    }
+
+    /// Natural frequency, rad/s, and stiffness, N/m or N·m/rad, with this body.
+    ///
+    /// # Errors
+    /// A spring that is none; a static deflection of a body that rolls.
+    pub(crate) fn with_body(
+        &self,
+        body: &OscillatingBodyGiven<W>,
+        inertia: W::Num,
+        sheet: W,
+    ) -> Result<[W::Num; 2], Refusal> {
+        let springs = match self {
+            BodyStiffnessGiven::Torsional { springs } => {
+                let stiffness = torsional::stiffness(springs, sheet)?;
+                return Ok([frequency_of(stiffness, inertia, sheet), stiffness]);
+            }
+            BodyStiffnessGiven::Straight(springs) => springs,
+        };
+        if let SpringDataGiven::StaticDeflection { .. } = springs
+            && body.is_rolling()
+        {
+            return Err(rolling_deflection());
+        }
+        let (natural, known) = frequency_and_stiffness(springs, Some(inertia), sheet)?;
+        let stiffness = known.unwrap_or_else(|| stiffness_of(body.motion(), inertia, natural, sheet));
+        Ok([natural, stiffness])
+    }
 }
 
 /// Natural frequency, stiffness and damping of a body, with the steps that lead to them.
