@@ -1,5 +1,6 @@
 //! Attitude of a body in all of its representations, and their rates.
 
+mod acceleration;
 mod kinematics;
 
 use dalembert_core::{About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Worksheet, register};
@@ -11,9 +12,9 @@ use crate::{
         AttitudeInput, AttitudeInputGiven, EulerSequence, FrameAxes, SingleAttitude, SingleAttitudeGiven,
         answer_representations, frames, matrix, plain_angles, plain_parameters, row_times, rows_of,
     },
-    sources::{SCHAUB, SHUSTER},
+    sources::{BEER, SCHAUB, SHUSTER},
 };
-use kinematics::{AngularRate, Known};
+use kinematics::{InstantRotation, Known};
 
 /// Attitude of a body with axes B relative to axes N.
 ///
@@ -30,7 +31,7 @@ pub struct Attitude {
     pub vectors: Vec<TurnedVector>,
     /// Rotation at this instant.
     /// If given, the rates of all parameters are also calculated, or the angular velocity from the rates.
-    pub rate: Option<AngularRate>,
+    pub rate: Option<InstantRotation>,
 }
 
 /// A vector whose components in the other frame are wanted.
@@ -54,7 +55,7 @@ impl Analysis for Attitude {
         keywords: "attitude orientation rotation matrix direction cosine DCM quaternion Euler angles parameters yaw pitch roll 3-2-1 3-1-3 principal axis angle \
                    Rodrigues Gibbs Cayley MRP CRP shadow set TRIAD Wahba Davenport gimbal lock \
                    atitude orientação matriz de rotação cossenos diretores quatérnio ângulos de Euler guinada arfagem rolamento eixo principal",
-        sources: &[&SCHAUB, &SHUSTER],
+        sources: &[&SCHAUB, &SHUSTER, &BEER],
         cases: include_str!("../../cases/attitude.toml"),
     };
 
@@ -131,9 +132,9 @@ impl Attitude {
                     if let Some((x, before)) = curve.last().copied()
                         && (before - y).abs() > 0.5 * TAU
                     {
-                        curve.push(((x + angle) / 2.0, f64::NAN));
+                        curve.push(((x + angle) / 2.0, f64::INFINITY));
                     }
-                    curve.push((angle, if found.gimbal_lock { f64::NAN } else { y }));
+                    curve.push((angle, if found.gimbal_lock { f64::INFINITY } else { y }));
                 });
             }
             let [first, second, third] = curves;

@@ -287,7 +287,7 @@ impl AttitudeMotion {
         let mut curves: [Vec<(f64, f64)>; 3] = Default::default();
         for (t, state) in times.iter().zip(states) {
             let found = plain_angles(self.sequence, &matrix(parameter_rows(state.0, state.1)));
-            let angles = found.angles.map(|angle| if found.gimbal_lock { f64::NAN } else { angle });
+            let angles = found.angles.map(|angle| if found.gimbal_lock { f64::INFINITY } else { angle });
             curves.iter_mut().zip(angles).for_each(|(curve, angle)| push(curve, *t, angle, TAU / 2.0));
         }
         let [first, second, third] = curves;
@@ -333,7 +333,7 @@ fn push(curve: &mut Vec<(f64, f64)>, t: f64, y: f64, gap: f64) {
     if let Some((before, last)) = curve.last().copied()
         && (last - y).abs() > gap
     {
-        curve.push(((before + t) / 2.0, f64::NAN));
+        curve.push(((before + t) / 2.0, f64::INFINITY));
     }
     curve.push((t, y));
 }

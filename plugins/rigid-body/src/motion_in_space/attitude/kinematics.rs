@@ -6,12 +6,23 @@ use dalembert_core::{Inputs, Refusal, Text, Worksheet};
 use dalembert_mechanics::{Real, Vector, rigid};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
+use super::acceleration::{AngularAcceleration, KnownAcceleration};
 use crate::{
     shared::attitude::{EulerSequence, Representations, plain_parameters, row_times},
     sources::SCHAUB,
 };
 
 /// Rotation of a body at an instant.
+#[derive(Clone, Debug, Inputs)]
+pub struct InstantRotation {
+    /// Angular velocity, or rates.
+    pub velocity: AngularRate,
+    /// Angular acceleration.
+    /// If given, the accelerations of the Euler angles are also calculated, or it from them.
+    pub acceleration: Option<AngularAcceleration>,
+}
+
+/// Angular velocity of a body, or rates of its parameters.
 #[derive(Clone, Debug, Inputs)]
 pub enum AngularRate {
     /// Angular velocity in B
@@ -60,9 +71,9 @@ pub enum AngularRate {
 /// The rotation as given.
 pub(super) struct Known<'a, W: Worksheet> {
     /// As plain numbers.
-    pub rate: &'a AngularRate,
+    pub rate: &'a InstantRotation,
     /// As numbers of the worksheet.
-    pub given: &'a AngularRateGiven<W>,
+    pub given: &'a InstantRotationGiven<W>,
 }
 
 /// Where the axes of the first rotation and the third are nearer to one line than this, Euler angles have no rates.
@@ -80,7 +91,7 @@ impl<W: Worksheet> Known<'_, W> {
         representations: &Representations<W>,
         sheet: W,
     ) -> Result<(), Refusal> {
-        let axes = sequence.axes_in_body::<W>(angles);
+        let axes = sequence.axes_in_body::<W::Vec>(angles);
         let omega = self.angular_velocity(rows, (axes, gimbal_lock), representations, sheet)?;
         let in_fixed = sheet.step_vector(
             "ω_N",
@@ -133,6 +144,15 @@ impl<W: Worksheet> Known<'_, W> {
             modified_rate,
         );
         let euler = euler_rates(axes, omega, sequence, sheet);
+        if let Some(acceleration) = &self.given.acceleration {
+            // At gimbal lock the rates are known only where they are given.
+            let rates = match &self.given.velocity {
+                AngularRateGiven::EulerRates { first, second, third } => Some([*first, *second, *third]),
+                _ => euler,
+            };
+            let known = KnownAcceleration { given: acceleration, rows, sequence, angles, axes, rates };
+            known.answer(omega, euler.is_some(), sheet)?;
+        }
         let size = omega.value().norm();
         if size > 0.0 {
             sheet.verify(|| {
@@ -216,7 +236,7 @@ impl<W: Worksheet> Known<'_, W> {
         let step = |value: W::Vec, why: &'static str| {
             sheet.step_vector("ω", "rad/s", value, (why, SCHAUB.at("§3.3")))
         };
-        Ok(match (self.rate, self.given) {
+        Ok(match (&self.rate.velocity, &self.given.velocity) {
             (AngularRate::Body { .. }, AngularRateGiven::Body { omega }) => {
                 let one = W::Num::from(1.0);
                 sheet.step_vector(

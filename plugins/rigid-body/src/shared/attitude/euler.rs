@@ -123,18 +123,19 @@ impl EulerSequence {
     }
 
     /// The axes of the three rotations in components in B: ω is the sum of each times its rate.
-    pub(crate) fn axes_in_body<W: Worksheet>(self, angles: [W::Num; 3]) -> [W::Vec; 3] {
-        let vector = |c: [W::Num; 3]| W::Vec::from_components(c[0], c[1], c[2]);
+    pub(crate) fn axes_in_body<V: Vector>(self, angles: [V::Scalar; 3]) -> [V; 3] {
+        let vector = |[x, y, z]: [V::Scalar; 3]| V::from_components(x, y, z);
+        let [zero, one] = [0.0, 1.0].map(V::Scalar::from);
         let elements = self.elements(angles);
         let [first, second, third] = self.axes();
         // Turned by the third rotation alone.
-        let mut middle = [W::Num::from(0.0); 3];
+        let mut middle = [zero; 3];
         middle[second] = angles[2].cos();
         let other = 3 - second - third;
         let sine = angles[2].sin();
         middle[other] = if (third + 1) % 3 == second { -sine } else { sine };
-        let mut last = [W::Num::from(0.0); 3];
-        last[third] = W::Num::from(1.0);
+        let mut last = [zero; 3];
+        last[third] = one;
         [vector(elements.map(|row| row[first])), vector(middle), vector(last)]
     }
 }
