@@ -3531,7 +3531,6 @@ the-settling-time-from-the-characteristic-roots = o tempo de acomodação a part
 the-two-directions-are-parallel-and-leave-the-rotation-about-them-open-write-two-that-are-not = as duas direções são paralelas e deixam livre a rotação em torno delas: escreva duas que não o sejam
 these-rates-change-the-length-of-the-euler-parameters-rate-instead-of-0-check-them-and-whether-they = estas taxas mudam o comprimento dos parâmetros de Euler, β₀ β̇₀ + ε · ε̇ = { $rate } em vez de 0: confira-as, e se pertencem ao conjunto de β₀ ≥ 0
 with-a-pitch-of-90-only-the-difference-of-yaw-and-roll-30-10-is-left = com arfagem de 90° resta só a diferença entre guinada e rolamento, 30° − 10°
-with-this-damping-the-axle-creeps-to-its-settled-direction-without-oscillation-write-a-smaller = com este amortecimento o eixo vai à sua direção de equilíbrio sem oscilar: escreva um coeficiente menor
 cos-2-the-first-number-in-some-books-the-last-in-others = β₀ = cos(Φ/2): o primeiro número em alguns livros, o último em outros.
 n-20-s-sin-0-1t-0-01-cos-0-1t-in-b-t-in-seconds-the-course-asks-for-the-length-of-the-vector-part-0 = ω = 20°/s (sen 0,1t; 0,01; cos 0,1t) em B, t em segundos. O curso pede o comprimento da parte vetorial, 0,8201. Os parâmetros dados diferem do comprimento unitário por arredondamento.
 n-3-s-sin-0-1t-0-01-cos-0-1t-in-b-the-course-asks-for-the-length-of-the-parameters-1-1997 = ω = 3°/s (sen 0,1t; 0,01; cos 0,1t) em B. O curso pede o comprimento dos parâmetros, 1,1997.
@@ -3573,3 +3572,4 @@ quaternion-of-length-two = Quatérnio de comprimento dois
 the-parameters-of-a-rotation-have-length-1 = os parâmetros de uma rotação têm comprimento 1
 parallel-directions = Direções paralelas
 a-rotation-about-the-common-direction-changes-neither = uma rotação em torno da direção comum não muda nenhuma delas
+with-this-damping-the-axle-is-overdamped-and-approaches-its-settled-direction-without-oscillation = com este amortecimento o eixo é superamortecido e se aproxima de sua direção de equilíbrio sem oscilar: escreva um coeficiente menor

@@ -86,7 +86,7 @@ register!(AttitudeMotion);
 const SAMPLES: usize = 240;
 /// The allowed error of a step.
 const TOLERANCE: f64 = 1e-13;
-/// What may be left of the attitude by two integrations.
+/// Difference of two integrations that is allowed.
 const INTEGRATION_ERROR: f64 = 1e-9;
 /// Steps of an integration.
 const MOST_STEPS: usize = 40_000;

@@ -23,7 +23,7 @@ pub struct CompassDamping {
     pub settled: f64,
 }
 
-/// What is known of the damping.
+/// Known quantity of the damping.
 #[derive(Clone, Debug, Inputs)]
 pub enum CompassDampingMeasure {
     /// Damping ratio
@@ -163,7 +163,7 @@ fn ratio<W: Worksheet>(
             let ratio = sheet.step("ζ", "1", *coefficient / (transverse * natural * 2.0), why);
             if ratio.value() >= 1.0 {
                 return Err(Refusal::because(
-                    "with this damping the axle creeps to its settled direction without oscillation: write a smaller coefficient",
+                    "with this damping the axle is overdamped and approaches its settled direction without oscillation: write a smaller coefficient",
                 ));
             }
             ratio

@@ -76,7 +76,7 @@ pub(super) struct Known<'a, W: Worksheet> {
     pub given: &'a InstantRotationGiven<W>,
 }
 
-/// Where the axes of the first rotation and the third are nearer to one line than this, Euler angles have no rates.
+/// Triple product of the axes of the three rotations that is none: Euler angles have no rates.
 const LOCK: f64 = 1e-9;
 /// The rate of the length of a set of Euler parameters, in parts of the rates, that is rounding.
 const ROUNDED: f64 = 0.02;

@@ -9,7 +9,8 @@ use super::{
     euler::EulerSequence,
     observations::{VectorObservation, by_observations},
     rotations::{
-        by_axis, by_parameters, matrix, off_cayley_formula, off_rotation, row_steps, row_times, rows,
+        by_axis, by_parameters, check_length, matrix, off_cayley_formula, off_rotation, row_steps, row_times,
+        rows,
     },
 };
 use crate::sources::SCHAUB;
@@ -49,7 +50,7 @@ pub struct SuccessiveRotation {
     pub sense: RotationSense,
 }
 
-/// Whether a rotation is taken as given or back.
+/// Sense in which a rotation is taken: as given or back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum RotationSense {
     /// As given
@@ -414,12 +415,6 @@ impl SingleAttitude {
             scale,
         );
     }
-}
-
-/// Refuses a vector that has no direction.
-pub(super) fn check_length(vector: Vector3<f64>, message: &'static str) -> Result<(), Refusal> {
-    let size = vector.norm_squared();
-    if size > 0.0 && size.is_finite() { Ok(()) } else { Err(Refusal::because(message)) }
 }
 
 /// The rows of a direction cosine matrix that is given, repaired where it was rounded.

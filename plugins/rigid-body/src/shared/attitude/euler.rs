@@ -156,7 +156,7 @@ pub(crate) fn plain_angles(sequence: EulerSequence, c: &Matrix3<f64>) -> Reporte
     ReportedAngles { angles, gimbal_lock }
 }
 
-/// Whether the frame is in gimbal lock, and the angles.
+/// The angles, with true first at gimbal lock.
 fn from_elements<N: Real>(sequence: EulerSequence, c: [[N; 3]; 3]) -> (bool, [N; 3]) {
     let ([i, j, k], sign) = sequence.order();
     let signed = |x: N| if sign < 0.0 { -x } else { x };

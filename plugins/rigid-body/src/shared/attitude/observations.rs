@@ -5,10 +5,7 @@ use dalembert_mechanics::{Real, Vector};
 use dalembert_numerics::linalg;
 use nalgebra::{DMatrix, Matrix3, Matrix4, Vector3, Vector4};
 
-use super::{
-    description::check_length,
-    rotations::{by_parameters, matrix, row_steps, rows},
-};
+use super::rotations::{by_parameters, check_length, matrix, row_steps, rows};
 
 /// A direction that was seen in both frames.
 #[derive(Clone, Debug, Inputs)]

@@ -1,6 +1,6 @@
 //! Matrices and parameters of rotations.
 
-use dalembert_core::Worksheet;
+use dalembert_core::{Refusal, Worksheet};
 use dalembert_mechanics::{Real, Vector};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
@@ -14,7 +14,7 @@ pub(super) fn rows<V: Vector>(elements: [[V::Scalar; 3]; 3]) -> [V; 3] {
     elements.map(|[x, y, z]| V::from_components(x, y, z))
 }
 
-/// What is left of `[C][C]ᵀ − 1`.
+/// The residual `[C][C]ᵀ − 1`.
 pub(crate) fn off_rotation(c: &Matrix3<f64>) -> Matrix3<f64> {
     c * c.transpose() - Matrix3::identity()
 }
@@ -72,7 +72,7 @@ pub(crate) fn cross_matrix(u: Vector3<f64>) -> Matrix3<f64> {
     u.cross_matrix()
 }
 
-/// What is left of Cayley's `[C](1 + [q×]) − (1 − [q×])`, or of the same with squares for modified parameters.
+/// The residual `[C](1 + [q×]) − (1 − [q×])` of Cayley's formula, or that with squares for modified parameters.
 pub(super) fn off_cayley_formula(c: &Matrix3<f64>, q: Vector3<f64>, modified: bool) -> Matrix3<f64> {
     let (plus, minus) = (Matrix3::identity() + cross_matrix(q), Matrix3::identity() - cross_matrix(q));
     if modified { c * plus * plus - minus * minus } else { c * plus - minus }
@@ -104,4 +104,10 @@ pub(super) fn row_steps<W: Worksheet>(
 /// Rows of `[BN]` from Euler parameters.
 pub(crate) fn parameter_rows<V: Vector>(scalar: V::Scalar, vector: V) -> [V; 3] {
     rows(by_parameters(scalar, vector.components()))
+}
+
+/// Refuses a vector that has no direction.
+pub(super) fn check_length(vector: Vector3<f64>, message: &'static str) -> Result<(), Refusal> {
+    let size = vector.norm_squared();
+    if size > 0.0 && size.is_finite() { Ok(()) } else { Err(Refusal::because(message)) }
 }
