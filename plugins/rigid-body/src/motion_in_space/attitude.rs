@@ -132,7 +132,7 @@ impl Attitude {
                     if let Some((x, before)) = curve.last().copied()
                         && (before - y).abs() > 0.5 * TAU
                     {
-                        curve.push(((x + angle) / 2.0, f64::INFINITY));
+                        curve.push((f64::midpoint(x, angle), f64::INFINITY));
                     }
                     curve.push((angle, if found.gimbal_lock { f64::INFINITY } else { y }));
                 });

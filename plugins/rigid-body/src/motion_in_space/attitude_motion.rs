@@ -333,7 +333,7 @@ fn push(curve: &mut Vec<(f64, f64)>, t: f64, y: f64, gap: f64) {
     if let Some((before, last)) = curve.last().copied()
         && (last - y).abs() > gap
     {
-        curve.push(((before + t) / 2.0, f64::INFINITY));
+        curve.push((f64::midpoint(before, t), f64::INFINITY));
     }
     curve.push((t, y));
 }

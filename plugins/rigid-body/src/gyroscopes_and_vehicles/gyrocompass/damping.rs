@@ -109,7 +109,7 @@ pub(super) fn answer<W: Worksheet>(
     sheet.answer("settling_time", "Settling time", time);
     let [zeta, w, a] = [ratio, natural, start].map(Real::value);
     sheet.verify(|| {
-        check([zeta, w, a], [damped_period, decrement, swings], [amplitude, settled, time], sheet)
+        check([zeta, w, a], [damped_period, decrement, swings], [amplitude, settled, time], sheet);
     });
     let (wd, end) = (damped.value(), time.value());
     sheet.show(|| {

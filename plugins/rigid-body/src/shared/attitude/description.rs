@@ -305,7 +305,7 @@ impl SingleAttitude {
                 SingleAttitudeGiven::EulerParameters { scalar: s, vector: v },
             ) => {
                 let off = (scalar.powi(2) + vector.norm_squared()).sqrt();
-                if !((off - 1.0).abs() <= PRINTED_LENGTH) {
+                if off.is_nan() || (off - 1.0).abs() > PRINTED_LENGTH {
                     return Err(Refusal::NoAnswer(
                         Text::new("the Euler parameters have the length {length}, and those of a rotation have 1: divide all four by their length, or check them")
                             .with_quantity("length", off, "1"),
@@ -426,7 +426,7 @@ fn direction_cosines<W: Worksheet>(
 ) -> Result<[W::Vec; 3], Refusal> {
     let c = matrix(plain);
     let off = off_rotation(&c).amax();
-    if !(off <= PRINTED) {
+    if off.is_nan() || off > PRINTED {
         return Err(Refusal::NoAnswer(
             Text::new("the rows of the direction cosine matrix are not orthonormal: [C][C]ᵀ is {off} off the unit matrix, more than rounding; check its elements")
                 .with_quantity("off", off, "1"),
