@@ -1,5 +1,6 @@
 //! Parts that several analyses share: inputs, steps of the working and pictures.
 
+pub mod attitude;
 pub mod body;
 pub(crate) mod differences;
 pub mod gyro_rotor;

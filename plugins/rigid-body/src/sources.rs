@@ -93,3 +93,15 @@ pub(crate) static FOWLER: Source = Source {
     short: "Fowler",
     full: "M. Fowler, Graduate Classical Mechanics, University of Virginia, LibreTexts, ch. 30: a rolling sphere on a rotating plane",
 };
+
+/// H. Schaub, J. L. Junkins, Analytical Mechanics of Space Systems.
+pub(crate) static SCHAUB: Source = Source {
+    short: "Schaub & Junkins",
+    full: "H. Schaub, J. L. Junkins, Analytical Mechanics of Space Systems, 3rd ed., AIAA, 2014",
+};
+
+/// M. D. Shuster, A Survey of Attitude Representations.
+pub(crate) static SHUSTER: Source = Source {
+    short: "Shuster",
+    full: "M. D. Shuster, A Survey of Attitude Representations, Journal of the Astronautical Sciences 41 (1993), pp. 439–517",
+};

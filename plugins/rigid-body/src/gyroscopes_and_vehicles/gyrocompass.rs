@@ -1,5 +1,6 @@
 //! A gyrocompass: a rotor with a level axle on the turning Earth, which swings about the meridian.
 
+mod damping;
 mod level;
 mod pendulous;
 
@@ -14,6 +15,7 @@ use crate::{
     shared::gyro_rotor::GyroRotor,
     sources::{KIBBLE, SCHULER},
 };
+pub use damping::{CompassDamping, CompassDampingGiven, CompassDampingMeasure};
 
 /// A rotor whose axle turns freely about the vertical, at a place on the Earth or on a vessel.
 ///
@@ -35,6 +37,9 @@ pub struct Gyrocompass {
     /// Vessel.
     /// Left out for a compass at rest on the Earth.
     pub vessel: Option<Vessel>,
+    /// Damping and settling.
+    /// Left out for the undamped compass.
+    pub damping: Option<CompassDamping>,
     /// Angular velocity of the Earth.
     #[input("Ω", "rad/s", positive, default = "7.2921e-5 rad/s")]
     pub earth: f64,
@@ -97,7 +102,7 @@ impl Analysis for Gyrocompass {
         id: "rigid-body/gyrocompass",
         title: "Gyrocompass",
         topic: "Gyroscopes and vehicles",
-        summary: "Period of a gyrocompass about the meridian, directing couple, tilt and Schuler tuning of a pendulous one, and its deviation on a moving vessel.",
+        summary: "Period of a gyrocompass about the meridian, directing couple, damping and settling time, tilt and Schuler tuning of a pendulous one, and its deviation on a moving vessel.",
         keywords: "gyrocompass gyro compass meridian north-seeking Schuler tuning 84.4 min steaming speed error latitude Earth rotation \
                    bússola giroscópica girocompasso agulha giroscópica meridiano norte rotação da Terra erro de velocidade",
         sources: &[&KIBBLE, &SCHULER],
@@ -112,7 +117,7 @@ impl Analysis for Gyrocompass {
             rotor.momentum
         };
         let rates = Rates::work(given, sheet)?;
-        let plotted = match &given.support {
+        let (plotted, period) = match &given.support {
             AxleSupportGiven::Level { transverse, deviation } => {
                 level::answer(momentum, *transverse, *deviation, rates.horizontal, sheet)?
             }
@@ -134,6 +139,13 @@ impl Analysis for Gyrocompass {
                 pendulum.answer(&rates, sheet)
             }
         };
+        if let Some(damping) = &given.damping {
+            let transverse = match &given.support {
+                AxleSupportGiven::Level { transverse, .. } => Some(*transverse),
+                AxleSupportGiven::Pendulous { .. } => None,
+            };
+            damping::answer(damping, period, transverse, sheet)?;
+        }
         if self.vessel.is_none() {
             sheet.show(|| Exhibit::Plot(self.over_latitude(&plotted)));
         }

@@ -20,7 +20,7 @@ pub(super) fn answer<'a, W: Worksheet>(
     deviation: W::Num,
     rate: W::Num,
     sheet: W,
-) -> Result<Plotted<'a>, Refusal> {
+) -> Result<(Plotted<'a>, W::Num), Refusal> {
     let directive = sheet.step(
         "h₁",
         "kg*m^2/s",
@@ -54,11 +54,12 @@ pub(super) fn answer<'a, W: Worksheet>(
         swing.answer(momentum, transverse, deviation, rate, sheet);
     }
     let (h, inertia) = (momentum.value(), transverse.value());
-    Ok(Plotted {
+    let plotted = Plotted {
         answer: "period",
         here: period.value(),
         at: Box::new(move |[rate, _]| TAU * (inertia / ((h - inertia * rate) * rate)).sqrt()),
-    })
+    };
+    Ok((plotted, period))
 }
 
 const DIFFERENCE: f64 = 1e-5;

@@ -22,7 +22,7 @@ pub(super) struct Pendulum<N> {
 
 impl<N: Real> Pendulum<N> {
     /// Answers tilt, period and Schuler tuning.
-    pub(super) fn answer<'a, W: Worksheet<Num = N>>(&self, rates: &Rates<N>, sheet: W) -> Plotted<'a> {
+    pub(super) fn answer<'a, W: Worksheet<Num = N>>(&self, rates: &Rates<N>, sheet: W) -> (Plotted<'a>, N) {
         let &Self { momentum, weight, mass, depth, gravity, radius } = self;
         let directing = sheet.step(
             "B₁",
@@ -101,14 +101,15 @@ impl<N: Real> Pendulum<N> {
             }
         });
         let (h, b) = (momentum.value(), weight.value());
-        Plotted {
+        let plotted = Plotted {
             answer: "period",
             here: period.value(),
             at: Box::new(move |[level, up]| {
                 let directing = b + h * level;
                 TAU * (h / (directing * level)).sqrt() * (h * up).atan2(directing).cos()
             }),
-        }
+        };
+        (plotted, period)
     }
 
     /// The rate of the axle `u` in axes of the place, x along the horizontal component, z up: τ/h − Ω × u, where the weight
