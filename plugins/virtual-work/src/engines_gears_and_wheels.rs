@@ -1,5 +1,6 @@
 //! Engines, gears and wheels.
 
+pub mod cam;
 pub mod engine;
 pub mod epicyclic_train;
 pub mod equivalent_rod;
