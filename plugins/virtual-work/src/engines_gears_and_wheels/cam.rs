@@ -66,13 +66,14 @@ impl Analysis for Cam {
             Some(angle) => Some(motion::at(angle, given.speed, &course, &sizes, sheet)?),
             None => None,
         };
-        if let (Some(position), Some(outline)) = (&position, &outline) {
-            contact::at(position, outline, &course, sheet);
-        }
+        let pressure = match (&position, &outline) {
+            (Some(position), Some(outline)) => contact::at(position, outline, &course, sheet),
+            _ => None,
+        };
         let steepest = outline.as_ref().and_then(|outline| contact::extremes(outline, &course, sheet));
         let load = match &given.load {
             Some(load) => {
-                let at = (position.as_ref(), outline.as_ref());
+                let at = (position.as_ref(), outline.as_ref(), pressure);
                 Some(load::solve(load, given.speed, &course, at, sheet)?)
             }
             None => None,

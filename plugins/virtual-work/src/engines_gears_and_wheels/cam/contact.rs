@@ -7,7 +7,7 @@ use dalembert_numerics::differentiation::derivative;
 use super::{
     follower::{Outline, Tangent},
     motion::{Position, Units},
-    program::{Course, Found, Motion, Stretch},
+    program::{Course, Found, Motion, SegmentCourse},
 };
 use crate::sources::{NORTON, SHIGLEY};
 
@@ -32,13 +32,13 @@ pub(super) fn at<W: Worksheet>(
             sheet.answer("contact_distance", "Distance of the contact from the axis", aside);
             sheet.verify(|| {
                 let Some((k, x)) = place else { return };
-                let stretch = &course.stretches[k];
-                let piece = stretch.law.map_or(0, |law| law.piece(x));
+                let segment = &course.segments[k];
+                let piece = segment.law.map_or(0, |law| law.piece(x));
                 let support = base.value() + position.lift.value();
-                let step = if stretch.law.is_some() { 0.004 } else { 0.0 };
+                let step = if segment.law.is_some() { 0.004 } else { 0.0 };
                 let slope = |number: fn(&Motion) -> f64| match step {
                     0.0 => 0.0,
-                    _ => derivative(|x| number(&stretch.at(x, piece)), x, step) / stretch.turn,
+                    _ => derivative(|x| number(&segment.at(x, piece)), x, step) / segment.turn,
                 };
                 let what = "the contact lies where the face turns about it: by differences of the lift";
                 let size = support;
@@ -50,28 +50,20 @@ pub(super) fn at<W: Worksheet>(
             None
         }
         Some(tangent) => {
-            let (a, b) = legs(outline, &tangent, sheet);
-            let tangent = Tangent { a, b, ..tangent };
+            let tangent = legs(outline, &tangent, "t", sheet);
+            let (a, b) = (tangent.a, tangent.b);
             let why = (
                 "Pressure angle: between the normal of the pitch curve and the motion of the follower, tan φ = b/a",
                 NORTON.at("§8.6"),
             );
             let pressure = sheet.step("φ", "deg", b.atan2(a), why);
             sheet.answer("pressure_angle", "Pressure angle", pressure);
-            let bend = tangent.bend();
-            let straight = bend.value().abs() <= 1e-9 * tangent.length().value().powi(2);
+            let denominator = tangent.denominator();
+            let straight = denominator.value().abs() <= 1e-9 * tangent.length().value().powi(2);
             let radius = (!straight).then(|| {
                 let why = (formula(outline), SHIGLEY.at("ch. 5"));
-                let [across, along] = tangent.second;
-                let across = sheet.step(
-                    "a₁",
-                    "mm",
-                    across,
-                    "Derivative of the tangent by θ, across the motion of the follower",
-                );
-                let along = sheet.step("b₁", "mm", along, "The same along the motion");
-                let tangent = Tangent { second: [across, along], ..tangent };
-                let radius = sheet.step("ρ", "mm", tangent.length().powi(3) / tangent.bend(), why);
+                let tangent = turning(&tangent, "t", sheet);
+                let radius = sheet.step("ρ", "mm", tangent.length().powi(3) / tangent.denominator(), why);
                 sheet.answer("pitch_curvature", "Radius of curvature of the pitch curve", radius);
                 if let Some(roller) = outline.roller() {
                     let why =
@@ -98,7 +90,12 @@ pub(super) fn at<W: Worksheet>(
 }
 
 /// The two legs of the tangent as steps.
-fn legs<W: Worksheet>(outline: &Outline<W::Num>, tangent: &Tangent<W::Num>, sheet: W) -> (W::Num, W::Num) {
+fn legs<W: Worksheet>(
+    outline: &Outline<W::Num>,
+    tangent: &Tangent<W::Num>,
+    of: &'static str,
+    sheet: W,
+) -> Tangent<W::Num> {
     let words = match outline {
         Outline::Oscillating { .. } => [
             "Tangent of the pitch curve per radian of the cam, across the motion of the roller: c sin ψ",
@@ -109,25 +106,34 @@ fn legs<W: Worksheet>(outline: &Outline<W::Num>, tangent: &Tangent<W::Num>, shee
             "The same along the motion of the follower: s′ − e",
         ],
     };
-    let a = sheet.step("a_t", "mm", tangent.a, words[0]);
-    let b = sheet.step("b_t", "mm", tangent.b, words[1]);
-    (a, b)
+    let a = sheet.step(Symbol { of, ..Symbol::from("a") }, "mm", tangent.a, words[0]);
+    let b = sheet.step(Symbol { of, ..Symbol::from("b") }, "mm", tangent.b, words[1]);
+    Tangent { a, b, ..*tangent }
+}
+
+/// The derivatives of both legs as steps.
+fn turning<W: Worksheet>(tangent: &Tangent<W::Num>, of: &'static str, sheet: W) -> Tangent<W::Num> {
+    let [across, along] = tangent.second;
+    let why = "Derivative of the tangent by θ, across the motion of the follower";
+    let across = sheet.step(Symbol { of, ..Symbol::from("a′") }, "mm", across, why);
+    let along = sheet.step(Symbol { of, ..Symbol::from("b′") }, "mm", along, "The same along the motion");
+    Tangent { second: [across, along], ..*tangent }
 }
 
 fn formula<N>(outline: &Outline<N>) -> &'static str {
     match outline {
         Outline::Oscillating { .. } => {
-            "Radius of curvature of the pitch curve, (a² + b²)^(3/2)/(b a₁ − a b₁)"
+            "Radius of curvature of the pitch curve, (a² + b²)^(3/2)/(b a′ − a b′)"
         }
         _ => {
-            "Radius of curvature of the pitch curve, (a² + b²)^(3/2)/(b a₁ − a b₁): without offset ((R_p + s)² + s′²)^(3/2)/((R_p + s)² + 2s′² − (R_p + s) s″)"
+            "Radius of curvature of the pitch curve, (a² + b²)^(3/2)/(b a′ − a b′): without offset ((R_p + s)² + s′²)^(3/2)/((R_p + s)² + 2s′² − (R_p + s) s″)"
         }
     }
 }
 
 /// Trace point in the axes of the cam at a fraction of a segment.
-fn trace(outline: &Outline<f64>, stretch: &Stretch, x: f64, piece: usize) -> [f64; 2] {
-    let motion = stretch.at(x, piece);
+fn trace(outline: &Outline<f64>, segment: &SegmentCourse, x: f64, piece: usize) -> [f64; 2] {
+    let motion = segment.at(x, piece);
     outline.tangent_at(&motion).map_or([f64::NAN; 2], |tangent| outline.on_cam(tangent.point, motion.angle))
 }
 
@@ -139,14 +145,14 @@ fn check_curve<W: Worksheet>(
     course: &Course,
     sheet: W,
 ) {
-    let stretch = &course.stretches[k];
-    let piece = stretch.law.map_or(0, |law| law.piece(x));
-    let step = 0.004 / stretch.turn.max(1.0);
+    let segment = &course.segments[k];
+    let piece = segment.law.map_or(0, |law| law.piece(x));
+    let step = 0.004 / segment.turn.max(1.0);
     let slope = |x: f64| {
-        let part = |n: usize| derivative(|x| trace(outline, stretch, x, piece)[n], x, step) / stretch.turn;
+        let part = |n: usize| derivative(|x| trace(outline, segment, x, piece)[n], x, step) / segment.turn;
         [part(0), part(1)]
     };
-    let motion = stretch.at(x, piece);
+    let motion = segment.at(x, piece);
     let Some(tangent) = outline.tangent_at(&motion) else { return };
     // Direction of the follower in the axes of the cam.
     let [ux, uy] = tangent.across;
@@ -160,14 +166,14 @@ fn check_curve<W: Worksheet>(
     if let Some(radius) = radius {
         // The tangent turns by its derivative: curvature is that angle over the length.
         let turned = |x: f64| {
-            let motion = stretch.at(x, piece);
+            let motion = segment.at(x, piece);
             outline.tangent_at(&motion).map_or([0.0; 2], |tangent| {
                 let [x, y] = tangent.across;
                 let at = [tangent.a * x - tangent.b * y, tangent.a * y + tangent.b * x];
                 outline.on_cam(at, motion.angle)
             })
         };
-        let part = |n: usize| derivative(|x| turned(x)[n], x, step) / stretch.turn;
+        let part = |n: usize| derivative(|x| turned(x)[n], x, step) / segment.turn;
         let ([tx, ty], [sx, sy]) = (turned(x), [part(0), part(1)]);
         let again = tx.hypot(ty).powi(3) / (sign * (ty * sx - tx * sy));
         let what = "radius of curvature by differences of the tangent of the pitch curve";
@@ -224,22 +230,22 @@ fn profile<W: Worksheet>(
     sheet.verify(|| {
         let numbers = outline.numbers();
         let Some((k, at)) = course.place(position.angle.value()) else { return };
-        let stretch = &course.stretches[k];
-        let piece = stretch.law.map_or(0, |law| law.piece(at));
-        let step = 0.004 / stretch.turn.max(1.0);
+        let segment = &course.segments[k];
+        let piece = segment.law.map_or(0, |law| law.piece(at));
+        let step = 0.004 / segment.turn.max(1.0);
         if let Outline::Flat { base } = numbers {
             // Distance of the face from the point, and how it changes as the cam turns.
             let face = on_x * angle.sin() + on_y * angle.cos();
-            let support = base + stretch.at(at, piece).lift;
+            let support = base + segment.at(at, piece).lift;
             sheet.check_sum("the point lies on the face", face, support.into(), support);
-            let turning = derivative(|x| stretch.at(x, piece).lift, at, step) / stretch.turn;
+            let turning = derivative(|x| segment.at(x, piece).lift, at, step) / segment.turn;
             let what = "envelope: the point does not leave the face as the cam turns";
             sheet.check_sum(what, on_x * angle.cos() - on_y * angle.sin(), turning.into(), support);
             return;
         }
         // Envelope of the rollers: off the pitch curve by the radius, along its normal by differences.
-        let [px, py] = trace(&numbers, stretch, at, piece);
-        let part = |n: usize| derivative(|x| trace(&numbers, stretch, x, piece)[n], at, step) / stretch.turn;
+        let [px, py] = trace(&numbers, segment, at, piece);
+        let part = |n: usize| derivative(|x| trace(&numbers, segment, x, piece)[n], at, step) / segment.turn;
         let (sx, sy) = (part(0), part(1));
         let reach = numbers.roller().unwrap_or(0.0) * numbers.sign() / sx.hypot(sy);
         let size = px.hypot(py);
@@ -255,7 +261,7 @@ fn spot<W: Worksheet>(
     found: &Found,
     of: &'static str,
     words: &'static str,
-    course: &Course,
+    (course, is_curved): (&Course, bool),
     sheet: W,
 ) -> Position<W::Num> {
     let units = Units::of(course);
@@ -264,7 +270,12 @@ fn spot<W: Worksheet>(
     let angle = sheet.numerical(symbol("θ"), "deg", motion.angle, words);
     let lift = sheet.numerical(symbol("s"), units.lift, motion.lift, "Lift there");
     let rate = sheet.numerical(symbol("s′"), units.per_radian[0], motion.rate, "ds/dθ there");
-    let second = sheet.numerical(symbol("s″"), units.per_radian[1], motion.second, "d²s/dθ² there");
+    let second = if is_curved {
+        sheet.numerical(symbol("s″"), units.per_radian[1], motion.second, "d²s/dθ² there")
+    } else {
+        // No formula has it.
+        W::Num::from(0.0)
+    };
     Position { angle, lift, rate, second }
 }
 
@@ -296,10 +307,10 @@ pub(super) fn extremes<W: Worksheet>(outline: &Outline<W::Num>, course: &Course,
             "Cam angle of the largest pressure angle on a return, by search",
         ),
     ] {
-        let chosen = |stretch: &Stretch| if rising { stretch.rise > 0.0 } else { stretch.rise < 0.0 };
+        let chosen = |segment: &SegmentCourse| if rising { segment.rise > 0.0 } else { segment.rise < 0.0 };
         let number = |motion: &Motion| numbers.pressure(motion).abs();
         let Some(found) = course.largest(48, chosen, number) else { continue };
-        let there = spot(&found, of, words, course, sheet);
+        let there = spot(&found, of, words, (course, false), sheet);
         let Some(tangent) = outline.tangent(there.lift, there.rate, there.second) else { continue };
         let why = ("Pressure angle there, from the same two legs", NORTON.at("§8.6"));
         let symbol = Symbol { of, ..Symbol::from("φ") };
@@ -351,11 +362,12 @@ fn curvature<W: Worksheet>(outline: &Outline<W::Num>, course: &Course, sheet: W)
         return;
     };
     let words = "Cam angle of the least radius of curvature of the convex pitch curve, by search";
-    let there = spot(&found, "ρ", words, course, sheet);
+    let there = spot(&found, "ρ", words, (course, true), sheet);
     let Some(tangent) = outline.tangent(there.lift, there.rate, there.second) else { return };
+    let tangent = turning(&legs(outline, &tangent, "ρ", sheet), "ρ", sheet);
     let why = ("Least radius of curvature of the pitch curve, by the same formula", NORTON.at("§8.6"));
     let symbol = Symbol { of: "min", ..Symbol::from("ρ") };
-    let radius = sheet.step(symbol, "mm", tangent.length().powi(3) / tangent.bend(), why);
+    let radius = sheet.step(symbol, "mm", tangent.length().powi(3) / tangent.denominator(), why);
     sheet.answer("least_pitch_curvature", "Least radius of curvature, pitch curve", radius);
     sheet.answer("least_curvature_cam_angle", "Cam angle of least radius of curvature", there.angle);
     if let Some(roller) = outline.roller() {
@@ -386,7 +398,7 @@ fn flat<W: Worksheet>(base: W::Num, course: &Course, sheet: W) {
     let number = |motion: &Motion| -(motion.lift + motion.second);
     if let Some(found) = course.largest(48, |_| true, number) {
         let words = "Cam angle at which s + s″ is least, by search";
-        let there = spot(&found, "ρ", words, course, sheet);
+        let there = spot(&found, "ρ", words, (course, true), sheet);
         let symbol = Symbol { of: "min", ..Symbol::from("ρ") };
         let why = ("Least radius of curvature of the profile: ρ = R_b + s + s″", NORTON.at("§8.6"));
         let radius = sheet.step(symbol, "mm", base + there.lift + there.second, why);
@@ -429,8 +441,8 @@ fn flat<W: Worksheet>(base: W::Num, course: &Course, sheet: W) {
     sheet.answer("face_width", "Least width of the face", width);
     sheet.verify(|| {
         let peak = |rising: bool| {
-            let of = course.stretches.iter().filter(|stretch| (stretch.rise > 0.0) == rising);
-            of.filter_map(|stretch| Some(stretch.law?.peaks().velocity * stretch.rise.abs() / stretch.turn))
+            let of = course.segments.iter().filter(|segment| (segment.rise > 0.0) == rising);
+            of.filter_map(|segment| Some(segment.law?.peaks().velocity * segment.rise.abs() / segment.turn))
                 .fold(0.0, f64::max)
         };
         let (up, down) = (peak(true), peak(false));

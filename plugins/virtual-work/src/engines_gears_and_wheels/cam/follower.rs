@@ -236,7 +236,7 @@ impl<N: Real> Tangent<N> {
     }
 
     /// Denominator of the radius of curvature: zero where the curve is straight.
-    pub(super) fn bend(&self) -> N {
+    pub(super) fn denominator(&self) -> N {
         self.b * self.second[0] - self.a * self.second[1]
     }
 }
@@ -248,7 +248,7 @@ impl Outline<f64> {
 
     /// Curvature of the pitch curve, or the radius of curvature under a flat face.
     pub(super) fn curvature(&self, motion: &Motion) -> f64 {
-        self.tangent_at(motion).map_or(f64::NAN, |tangent| tangent.bend() / tangent.length().powi(3))
+        self.tangent_at(motion).map_or(f64::NAN, |tangent| tangent.denominator() / tangent.length().powi(3))
     }
 
     pub(super) fn pressure(&self, motion: &Motion) -> f64 {

@@ -240,15 +240,17 @@ impl MotionLaw {
                 "Lift as a fraction of the stroke, double harmonic: y = (1 − cos πx)/2 − (1 − cos 2πx)/8"
             }
             MotionLaw::HalfCycloidalStart => {
-                "Lift as a fraction of the stroke, half-cycloidal: y = x − sin(πx)/π"
+                "Lift as a fraction of the stroke, half-cycloidal from a dwell: y = x − sin(πx)/π"
             }
             MotionLaw::HalfCycloidalEnd => {
-                "Lift as a fraction of the stroke, half-cycloidal: y = x + sin(πx)/π"
+                "Lift as a fraction of the stroke, half-cycloidal to a dwell: y = x + sin(πx)/π"
             }
             MotionLaw::HalfHarmonicStart => {
-                "Lift as a fraction of the stroke, half-harmonic: y = 1 − cos(πx/2)"
+                "Lift as a fraction of the stroke, half-harmonic from a dwell: y = 1 − cos(πx/2)"
             }
-            MotionLaw::HalfHarmonicEnd => "Lift as a fraction of the stroke, half-harmonic: y = sin(πx/2)",
+            MotionLaw::HalfHarmonicEnd => {
+                "Lift as a fraction of the stroke, half-harmonic to a dwell: y = sin(πx/2)"
+            }
         }
     }
 }

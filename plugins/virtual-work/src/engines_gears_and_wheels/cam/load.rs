@@ -76,12 +76,15 @@ impl Load {
     }
 }
 
+/// Position, contact and pressure angle, where there are any.
+pub(super) type Place<'a, N> = (Option<&'a Position<N>>, Option<&'a Outline<N>>, Option<N>);
+
 /// Works out forces and torque; refused where an inertia force needs the speed.
 pub(super) fn solve<W: Worksheet>(
     given: &FollowerLoadGiven<W>,
     speed: Option<W::Num>,
     course: &Course,
-    (position, outline): (Option<&Position<W::Num>>, Option<&Outline<W::Num>>),
+    (position, outline, pressure): Place<'_, W::Num>,
     sheet: W,
 ) -> Result<Load, Refusal> {
     if course.turning {
@@ -129,11 +132,12 @@ pub(super) fn solve<W: Worksheet>(
         let torque = sheet.step("T", "N*m", along * at.rate, why);
         sheet.answer("torque", "Torque on the cam shaft", torque);
         check_energy(&numbers, (at, along, torque), course, (size, torque_size), sheet);
-        if let Some(tangent) = outline.and_then(|outline| outline.tangent(at.lift, at.rate, at.second)) {
+        let tangent = outline.and_then(|outline| outline.tangent(at.lift, at.rate, at.second));
+        if let (Some(tangent), Some(pressure)) = (tangent, pressure) {
             let why = "Force along the normal, without friction: F/cos φ";
-            let normal = sheet.step("N", "N", along * tangent.length() / tangent.a, why);
+            let normal = sheet.step("N", "N", along / pressure.cos(), why);
             let why = "Side thrust on the guide: F tan φ";
-            let side = sheet.step("H", "N", along * tangent.b / tangent.a, why);
+            let side = sheet.step("H", "N", along * pressure.tan(), why);
             sheet.answer("normal_force", "Normal force at the contact", normal);
             sheet.answer("side_thrust", "Side thrust on the guide", side);
             sheet.verify(|| {
@@ -189,22 +193,22 @@ fn check_energy<W: Worksheet>(
 ) {
     sheet.verify(|| {
         let Some((k, x)) = course.place(at.angle.value()) else { return };
-        let stretch = &course.stretches[k];
-        let Some(law) = stretch.law else { return };
+        let segment = &course.segments[k];
+        let Some(law) = segment.law else { return };
         let piece = law.piece(x);
         let w = load.speed;
         let energy = |x: f64| {
-            let motion = stretch.at(x, piece);
+            let motion = segment.at(x, piece);
             0.5 * load.mass * (w * motion.rate).powi(2)
                 + 0.5 * load.stiffness * motion.lift.powi(2)
                 + load.steady * motion.lift
         };
-        let motion = stretch.at(x, piece);
+        let motion = segment.at(x, piece);
         let lost = load.damping * w * motion.rate.powi(2);
-        let power = derivative(energy, x, 0.004) / stretch.turn + lost;
+        let power = derivative(energy, x, 0.004) / segment.turn + lost;
         let what = "torque from the energy of mass, spring and load over the cam angle, and the damping";
         sheet.check_sum(what, torque, power.into(), torque_size);
-        let second = derivative(|x| stretch.at(x, piece).rate, x, 0.004) / stretch.turn;
+        let second = derivative(|x| segment.at(x, piece).rate, x, 0.004) / segment.turn;
         let again = load.force(&Motion { second, ..motion });
         let what = "force with the acceleration by differences of the velocity";
         sheet.check_sum(what, force, again.into(), size);

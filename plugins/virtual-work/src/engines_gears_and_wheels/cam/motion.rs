@@ -8,7 +8,7 @@ use dalembert_numerics::{differentiation::derivative, quadrature};
 
 use super::{
     law::MotionLaw,
-    program::{CamSegmentGiven, Course, Motion, MotionProgramGiven, Stretch},
+    program::{CamSegmentGiven, Course, Motion, MotionProgramGiven, SegmentCourse},
 };
 use crate::sources::NORTON;
 
@@ -79,12 +79,12 @@ pub(super) fn at<W: Worksheet>(
         return Err(Refusal::because(
             Text::new("the cam angle is not within the stroke: write one from 0 to {turn}").with_quantity(
                 "turn",
-                course.stretches[0].turn,
+                course.segments[0].turn,
                 "deg",
             ),
         ));
     };
-    let stretch = &course.stretches[k];
+    let segment = &course.segments[k];
     let turns = if course.closed { (angle.value() / TAU + 1e-12).floor() } else { 0.0 };
     let reduced = if turns == 0.0 {
         angle
@@ -93,10 +93,10 @@ pub(super) fn at<W: Worksheet>(
     };
     let signed = |n: usize| {
         let lift = sizes[n].lift?;
-        Some(if course.stretches[n].rise < 0.0 { -lift } else { lift })
+        Some(if course.segments[n].rise < 0.0 { -lift } else { lift })
     };
     let before: Vec<W::Num> = (0..k).filter_map(signed).collect();
-    let low = if !course.closed && stretch.rise < 0.0 {
+    let low = if !course.closed && segment.rise < 0.0 {
         sizes[0].lift
     } else if before.is_empty() {
         None
@@ -105,7 +105,7 @@ pub(super) fn at<W: Worksheet>(
     } else {
         Some(sheet.step("s_1", units.lift, W::Num::sum(before), "Lift at which the segment begins"))
     };
-    let (Some(law), Some(rise)) = (stretch.law, signed(k)) else {
+    let (Some(law), Some(rise)) = (segment.law, signed(k)) else {
         let why = "The follower dwells at this lift";
         let lift = match low {
             Some(low) => sheet.step("s", units.lift, low, why),
@@ -115,8 +115,8 @@ pub(super) fn at<W: Worksheet>(
         let found = Position { angle, lift, rate: still("s′"), second: still("s″") };
         sheet.answer("lift", "Lift", lift);
         sheet.verify(|| {
-            let (sum, size) = course.stretches[..k].iter().fold((0.0, 0.0f64), |(sum, size), stretch| {
-                (sum + stretch.rise, size.max(stretch.rise.abs()))
+            let (sum, size) = course.segments[..k].iter().fold((0.0, 0.0f64), |(sum, size), segment| {
+                (sum + segment.rise, size.max(segment.rise.abs()))
             });
             sheet.check_sum("lift from all strokes before", lift, sum.into(), size);
         });
@@ -152,9 +152,9 @@ pub(super) fn at<W: Worksheet>(
         "Jerk per radian of the cam cubed, d³s/dθ³",
     );
     sheet.answer("lift", "Lift", lift);
-    sheet.answer("lift_rate", "Velocity per radian, ds/dθ", rate);
-    sheet.answer("lift_second", "Acceleration per radian², d²s/dθ²", second);
-    sheet.answer("lift_third", "Jerk per radian³, d³s/dθ³", third);
+    sheet.answer("lift_rate", "Velocity per radian of the cam", rate);
+    sheet.answer("lift_second", "Acceleration per radian of the cam squared", second);
+    sheet.answer("lift_third", "Jerk per radian of the cam cubed", third);
     if let Some(speed) = speed {
         let [first_unit, second_unit, third_unit] = units.per_second;
         let velocity = sheet.step("v", first_unit, speed * rate, "Velocity of the follower");
@@ -168,14 +168,14 @@ pub(super) fn at<W: Worksheet>(
             let w = speed.value();
             // By differences over time.
             let moved = |order: usize, time: f64| {
-                let motion = stretch.at(x + w * time / stretch.turn, piece);
+                let motion = segment.at(x + w * time / segment.turn, piece);
                 [motion.lift, w * motion.rate, w * w * motion.second][order]
             };
-            let step = STEP * stretch.turn / w;
+            let step = STEP * segment.turn / w;
             let slopes = [0, 1, 2].map(|order| derivative(|time| moved(order, time), 0.0, step));
-            let scales = scales(stretch).map(|scale| scale * stretch.rise.abs() / stretch.turn);
+            let scales = scales(segment).map(|scale| scale * segment.rise.abs() / segment.turn);
             let [first, second, third] = [0, 1, 2]
-                .map(|order| scales[order] * w * (w / stretch.turn).powi(i32::try_from(order).unwrap_or(0)));
+                .map(|order| scales[order] * w * (w / segment.turn).powi(i32::try_from(order).unwrap_or(0)));
             sheet.check_sum(
                 "velocity by differences of the lift over time",
                 velocity,
@@ -189,13 +189,13 @@ pub(super) fn at<W: Worksheet>(
         });
     }
     sheet.verify(|| {
-        let size = stretch.rise.abs().max(stretch.low);
-        let swept = swept(stretch, law, x);
-        sheet.check_sum("lift as the integral of the velocity", lift, (stretch.low + swept).into(), size);
-        let [first, other, last] = scales(stretch);
-        let (h, b) = (stretch.rise.abs(), stretch.turn);
+        let size = segment.rise.abs().max(segment.start);
+        let swept = swept(segment, law, x);
+        sheet.check_sum("lift as the integral of the velocity", lift, (segment.start + swept).into(), size);
+        let [first, other, last] = scales(segment);
+        let (h, b) = (segment.rise.abs(), segment.turn);
         let of = |number: fn(&Motion) -> f64| {
-            derivative(|x| number(&stretch.at(x, piece)), x, STEP) / stretch.turn
+            derivative(|x| number(&segment.at(x, piece)), x, STEP) / segment.turn
         };
         let what = "velocity per radian by differences of the lift";
         sheet.check_sum(what, rate, of(|motion| motion.lift).into(), first * h / b);
@@ -211,21 +211,21 @@ pub(super) fn at<W: Worksheet>(
 const STEP: f64 = 0.004;
 
 /// Largest sizes of the derivatives of a law.
-fn scales(stretch: &Stretch) -> [f64; 3] {
-    let peaks = stretch.law.map_or_else(|| MotionLaw::Uniform.peaks(), MotionLaw::peaks);
+fn scales(segment: &SegmentCourse) -> [f64; 3] {
+    let peaks = segment.law.map_or_else(|| MotionLaw::Uniform.peaks(), MotionLaw::peaks);
     // Where there is none, what rounding is of.
     let most = peaks.acceleration.max(-peaks.deceleration).max(1.0);
     [peaks.velocity, most, peaks.jerk.unwrap_or(most).max(1.0)]
 }
 
 /// Lift from the beginning of a segment, by quadrature of its velocity over every piece.
-fn swept(stretch: &Stretch, law: MotionLaw, x: f64) -> f64 {
+fn swept(segment: &SegmentCourse, law: MotionLaw, x: f64) -> f64 {
     law.breaks()
         .windows(2)
         .enumerate()
         .filter(|(_, ends)| ends[0] < x)
         .map(|(piece, ends)| {
-            let rate = |x: f64| stretch.at(x, piece).rate * stretch.turn;
+            let rate = |x: f64| segment.at(x, piece).rate * segment.turn;
             quadrature::integral(rate, [ends[0], ends[1].min(x)], 24)
         })
         .sum()
@@ -248,10 +248,10 @@ pub(super) fn peaks<W: Worksheet>(
     let units = Units::of(course);
     let units = if speed.is_some() { units.per_second } else { units.per_radian };
     let mut strokes = Vec::new();
-    for (k, (stretch, size)) in course.stretches.iter().zip(sizes).enumerate() {
-        if let (Some(law), Some(lift)) = (stretch.law, size.lift) {
-            let peaks = stroke(law, (lift, size.turn), speed, (k, stretch, course), units, sheet);
-            strokes.push((stretch.rise > 0.0, peaks));
+    for (k, (segment, size)) in course.segments.iter().zip(sizes).enumerate() {
+        if let (Some(law), Some(lift)) = (segment.law, size.lift) {
+            let peaks = stroke(law, (lift, size.turn), speed, (k, segment, course), units, sheet);
+            strokes.push((segment.rise > 0.0, peaks));
         }
     }
     let labels = if speed.is_some() {
@@ -272,9 +272,24 @@ pub(super) fn peaks<W: Worksheet>(
         ]
     } else {
         [
-            ("rise_rate", "Maximum ds/dθ on the rise", "return_rate", "Maximum ds/dθ on the return"),
-            ("rise_second", "Maximum d²s/dθ² on the rise", "return_second", "Maximum d²s/dθ² on the return"),
-            ("rise_third", "Maximum d³s/dθ³ on the rise", "return_third", "Maximum d³s/dθ³ on the return"),
+            (
+                "rise_rate",
+                "Maximum velocity per radian, rise",
+                "return_rate",
+                "Maximum velocity per radian, return",
+            ),
+            (
+                "rise_second",
+                "Maximum acceleration per radian², rise",
+                "return_second",
+                "Maximum acceleration per radian², return",
+            ),
+            (
+                "rise_third",
+                "Maximum jerk per radian³, rise",
+                "return_third",
+                "Maximum jerk per radian³, return",
+            ),
         ]
     };
     for rising in [true, false] {
@@ -305,12 +320,12 @@ fn stroke<W: Worksheet>(
     law: MotionLaw,
     (lift, turn): (W::Num, W::Num),
     speed: Option<W::Num>,
-    (k, stretch, course): (usize, &Stretch, &Course),
+    (k, segment, course): (usize, &SegmentCourse, &Course),
     units: [&'static str; 3],
     sheet: W,
 ) -> StrokePeaks<W::Num> {
     let peaks = law.peaks();
-    let many = course.stretches.len() > 1;
+    let many = course.segments.len() > 1;
     let symbol = |base: &'static str, of: &'static str| -> Symbol {
         let symbol = Symbol { of, ..Symbol::from(base) };
         if many { symbol.row(k + 1) } else { symbol }
@@ -342,7 +357,7 @@ fn stroke<W: Worksheet>(
         sheet.step(symbol(bases[2], "max"), units[2], factor * lift * rate.powi(3), why)
     });
     sheet.verify(|| {
-        let same = |other: &Stretch| other.from == stretch.from;
+        let same = |other: &SegmentCourse| other.from == segment.from;
         let w = speed.map_or(1.0, Real::value);
         let searched = |number: fn(&Motion) -> f64| {
             course.largest(60, same, |motion| number(motion).abs()).map_or(0.0, |found| found.value)
@@ -391,13 +406,13 @@ pub(super) fn table(course: &Course, speed: Option<f64>) -> TableExhibit {
         None => (1.0, units.per_radian),
     };
     let column = |heading: &'static str, unit: &'static str| Column { heading: heading.into(), unit };
-    let row = |stretch: &Stretch| -> Vec<Cell> {
-        let ends = [stretch.from, stretch.from + stretch.turn, stretch.low, stretch.low + stretch.rise];
+    let row = |segment: &SegmentCourse| -> Vec<Cell> {
+        let ends = [segment.from, segment.from + segment.turn, segment.start, segment.start + segment.rise];
         let mut cells: Vec<Cell> = ends.map(Cell::Number).into();
-        let numbers = stretch.law.map(|law| {
+        let numbers = segment.law.map(|law| {
             let peaks = law.peaks();
-            let rate = w / stretch.turn;
-            let h = stretch.rise.abs();
+            let rate = w / segment.turn;
+            let h = segment.rise.abs();
             let most = peaks.acceleration.max(-peaks.deceleration);
             [
                 Some(h * peaks.velocity * rate),
@@ -420,7 +435,7 @@ pub(super) fn table(course: &Course, speed: Option<f64>) -> TableExhibit {
             column("Maximum acceleration", second),
             column("Maximum jerk", third),
         ],
-        rows: course.stretches.iter().map(row).collect(),
+        rows: course.segments.iter().map(row).collect(),
         foot: Vec::new(),
     }
 }

@@ -78,7 +78,7 @@ pub enum CamSegment {
 
 /// A segment with the place where it begins.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stretch {
+pub(super) struct SegmentCourse {
     /// Law; none in a dwell.
     pub law: Option<MotionLaw>,
     /// Cam angle where it begins, rad.
@@ -86,7 +86,7 @@ pub(super) struct Stretch {
     /// Cam angle over which it lasts, rad.
     pub turn: f64,
     /// Lift where it begins.
-    pub low: f64,
+    pub start: f64,
     /// Change of the lift, negative in a return.
     pub rise: f64,
 }
@@ -111,20 +111,20 @@ pub(super) struct Found {
 /// All segments, and whether they are a full revolution.
 #[derive(Clone, Debug)]
 pub(super) struct Course {
-    pub stretches: Vec<Stretch>,
+    pub segments: Vec<SegmentCourse>,
     pub closed: bool,
     /// Whether the lift is an angle.
     pub turning: bool,
 }
 
-impl Stretch {
+impl SegmentCourse {
     /// Motion at the fraction `x` of the segment, by one piece of its law.
     pub(super) fn at(&self, x: f64, piece: usize) -> Motion {
         let [y, rate, second, third] = self.law.map_or([0.0; 4], |law| law.at(x, piece));
         let b = self.turn;
         Motion {
             angle: self.from + x * b,
-            lift: self.low + self.rise * y,
+            lift: self.start + self.rise * y,
             rate: self.rise * rate / b,
             second: self.rise * second / (b * b),
             third: self.rise * third / (b * b * b),
@@ -155,18 +155,18 @@ impl MotionProgram {
                     StrokeDirection::Rise => (0.0, lift.si),
                     StrokeDirection::Return => (lift.si, -lift.si),
                 };
-                let only = Stretch { law: Some(*law), from: 0.0, turn: *turn, low, rise };
-                return Ok(Course { stretches: vec![only], closed: false, turning: lift.unit == "deg" });
+                let only = SegmentCourse { law: Some(*law), from: 0.0, turn: *turn, start: low, rise };
+                return Ok(Course { segments: vec![only], closed: false, turning: lift.unit == "deg" });
             }
             MotionProgram::Revolution { segments } => segments,
         };
-        let mut stretches = Vec::new();
+        let mut courses = Vec::new();
         let (mut from, mut low, mut largest, mut turning) = (0.0, 0.0, 0.0f64, false);
         for (n, segment) in (1..).zip(segments) {
             let (law, sign, lift, turn) = segment.parts();
             let rise = lift.map_or(0.0, |lift| sign * lift.si);
             turning |= lift.is_some_and(|lift| lift.unit == "deg");
-            stretches.push(Stretch { law, from, turn, low, rise });
+            courses.push(SegmentCourse { law, from, turn, start: low, rise });
             from += turn;
             low += rise;
             largest = largest.max(low);
@@ -192,57 +192,57 @@ impl MotionProgram {
                     .with_quantity("rest", low, if turning { "deg" } else { "mm" }),
             ));
         }
-        Ok(Course { stretches, closed: true, turning })
+        Ok(Course { segments: courses, closed: true, turning })
     }
 }
 
 impl Course {
     /// The segment and the fraction of it at a cam angle; none outside of a single stroke.
     pub(super) fn place(&self, angle: f64) -> Option<(usize, f64)> {
-        let last = self.stretches.len() - 1;
+        let last = self.segments.len() - 1;
         let (angle, whole) =
-            if self.closed { (angle.rem_euclid(TAU), TAU) } else { (angle, self.stretches[0].turn) };
+            if self.closed { (angle.rem_euclid(TAU), TAU) } else { (angle, self.segments[0].turn) };
         if angle < -1e-12 * whole || angle > whole * (1.0 + 1e-12) {
             return None;
         }
-        let after = |stretch: &Stretch| stretch.from <= angle + 1e-12 * whole;
-        let k = self.stretches.iter().rposition(after).unwrap_or(0);
+        let after = |segment: &SegmentCourse| segment.from <= angle + 1e-12 * whole;
+        let k = self.segments.iter().rposition(after).unwrap_or(0);
         // Rounding at the end of the last one.
         let (k, gone) = if self.closed && k == last && TAU - angle < 1e-12 * TAU {
             (0, 0.0)
         } else {
-            (k, angle - self.stretches[k].from)
+            (k, angle - self.segments[k].from)
         };
-        Some((k, (gone / self.stretches[k].turn).clamp(0.0, 1.0)))
+        Some((k, (gone / self.segments[k].turn).clamp(0.0, 1.0)))
     }
 
     /// Motion at a cam angle.
     pub(super) fn at(&self, angle: f64) -> Option<Motion> {
         let (k, x) = self.place(angle)?;
-        let stretch = &self.stretches[k];
-        Some(stretch.at(x, stretch.law.map_or(0, |law| law.piece(x))))
+        let segment = &self.segments[k];
+        Some(segment.at(x, segment.law.map_or(0, |law| law.piece(x))))
     }
 
     /// Largest value of a number over some of the segments, each piece by its own formula up to both of its ends.
     pub(super) fn largest(
         &self,
         parts: u16,
-        chosen: impl Fn(&Stretch) -> bool,
+        chosen: impl Fn(&SegmentCourse) -> bool,
         number: impl Fn(&Motion) -> f64,
     ) -> Option<Found> {
         let mut best: Option<Found> = None;
-        for stretch in self.stretches.iter().filter(|stretch| chosen(stretch)) {
-            for (piece, ends) in stretch.breaks().windows(2).enumerate() {
+        for segment in self.segments.iter().filter(|segment| chosen(segment)) {
+            for (piece, ends) in segment.breaks().windows(2).enumerate() {
                 let place = |n: u16| ends[0] + (ends[1] - ends[0]) * f64::from(n) / f64::from(parts);
                 let places: Vec<f64> = (0..=parts).map(place).collect();
-                let Some(top) = extremes::largest(|x| number(&stretch.at(x, piece)), &places) else {
+                let Some(top) = extremes::largest(|x| number(&segment.at(x, piece)), &places) else {
                     continue;
                 };
                 // What rounding alone tells apart is not higher.
                 let beyond = best.is_none_or(|best| top.value > best.value + 1e-12 * best.value.abs());
                 if beyond && top.value.is_finite() {
-                    let x = sharpened(|x| number(&stretch.at(x, piece)), top.time, [ends[0], ends[1]]);
-                    best = Some(Found { value: top.value, motion: stretch.at(x, piece) });
+                    let x = sharpened(|x| number(&segment.at(x, piece)), top.time, [ends[0], ends[1]]);
+                    best = Some(Found { value: top.value, motion: segment.at(x, piece) });
                 }
             }
         }
@@ -251,16 +251,16 @@ impl Course {
 
     /// Cam angles at which a derivative jumps, with the dwells before and after a single stroke.
     pub(super) fn jumps(&self, of: impl Fn(&Motion) -> f64) -> Vec<f64> {
-        let all = |_: &Stretch| true;
+        let all = |_: &SegmentCourse| true;
         let scale = self.largest(16, all, |motion| of(motion).abs()).map_or(0.0, |found| found.value);
         let mut places = Vec::new();
         // Values at both ends of every piece, in order.
         let ends: Vec<(f64, f64, f64)> = self
-            .stretches
+            .segments
             .iter()
-            .flat_map(|stretch| {
-                stretch.breaks().windows(2).enumerate().map(|(piece, ends)| {
-                    let [first, last] = [ends[0], ends[1]].map(|x| stretch.at(x, piece));
+            .flat_map(|segment| {
+                segment.breaks().windows(2).enumerate().map(|(piece, ends)| {
+                    let [first, last] = [ends[0], ends[1]].map(|x| segment.at(x, piece));
                     (first.angle, of(&first), of(&last))
                 })
             })
@@ -274,7 +274,7 @@ impl Course {
             earlier = *last;
         }
         if !self.closed && earlier.abs() > 1e-9 * scale {
-            places.push(self.stretches[0].turn);
+            places.push(self.segments[0].turn);
         }
         places
     }
@@ -282,22 +282,22 @@ impl Course {
     /// Angles of a plot, dense, with both sides of every end of a piece.
     pub(super) fn motions(&self) -> Vec<Motion> {
         const PARTS: u16 = 40;
-        let piece = |stretch: &Stretch, piece: usize, ends: [f64; 2]| -> Vec<Motion> {
+        let piece = |segment: &SegmentCourse, piece: usize, ends: [f64; 2]| -> Vec<Motion> {
             let width = ends[1] - ends[0];
-            let parts = if stretch.law.is_none() { 8 } else { PARTS };
+            let parts = if segment.law.is_none() { 8 } else { PARTS };
             (0..=parts)
                 .map(|n| {
                     // The end itself is the beginning of the next one.
                     let share = (f64::from(n) / f64::from(parts)).min(1.0 - 1e-9);
-                    stretch.at(ends[0] + width * share, piece)
+                    segment.at(ends[0] + width * share, piece)
                 })
                 .collect()
         };
-        self.stretches
+        self.segments
             .iter()
-            .flat_map(|stretch| {
-                let pieces = stretch.breaks().windows(2).enumerate();
-                pieces.flat_map(|(n, ends)| piece(stretch, n, [ends[0], ends[1]])).collect::<Vec<_>>()
+            .flat_map(|segment| {
+                let pieces = segment.breaks().windows(2).enumerate();
+                pieces.flat_map(|(n, ends)| piece(segment, n, [ends[0], ends[1]])).collect::<Vec<_>>()
             })
             .collect()
     }
