@@ -187,7 +187,7 @@ impl Analysis for GearedDrive {
         } else {
             "Inertia referred to the driven shaft: the load drives the motor, and the gears take 1/η"
         };
-        let cite = KHURMI.at("§3.17");
+        let cite = KHURMI.at("ch. 3");
         let total =
             sheet.step("I_e", "kg*m^2", shaft.inertia + ratio.powi(2) * motor_inertia * gain, (words, cite));
         let (torque, acceleration) = match given.sought {
@@ -213,7 +213,11 @@ impl Analysis for GearedDrive {
         if let Some(radius) = shaft.radius {
             let linear = sheet.step("a", "m/s^2", radius * acceleration, "Acceleration of the mass");
             sheet.answer("linear_acceleration", "Acceleration of the mass", linear);
-            sheet.check("accelerations of the mass and of the motor by the radius and the ratio", linear * ratio, fast * radius);
+            sheet.check(
+                "accelerations of the mass and of the motor by the radius and the ratio",
+                linear * ratio,
+                fast * radius,
+            );
         }
         let passed = shaft.inertia * acceleration;
         let why = "Torque of the gears on the driven shaft";
@@ -287,7 +291,7 @@ fn best_ratio<W: Worksheet>(
         return;
     }
     let why =
-        ("Gear ratio of the maximum acceleration of the driven shaft, from dα₂/dG = 0", KHURMI.at("§3.17"));
+        ("Gear ratio of the maximum acceleration of the driven shaft, from dα₂/dG = 0", KHURMI.at("ch. 3"));
     let best = sheet.step("G_o", "1", value, why);
     sheet.answer("best_ratio", "Gear ratio of maximum acceleration", best);
     sheet.verify(|| {
