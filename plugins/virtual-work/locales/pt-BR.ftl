@@ -3378,6 +3378,7 @@ n-20-mm-up-and-15-mm-down = 20 mm para cima e 15 mm para baixo
 roller-as-large-as-the-prime-circle = Rolete tão grande quanto o círculo primário
 r-b-r-p-r-r-is-not-positive = R_b = R_p − R_r não é positivo
 n-90-90-100-60-340 = 90° + 90° + 100° + 60° = 340°
+the-follower-is-at-rest-in-a-dwell = O seguidor está parado em um repouso
 
 # virtual-work/geared-drive
 geared-drive = Acionamento com engrenagens
@@ -3457,7 +3458,7 @@ vehicle-that-climbs = Veículo em subida
 the-slope-has-a-sine-of-0-25-6-67-m-s-on-wheels-of-0-3-m-are-22-233-rad-s = A rampa tem seno de 0,25; 6,67 m/s em rodas de 0,3 m são 22,233 rad/s.
 power-of-a-motor-at-a-steady-speed = Potência de um motor em rotação constante
 time-to-start-a-loaded-machine = Tempo de partida de uma máquina carregada
-t-t-m-100-28-5-3-50877-so-the-sum-of-the-roots-is-7-01754-and-not-7-27-g-3-50877-3-50877-45-0-57-13 = T₂/(η T_m) = 100/28,5 = 3,50877, de modo que a soma das raízes é 7,01754 e não 7,27: G = 3,50877 + √(3,50877² + 45/0,57) = 13,0617.
+t-t-m-100-28-5-3-50877-so-the-sum-of-the-roots-is-7-01754-and-not-7-27-g-3-50877-3-50877-45-0-57-13 = T₂/(η T_m) = 100/28,5 = 3,50877, de modo que a soma das raízes é 7,01754 e não 7,27: G = 3,50877 + √(3,50877² + 45/0,57) = 13,062.
 steady-lowering-against-a-braking-motor = Descida constante contra um motor que freia
 t-m-g-r-g-with-the-load-driving = T = m g r η/G, com a carga acionando
 hoist-held-by-the-losses-of-its-gears = Guincho sustentado pelas perdas das engrenagens

@@ -266,11 +266,10 @@ impl CamFollower {
     /// Refuses a lift of the wrong kind.
     pub(super) fn fits(&self, course: &Course) -> Result<(), Refusal> {
         match self {
-            CamFollower::Motion => Ok(()),
             CamFollower::Oscillating { .. } if !course.turning => Err(Refusal::because(
                 "the lift of an oscillating follower is the angle of its arm: write it in degrees",
             )),
-            CamFollower::Oscillating { .. } => Ok(()),
+            CamFollower::Motion | CamFollower::Oscillating { .. } => Ok(()),
             _ if course.turning => Err(Refusal::because(
                 "the lift of a translating follower is a length: write it in mm, or choose an oscillating follower",
             )),

@@ -111,16 +111,28 @@ pub(super) fn at<W: Worksheet>(
             Some(low) => sheet.step("s", units.lift, low, why),
             None => sheet.numerical("s", units.lift, 0.0, why),
         };
-        let still = |symbol: &'static str| sheet.numerical(symbol, units.per_radian[0], 0.0, "In a dwell");
-        let found = Position { angle, lift, rate: still("s′"), second: still("s″") };
+        let still = |symbol: &'static str, unit: &'static str| {
+            sheet.numerical(symbol, unit, 0.0, "The follower is at rest in a dwell")
+        };
+        let [first, second, third] = units.per_radian;
+        let [rate, second, third] = [still("s′", first), still("s″", second), still("s‴", third)];
         sheet.answer("lift", "Lift", lift);
+        sheet.answer("lift_rate", "Velocity per radian of the cam", rate);
+        sheet.answer("lift_second", "Acceleration per radian of the cam squared", second);
+        sheet.answer("lift_third", "Jerk per radian of the cam cubed", third);
+        if speed.is_some() {
+            let [first, second, third] = units.per_second;
+            sheet.answer("velocity", "Velocity of the follower", still("v", first));
+            sheet.answer("acceleration", "Acceleration of the follower", still("a", second));
+            sheet.answer("jerk", "Jerk of the follower", still("j", third));
+        }
         sheet.verify(|| {
             let (sum, size) = course.segments[..k].iter().fold((0.0, 0.0f64), |(sum, size), segment| {
                 (sum + segment.rise, size.max(segment.rise.abs()))
             });
             sheet.check_sum("lift from all strokes before", lift, sum.into(), size);
         });
-        return Ok(found);
+        return Ok(Position { angle, lift, rate, second });
     };
     let begun = (k > 0).then(|| {
         let turns = sizes[..k].iter().map(|size| size.turn);
