@@ -3048,3 +3048,418 @@ the-guide-belongs-to-the-ground-there-is-no-coriolis-acceleration = A guia perte
 the-point-of-the-lever-under-the-pin-has-the-velocity-of-the-pin-less-the-slip-1-8-m-s = O ponto da alavanca sob o pino tem a velocidade do pino menos o deslizamento: 1,8 m/s.
 r-300-mm-d-400-mm-crank-across-the-frame-500-mm-v-a-3-m-s-has-1-8-m-s-across-the-slot-and-2-4-m-s = r = 300 mm, d = 400 mm, manivela transversal à base, ρ = 500 mm: v_A = 3 m/s tem 1,8 m/s transversal à ranhura e 2,4 m/s ao longo dela; ω_4 = 3,6 rad/s, a_c = 2·3,6·2,4, a_s = −0,6·30 + 0,5·3,6²
 triangle-of-300-400-and-500-mm-of-v-a-3-m-s-1-8-m-s-are-across-the-slot-and-2-4-m-s-along-it-1-8-0-5 = Triângulo de 300, 400 e 500 mm: de v_A = 3 m/s, 1,8 m/s são transversais à ranhura e 2,4 m/s ao longo dela; ω = 1,8/0,5, a_c = 2·3,6·2,4, a_s = −0,6·30 + 0,5·3,6²
+
+# virtual-work/cam
+n-2h-2-30-mm-10-rad-s-0-6-m-s-the-mean-of-a-velocity-that-rises-from-zero-to-its-maximum-and-falls = 2hω/β = 2 × 30 mm × 10π rad/s/π = 0,6 m/s: a média de uma velocidade que cresce de zero ao máximo e volta a zero é metade do máximo, 0,3 m/s em 0,1 s. As notas usam o dobro.
+n-3-4-5-polynomial = Polinômio 3-4-5
+n-3-4-5-polynomial-with-an-offset-roller = Polinômio 3-4-5 com rolete excêntrico
+n-4-5-6-7-polynomial = Polinômio 4-5-6-7
+n-4h-12-m-s-with-24-m-s-over-half-of-the-0-1-s-the-follower-would-rise-by-30-mm-in-the-first-half = 4hω²/β² = 12 m/s²: com 24 m/s² durante metade de 0,1 s, o seguidor subiria 30 mm só na primeira metade.
+n-4h-4-0-008-m-40-rad-s-3-0-032-m-14-400-s-460-8-m-s-the-last-digit-is-lost-by-rounding-on-the-way = 4hω²/β² = 4 × 0,008 m × (40π rad/s)²/(π/3)² = 0,032 m × 14 400 s⁻² = 460,8 m/s²; o último algarismo se perde nos arredondamentos intermediários.
+a-lift-of-10-mm-of-25-is-reached-where-cos-0-2-at-26-154-of-60 = A elevação de 10 mm de 25 é atingida onde cos(πθ/β) = 0,2, em 26,154° de 60°.
+acceleration-of-the-follower = Aceleração do seguidor
+acceleration-per-radian-of-the-cam-squared = Aceleração por radiano² do came
+acceleration-per-radian-of-the-cam-squared-d-s-d = Aceleração por radiano ao quadrado do came, d²s/dθ²
+all-that-moves-with-it-and-a-third-of-the-spring = Tudo o que se move com ele, e um terço da mola.
+allowable-pressure-angle = Ângulo de pressão admissível
+alone-between-two-dwells = Sozinha, entre dois repousos.
+angle-of-the-arm-at-the-lowest-position = Ângulo do braço na posição mais baixa
+angle-of-the-arm-to-the-line-of-centres = Ângulo do braço com a linha de centros
+angle-of-the-arm-to-the-line-of-centres-at-the-lowest-position-by-the-cosine-rule = Ângulo do braço com a linha de centros na posição mais baixa, pela lei dos cossenos
+any-base-circle-has-this-motion-30-mm-is-that-of-an-example-of-the-same-notes = Qualquer círculo de base tem este movimento; 30 mm é o de um exemplo das mesmas notas.
+at-which-motion-contact-and-force-are-required = Em que se pedem movimento, contato e força.
+away-from-the-pivot = Afastando-se da articulação
+base-circle = Círculo de base
+base-circle-radius = Raio do círculo de base
+base-circle-radius-at-which-the-profile-has-a-cusp-it-must-be-larger = Raio do círculo de base com o qual o perfil tem um bico: deve ser maior
+base-circle-radius-of-a-cusp = Raio de base que dá um bico no perfil
+by-which-the-follower-comes-down = Quanto o seguidor desce.
+cam-and-follower = Came e seguidor
+cam-angle = Ângulo do came
+cam-angle-at-which-contact-is-lost-first-as-the-speed-rises-by-search = Ângulo do came em que o contato se perde primeiro quando a rotação cresce, por busca
+cam-angle-at-which-s-s-is-least-by-search = Ângulo do came em que s + s″ é mínimo, por busca
+cam-angle-at-which-the-segment-begins = Ângulo do came em que o trecho começa
+cam-angle-of-least-radius-of-curvature = Ângulo do came do menor raio de curvatura
+cam-angle-of-that-on-the-return = Ângulo do came correspondente, no retorno
+cam-angle-of-that-on-the-rise = Ângulo do came correspondente, na subida
+cam-angle-of-the-largest-force = Ângulo do came da força máxima
+cam-angle-of-the-largest-force-by-search = Ângulo do came da força máxima, por busca
+cam-angle-of-the-largest-pressure-angle-on-a-return-by-search = Ângulo do came do maior ângulo de pressão em um retorno, por busca
+cam-angle-of-the-largest-pressure-angle-on-a-rise-by-search = Ângulo do came do maior ângulo de pressão em uma subida, por busca
+cam-angle-of-the-largest-torque-by-search = Ângulo do came do torque máximo, por busca
+cam-angle-of-the-least-force = Ângulo do came da força mínima
+cam-angle-of-the-least-force-by-search = Ângulo do came da força mínima, por busca
+cam-angle-of-the-least-radius-of-curvature-of-the-convex-pitch-curve-by-search = Ângulo do came do menor raio de curvatura da curva primitiva convexa, por busca
+cam-angle-of-the-least-torque-by-search = Ângulo do came do torque mínimo, por busca
+cam-angle-of-the-segment = Ângulo do came no trecho
+cam-angle-of-the-stroke = Ângulo do came no curso
+cam-angle-that-needs-the-largest-cam = Ângulo do came que exige o maior came
+cam-angle-that-needs-the-largest-cam-by-search-over-the-program = Ângulo do came que exige o maior came, por busca em todo o programa
+cam-angle-within-the-revolution = Ângulo do came dentro da volta
+cam-angles-of-acceleration-jumps = Ângulos do came com salto de aceleração
+cam-angles-of-velocity-jumps = Ângulos do came com salto de velocidade
+cam-speed-at-which-contact-is-lost = Rotação do came em que se perde o contato
+constant-acceleration-over-half-a-revolution = Aceleração constante em meia volta
+constant-acceleration-over-the-first-half-and-the-same-deceleration-over-the-second = Aceleração constante na primeira metade, e a mesma desaceleração na segunda.
+constant-load = Carga constante
+constant-of-the-acceleration-of-the-law-formula = Constante da aceleração da lei, { $formula }
+constant-of-the-jerk-of-the-law-formula = Constante do jerk da lei, { $formula }
+constant-of-the-velocity-of-the-law-formula = Constante da velocidade da lei, { $formula }
+contact-from-the-axis-return = Contato a partir do eixo, retorno
+contact-from-the-axis-rise = Contato a partir do eixo, subida
+contact-from-the-cam-centre-across-the-line-of-the-follower-ds-d = Contato a partir do centro do came, perpendicular à linha do seguidor: ds/dθ
+contact-from-the-cam-centre-in-the-axes-of-the-frame-trace-point-less-the-roller-along-the-normal = Contato a partir do centro do came, nos eixos da base: ponto de referência menos o rolete ao longo da normal
+cycloidal = Cicloidal
+cycloidal-rise-of-25-mm-in-90-at-30-rad-s = Subida cicloidal de 25 mm em 90° a 30 rad/s
+derivative-of-the-tangent-by-across-the-motion-of-the-follower = Derivada da tangente em relação a θ, perpendicular ao movimento do seguidor
+derivatives-of-the-pitch-curve-p-e-i-e-i-s-d-with-thirty-digits = Derivadas da curva primitiva P = e^(−iθ)(e + i(s + d)) com trinta algarismos
+derivatives-of-the-pitch-curve-with-thirty-digits = Derivadas da curva primitiva com trinta algarismos
+derivatives-of-the-pitch-curve-with-thirty-digits-extremes-over-two-million-points-of-each-segment = Derivadas da curva primitiva com trinta algarismos; extremos em dois milhões de pontos de cada trecho
+derivatives-of-the-profile-with-thirty-digits = Derivadas do perfil com trinta algarismos
+distance-of-its-line-from-the-centre-of-the-cam-positive-on-the-side-on-which-the-cam-moves-along = Distância da sua linha ao centro do came; positiva do lado em que o came se move no sentido da subida.
+distance-of-the-centre-of-the-roller-or-of-the-knife-edge-at-the-lowest-position = Distância do centro do rolete, ou da faca, na posição mais baixa.
+distance-of-the-contact-from-the-axis = Distância do contato ao eixo
+distance-of-the-contact-from-the-line-of-the-follower-ds-d = Distância do contato à linha do seguidor: ds/dθ
+distance-of-the-pivot-from-the-cam-centre = Distância da articulação ao centro do came
+double-harmonic = Harmônica dupla
+double-dwell-cam-with-spring-and-mass = Came de repouso duplo com mola e massa
+dwell = Repouso
+extremes-of-f-m-s-c-s-k-s-f-over-two-million-points-of-each-segment-data-of-a-design-problem-on-the = Extremos de F = m ω² s″ + c ω s′ + k s + F₀ em dois milhões de pontos de cada trecho; dados de um problema de projeto da web
+flat-faced-follower = Seguidor de face plana
+force-along-the-normal-without-friction-f-cos = Força ao longo da normal, sem atrito: F/cos φ
+force-of-the-cam = Força do came
+force-of-the-cam-along-the-motion = Força do came ao longo do movimento
+force-of-the-cam-along-the-motion-of-the-follower-k-s-f-0-p-m-s-c-s = Força do came ao longo do movimento do seguidor: k s + F_0 + P + m ω² s″ + c ω s′
+force-on-the-follower = Força no seguidor
+force-there-by-the-same-formula = Força ali, pela mesma fórmula
+from-a-dwell-up-to-a-velocity-of-twice-the-mean = De um repouso até uma velocidade igual ao dobro da média.
+from-a-velocity-of-twice-the-mean-down-to-a-dwell = De uma velocidade igual ao dobro da média até um repouso.
+from-the-pivot-to-the-centre-of-the-roller = Da articulação ao centro do rolete.
+half-cycloidal-rise-and-half-harmonic-return = Subida semicicloidal e retorno semi-harmônico
+half-cycloidal-accelerating = Semicicloidal, acelerando
+half-cycloidal-decelerating = Semicicloidal, desacelerando
+half-harmonic-accelerating = Semi-harmônica, acelerando
+half-harmonic-decelerating = Semi-harmônica, desacelerando
+height-of-the-trace-point-above-the-cam-centre-at-the-lowest-position = Altura do ponto de referência acima do centro do came na posição mais baixa
+height-of-the-trace-point-at-the-lowest-position-from-tan-ds-d-e-s-d = Altura do ponto de referência na posição mais baixa, de tan φ = |ds/dθ − e|/(s + d)
+in-order-their-cam-angles-make-up-360-and-the-returns-bring-the-follower-down-by-all-rises = Em ordem; os seus ângulos somam 360°, e os retornos baixam o seguidor de todas as subidas.
+its-first-derivative-by-x = A sua primeira derivada em relação a x
+its-force-at-the-lowest-position = A sua força na posição mais baixa.
+its-second-derivative-by-x = A sua segunda derivada em relação a x
+its-third-derivative-by-x = A sua terceira derivada em relação a x
+jerk-of-the-follower = Jerk do seguidor
+jerk-per-radian-of-the-cam-cubed = Jerk por radiano³ do came
+jerk-per-radian-of-the-cam-cubed-d-s-d = Jerk por radiano ao cubo do came, d³s/dθ³
+khurmi-gupta-theory-of-machines-ex-20-3 = Khurmi & Gupta, Theory of Machines, ex. 20.3
+knife-edge-with-an-offset-to-the-wrong-side = Faca com excentricidade para o lado errado
+knife-edge-follower-at-600-rpm-with-harmonic-strokes = Seguidor de faca a 600 rpm com cursos harmônicos
+largest-ds-d-the-contact-moves-out-by-it-on-the-rise = Maior ds/dθ: o contato se afasta de tanto na subida
+largest-force-of-the-cam = Força máxima do came
+largest-torque-on-the-cam-shaft = Torque máximo no eixo do came
+law-of-motion = Lei de movimento
+least-ds-d-the-contact-moves-out-by-it-on-the-return = Menor ds/dθ: o contato se afasta de tanto no retorno
+least-force-of-the-cam = Força mínima do came
+least-preload-that-keeps-contact = Menor pré-carga que mantém o contato
+least-radius-of-curvature-of-the-convex-profile = Menor raio de curvatura do perfil convexo
+least-radius-of-curvature-of-the-pitch-curve-by-the-same-formula = Menor raio de curvatura da curva primitiva, pela mesma fórmula
+least-radius-of-curvature-of-the-profile = Menor raio de curvatura do perfil
+least-radius-of-curvature-of-the-profile-r-b-s-s = Menor raio de curvatura do perfil: ρ = R_b + s + s″
+least-radius-of-curvature-pitch-curve = Menor raio de curvatura, curva primitiva
+least-radius-of-curvature-profile = Menor raio de curvatura, perfil
+least-radius-of-the-profile = Menor raio do perfil.
+least-torque-on-the-cam-shaft = Torque mínimo no eixo do came
+least-width-of-the-face = Menor largura da face
+least-width-of-the-face-from-the-one-to-the-other = Menor largura da face, de um ao outro
+lecture-notes-on-cam-profiles-mechanics-of-machinery-module-3-question-1-github = Notas de aula sobre perfis de cames, Mechanics of Machinery, módulo 3, questão 1 (GitHub)
+lecture-notes-on-cam-profiles-mechanics-of-machinery-module-3-question-2-github = Notas de aula sobre perfis de cames, Mechanics of Machinery, módulo 3, questão 2 (GitHub)
+lecture-notes-on-camshafts-for-the-ktu-university-exam-of-december-2023-github = Notas de aula sobre eixos de cames para o exame da universidade KTU de dezembro de 2023 (GitHub)
+lecture-notes-on-camshafts-for-the-ktu-university-exam-of-july-2024-github = Notas de aula sobre eixos de cames para o exame da universidade KTU de julho de 2024 (GitHub)
+left-out-the-motion-is-answered-per-radian-of-the-cam = Se omitida, o movimento é dado por radiano do came.
+length-of-the-arm = Comprimento do braço
+lift-against-cam-angle = Elevação em função do ângulo do came
+lift-as-a-fraction-of-the-stroke-3-4-5-polynomial-y-10x-15x-6x = Elevação como fração do curso, polinômio 3-4-5: y = 10x³ − 15x⁴ + 6x⁵
+lift-as-a-fraction-of-the-stroke-4-5-6-7-polynomial-y-35x-84x-70x-20x = Elevação como fração do curso, polinômio 4-5-6-7: y = 35x⁴ − 84x⁵ + 70x⁶ − 20x⁷
+lift-as-a-fraction-of-the-stroke-constant-acceleration-over-the-first-half-y-2x = Elevação como fração do curso, aceleração constante na primeira metade: y = 2x²
+lift-as-a-fraction-of-the-stroke-constant-deceleration-over-the-second-half-y-1-2-1-x = Elevação como fração do curso, desaceleração constante na segunda metade: y = 1 − 2(1 − x)²
+lift-as-a-fraction-of-the-stroke-cycloidal-y-x-sin-2-x-2 = Elevação como fração do curso, cicloidal: y = x − sin(2πx)/(2π)
+lift-as-a-fraction-of-the-stroke-double-harmonic-y-1-cos-x-2-1-cos-2-x-8 = Elevação como fração do curso, harmônica dupla: y = (1 − cos πx)/2 − (1 − cos 2πx)/8
+lift-as-a-fraction-of-the-stroke-half-cycloidal-to-a-dwell-y-x-sin-x = Elevação como fração do curso, semicicloidal até um repouso: y = x + sin(πx)/π
+lift-as-a-fraction-of-the-stroke-half-cycloidal-from-a-dwell-y-x-sin-x = Elevação como fração do curso, semicicloidal a partir de um repouso: y = x − sin(πx)/π
+lift-as-a-fraction-of-the-stroke-half-harmonic-from-a-dwell-y-1-cos-x-2 = Elevação como fração do curso, semi-harmônica a partir de um repouso: y = 1 − cos(πx/2)
+lift-as-a-fraction-of-the-stroke-half-harmonic-to-a-dwell-y-sin-x-2 = Elevação como fração do curso, semi-harmônica até um repouso: y = sin(πx/2)
+lift-as-a-fraction-of-the-stroke-modified-sine-y-is-c-sin-4-x-on-x-1-8-c-cos-4-3-x-1-8-to-7-8-and-a = Elevação como fração do curso, senoidal modificada: y″ é C sen 4πx em x < 1/8, C cos(4π/3 (x − 1/8)) até 7/8, e de novo um seno
+lift-as-a-fraction-of-the-stroke-modified-trapezoid-y-is-a-sine-on-x-1-8-constant-to-3-8-a-sine-to-5 = Elevação como fração do curso, trapezoidal modificada: y″ é um seno em x < 1/8, constante até 3/8, um seno até 5/8, constante até 7/8 e de novo um seno
+lift-as-a-fraction-of-the-stroke-simple-harmonic-y-1-cos-x-2 = Elevação como fração do curso, harmônica simples: y = (1 − cos πx)/2
+lift-as-a-fraction-of-the-stroke-uniform-velocity-y-x = Elevação como fração do curso, velocidade uniforme: y = x
+lift-at-the-cam-angle-at-which-s-d-s-d-is-least-by-search-over-the-program = Elevação no ângulo do came em que s + d²s/dθ² é mínimo, por busca em todo o programa
+lift-at-the-end = Elevação no fim
+lift-at-the-start = Elevação no início
+lift-at-which-the-segment-begins = Elevação em que o trecho começa
+lift-there = Elevação ali
+lift-velocity-acceleration-and-jerk-of-a-motion-program-pressure-angle-radius-of-curvature-and = Elevação, velocidade, aceleração e jerk de um programa de movimento, ângulo de pressão, raio de curvatura e perfil de um came de disco com seguidor de faca, de rolete, de face plana ou oscilante, e a força e o torque.
+mass-of-the-follower = Massa do seguidor
+maximum-acceleration-in-segment-n = Aceleração máxima no trecho { $n }
+maximum-acceleration-on-the-return = Aceleração máxima no retorno
+maximum-acceleration-on-the-rise = Aceleração máxima na subida
+maximum-velocity-per-radian-rise = Velocidade máxima por radiano, subida
+maximum-velocity-per-radian-return = Velocidade máxima por radiano, retorno
+maximum-acceleration-per-radian-rise = Aceleração máxima por radiano², subida
+maximum-acceleration-per-radian-return = Aceleração máxima por radiano², retorno
+maximum-jerk-per-radian-rise = Jerk máximo por radiano³, subida
+maximum-jerk-per-radian-return = Jerk máximo por radiano³, retorno
+maximum-jerk = Jerk máximo
+maximum-jerk-in-segment-n = Jerk máximo no trecho { $n }
+maximum-jerk-on-the-return = Jerk máximo no retorno
+maximum-jerk-on-the-rise = Jerk máximo na subida
+maximum-pressure-angle-on-the-return = Ângulo de pressão máximo no retorno
+maximum-pressure-angle-on-the-rise = Ângulo de pressão máximo na subida
+maximum-velocity-in-segment-n = Velocidade máxima no trecho { $n }
+maximum-velocity-on-the-return = Velocidade máxima no retorno
+maximum-velocity-on-the-rise = Velocidade máxima na subida
+modified-sine = Senoidal modificada
+modified-sinusoidal-acceleration = Aceleração senoidal modificada
+modified-trapezoid-on-a-return = Trapezoidal modificada em um retorno
+modified-trapezoidal-acceleration = Aceleração trapezoidal modificada
+motion-alone = Só o movimento
+motion-of-the-cam-at-the-roller = Movimento do came no rolete
+motion-of-the-follower = Movimento do seguidor
+no-contact-and-no-profile = Sem contato e sem perfil.
+normal-force-at-the-contact = Força normal no contato
+offset-of-the-follower = Excentricidade do seguidor
+on-rises-and-returns = Em subidas e retornos.
+one-rise-or-return = Uma subida ou um retorno
+oscillating-roller-cam-turning-away-from-the-pivot = Rolete oscilante, came girando para longe da articulação
+oscillating-roller-cam-turning-towards-the-pivot = Rolete oscilante, came girando para a articulação
+oscillating-roller-on-an-arm = Oscilante, rolete em um braço
+parabolic-constant-acceleration = Parabólica: aceleração constante
+part-of-the-cam-angle-of-the-segment = Fração do ângulo do came no trecho
+perpendicular-to-its-motion = Perpendicular ao seu movimento.
+point-of-the-profile-in-the-axes-of-the-cam-which-lie-along-those-of-the-frame-at-0 = Ponto do perfil nos eixos do came, que coincidem com os da base em θ = 0
+point-of-the-profile-x = Ponto do perfil, x
+point-of-the-profile-y = Ponto do perfil, y
+preload-of-the-spring = Pré-carga da mola
+preload-with-which-the-least-force-is-zero = Pré-carga com a qual a força mínima é nula
+pressure-angle = Ângulo de pressão
+pressure-angle-against-cam-angle = Ângulo de pressão em função do ângulo do came
+pressure-angle-of-a-roller-follower-at-a-lift-of-10-mm = Ângulo de pressão de um seguidor de rolete com elevação de 10 mm
+pressure-angle-there-from-the-same-two-legs = Ângulo de pressão ali, pelos mesmos dois catetos
+pressure-angle-between-the-normal-of-the-pitch-curve-and-the-motion-of-the-follower-tan-b-a = Ângulo de pressão: entre a normal da curva primitiva e o movimento do seguidor, tan φ = b/a
+prime-circle = Círculo primário
+prime-circle-radius = Raio do círculo primário
+r-b-least-of-s-s-over-two-million-points-of-each-segment = R_b = ρ − mínimo de (s + s″) em dois milhões de pontos de cada trecho
+radius-of-curvature-of-the-pitch-curve = Raio de curvatura da curva primitiva
+radius-of-curvature-of-the-pitch-curve-a-b-3-2-b-a-a-b = Raio de curvatura da curva primitiva, (a² + b²)^(3/2)/(b a′ − a b′)
+radius-of-curvature-of-the-pitch-curve-a-b-3-2-b-a-a-b-without-offset-r-p-s-s-3-2-r-p-s-2s-r-p-s-s = Raio de curvatura da curva primitiva, (a² + b²)^(3/2)/(b a′ − a b′): sem excentricidade ((R_p + s)² + s′²)^(3/2)/((R_p + s)² + 2s′² − (R_p + s) s″)
+radius-of-curvature-of-the-profile = Raio de curvatura do perfil
+radius-of-curvature-of-the-profile-under-a-flat-face-r-b-s-s = Raio de curvatura do perfil sob uma face plana: ρ = R_b + s + s″
+radius-of-curvature-of-the-profile-within-that-of-the-pitch-curve-by-the-roller = Raio de curvatura do perfil, menor que o da curva primitiva pelo raio do rolete
+return = Retorno
+rise = Subida
+segments = Trechos
+segments-joined-at-equal-velocities-2h-h-2-h-2-h-and-h = Trechos unidos com velocidades iguais: 2h/β, πh/(2β), πh/β², (π/2)² h/β² e π² h/β³
+segments-of-a-full-revolution = Trechos de uma volta completa
+segments-of-the-motion-program = Trechos do programa de movimento
+side-thrust-on-the-guide = Força lateral na guia
+side-thrust-on-the-guide-f-tan = Força lateral na guia: F tan φ
+simple-harmonic = Harmônica simples
+simple-harmonic-lift-of-a-valve-in-60 = Elevação harmônica simples de uma válvula em 60°
+sines-and-constants-of-the-acceleration-integrated-twice-with-thirty-digits = Senos e constantes da aceleração, integrados duas vezes com trinta algarismos
+sines-of-the-acceleration-integrated-twice-with-thirty-digits = Senos da aceleração, integrados duas vezes com trinta algarismos
+size-of-the-cam = Tamanho do came
+smallest-base-circle-radius-from-r-b-s-d-s-d = Menor raio do círculo de base, de ρ = R_b + s + d²s/dθ²
+smallest-cam-for-a-flat-face = Menor came para uma face plana
+smallest-cam-for-a-pressure-angle-of-30 = Menor came para um ângulo de pressão de 30°
+smallest-for-a-pressure-angle = O menor para um ângulo de pressão
+smallest-for-a-radius-of-curvature = O menor para um raio de curvatura
+smallest-prime-circle-radius = Menor raio do círculo primário
+speed-at-which-a-follower-jumps = Rotação em que um seguidor salta
+speed-at-which-the-force-there-is-zero-m-s-k-s-f-0-p = Rotação em que a força ali é nula: m ω² |s″| = k s + F_0 + P
+speed-of-the-cam = Rotação do came
+tangent-of-the-pitch-curve-per-radian-of-the-cam-across-the-motion-of-the-follower-s-d = Tangente da curva primitiva por radiano do came, perpendicular ao movimento do seguidor: s + d
+tangent-of-the-pitch-curve-per-radian-of-the-cam-across-the-motion-of-the-roller-c-sin = Tangente da curva primitiva por radiano do came, perpendicular ao movimento do rolete: c sen ψ
+the-follower-dwells-at-this-lift = O seguidor repousa nesta elevação
+the-half-harmonic-segments-begin-and-end-with-an-acceleration-it-jumps-there = Os trechos semi-harmônicos começam e terminam com uma aceleração: ela salta ali.
+the-preload-of-10-n-is-not-enough-contact-is-lost = A pré-carga de 10 N não basta: o contato se perde.
+the-same-along-its-second-axis = O mesmo ao longo do seu segundo eixo
+the-same-along-the-motion = O mesmo ao longo do movimento
+the-same-along-the-motion-of-the-follower-s-e = O mesmo ao longo do movimento do seguidor: s′ − e
+the-same-along-the-motion-of-the-roller-l-1-c-cos = O mesmo ao longo do movimento do rolete: l (1 ± ψ′) − c cos ψ
+the-same-along-the-second-axis = O mesmo ao longo do segundo eixo
+the-same-lift-with-constant-acceleration = A mesma elevação com aceleração constante
+torque-on-the-cam-shaft = Torque no eixo do came
+torque-on-the-cam-shaft-by-virtual-work-t-f-s = Torque no eixo do came, pelo trabalho virtual: T δθ = F δs
+torque-there-t-f-s = Torque ali, T = F s′
+towards-the-pivot = Aproximando-se da articulação
+translating-flat-face = De translação, face plana
+translating-knife-edge = De translação, faca
+translating-roller = De translação, rolete
+uniform-velocity = Velocidade uniforme
+valve-with-harmonic-motion-at-100-rpm = Válvula com movimento harmônico a 100 rpm
+velocity-of-the-follower = Velocidade do seguidor
+velocity-per-radian-of-the-cam = Velocidade por radiano do came
+velocity-per-radian-of-the-cam-ds-d = Velocidade por radiano do came, ds/dθ
+velocity-there-per-radian-of-the-cam-ds-d = Velocidade ali por radiano do came, ds/dθ
+weight-and-working-load-positive-towards-the-cam = Peso e carga de trabalho, positivos para o came.
+a-force-is-that-of-a-translating-follower-whose-lift-is-a-length-write-the-lift-in-mm-or-leave-the = uma força é a de um seguidor de translação, cuja elevação é um comprimento: escreva a elevação em mm, ou omita a força
+a-prime-circle-of-prime-leaves-no-cam-within-a-roller-of-roller-write-a-larger-prime-circle-or-a = um círculo primário de { $prime } não deixa came dentro de um rolete de { $roller }: escreva um círculo primário maior ou um rolete menor
+acceleration-by-differences-of-the-velocity-over-time = aceleração por diferenças da velocidade no tempo
+acceleration-per-radian-squared-by-differences-of-the-velocity = aceleração por radiano ao quadrado por diferenças da velocidade
+all-segments-are-dwells-write-a-rise-and-a-return = todos os trechos são repousos: escreva uma subida e um retorno
+at-this-cam-angle = neste ângulo do came
+base-circle-radius-and-radius-of-the-roller = raio do círculo de base e raio do rolete
+base-circle-radius-by-a-fine-search-over-the-program = raio do círculo de base por uma busca fina em todo o programa
+base-circle-radius-of-a-cusp-by-a-fine-search = raio de base que dá um bico, por uma busca fina
+cam-angle-of-that-pressure-angle = ângulo do came desse ângulo de pressão
+components-of-the-normal-force-along-and-across-the-motion = componentes da força normal: ao longo do movimento e perpendicular a ele
+contact-is-lost-at-the-cam-angle-angle-to-follow-the-program-the-cam-would-have-to-pull-with-up-to = o contato se perde no ângulo do came { $angle }: para seguir o programa o came teria de puxar, com até { $force }; use uma pré-carga maior ou uma mola mais rígida
+d-largest-of-s-e-tan-30-s-over-two-million-points-of-each-segment = d = máximo de |s′ − e|/tan 30° − s em dois milhões de pontos de cada trecho
+distance-of-the-pivot-arm-and-prime-circle-radius-of-prime-make-no-triangle-mend-one-of-them = a distância da articulação, o braço e o raio do círculo primário de { $prime } não formam um triângulo: corrija um deles
+distance-of-the-roller-from-the-cam-centre-at-that-angle-the-prime-circle-radius = distância do rolete ao centro do came nesse ângulo: o raio do círculo primário
+ds-d-there = ds/dθ ali
+d-s-d-there = d²s/dθ² ali
+envelope-of-the-roller-by-differences-of-the-pitch-curve-first-axis = envoltória do rolete por diferenças da curva primitiva: primeiro eixo
+envelope-of-the-roller-by-differences-of-the-pitch-curve-second-axis = envoltória do rolete por diferenças da curva primitiva: segundo eixo
+envelope-the-point-does-not-leave-the-face-as-the-cam-turns = envoltória: o ponto não deixa a face quando o came gira
+every-cam-has-this-radius-of-curvature-write-the-radius-of-the-base-circle = todo came tem este raio de curvatura: escreva o raio do círculo de base
+every-cam-keeps-this-pressure-angle-write-the-radius-of-the-base-circle = todo came respeita este ângulo de pressão: escreva o raio do círculo de base
+force-at-that-place-by-a-fine-search = força nesse lugar por uma busca fina
+force-with-the-acceleration-by-differences-of-the-velocity = força com a aceleração por diferenças da velocidade
+its-cam-angle-by-that-search = o seu ângulo do came por essa busca
+jerk = jerk
+jerk-by-differences-of-the-acceleration-over-time = jerk por diferenças da aceleração no tempo
+jerk-per-radian-cubed-by-differences-of-the-acceleration = jerk por radiano ao cubo por diferenças da aceleração
+largest-curvature-of-a-fine-search-its-inverse = maior curvatura de uma busca fina: o seu inverso
+largest-pressure-angle-of-a-fine-search = maior ângulo de pressão de uma busca fina
+largest-pressure-angle-of-a-fine-search-with-that-cam-the-allowable-one = maior ângulo de pressão de uma busca fina com esse came: o admissível
+least-radius-of-curvature-of-a-fine-search = menor raio de curvatura de uma busca fina
+lift-as-the-integral-of-the-velocity = elevação como integral da velocidade
+lift-from-all-strokes-before = elevação por todos os cursos anteriores
+mass-and-damping-of-the-follower-act-by-the-speed-of-the-cam-write-that-speed = massa e amortecimento do seguidor atuam pela rotação do came: escreva essa rotação
+maximum-acceleration-of-a-search-over-the-stroke = aceleração máxima de uma busca ao longo do curso
+maximum-jerk-of-a-search-over-the-stroke = jerk máximo de uma busca ao longo do curso
+maximum-velocity-of-a-search-over-the-stroke = velocidade máxima de uma busca ao longo do curso
+moment-of-the-normal-force-about-the-cam-centre-the-torque = momento da força normal em relação ao centro do came: o torque
+no-force-acts-on-the-follower-write-a-mass-a-spring-a-preload-or-a-load = nenhuma força atua no seguidor: escreva uma massa, uma mola, uma pré-carga ou uma carga
+preload-with-which-a-fine-search-finds-no-force-left = pré-carga com a qual uma busca fina não encontra força
+pressure-angle-by-differences-of-the-pitch-curve = ângulo de pressão por diferenças da curva primitiva
+radius-of-curvature-by-differences-of-the-tangent-of-the-pitch-curve = raio de curvatura por diferenças da tangente da curva primitiva
+radius-of-curvature-speed-of-the-contact-along-the-face-by-differences = raio de curvatura: velocidade do contato ao longo da face, por diferenças
+radius-of-the-profile-and-of-the-roller-that-of-the-pitch-curve = raio do perfil e do rolete: o da curva primitiva
+segment-n-brings-the-follower-below-its-lowest-position-begin-with-the-rises-or-write-a-smaller-lift = o trecho { $n } leva o seguidor abaixo da sua posição mais baixa: comece pelas subidas, ou escreva uma elevação menor
+speed-at-which-the-least-force-of-a-fine-search-is-zero = rotação em que a força mínima de uma busca fina é nula
+that-distance-from-the-constants-of-the-laws-return = essa distância pelas constantes das leis, retorno
+that-distance-from-the-constants-of-the-laws-rise = essa distância pelas constantes das leis, subida
+that-of-the-profile-and-the-radius-of-the-roller = o do perfil e o raio do rolete
+the-acceleration-jumps-first-at-the-cam-angle-angle-the-jerk-is-infinite-there = a aceleração salta, primeiro no ângulo do came { $angle }: o jerk é infinito ali
+the-arm-would-swing-up-to-angle-and-pass-the-line-of-centres-write-a-smaller-lift-or-prime-circle = o braço oscilaria até { $angle } e passaria da linha de centros: escreva uma elevação ou um círculo primário menor
+the-cam-angle-is-not-within-the-stroke-write-one-from-0-to-turn = o ângulo do came não está dentro do curso: escreva um de 0 a { $turn }
+the-cam-angles-of-the-segments-make-up-sum-and-must-make-up-360-mend-an-angle-or-add-a-dwell = os ângulos dos trechos somam { $sum }, e devem somar 360°: corrija um ângulo ou acrescente um repouso
+the-contact-lies-where-the-face-turns-about-it-by-differences-of-the-lift = o contato está onde a face gira em torno dele: por diferenças da elevação
+the-follower-ends-rest-above-its-beginning-the-returns-must-bring-it-down-by-all-rises = o seguidor termina { $rest } acima do começo: os retornos devem baixá-lo de todas as subidas
+the-lift-of-a-translating-follower-is-a-length-write-it-in-mm-or-choose-an-oscillating-follower = a elevação de um seguidor de translação é um comprimento: escreva-a em mm, ou escolha um seguidor oscilante
+the-lift-of-an-oscillating-follower-is-the-angle-of-its-arm-write-it-in-degrees = a elevação de um seguidor oscilante é o ângulo do braço: escreva-a em graus
+the-line-of-the-follower-passes-outside-of-the-prime-circle-of-prime-write-an-offset-below-it = a linha do seguidor passa fora do círculo primário de { $prime }: escreva uma excentricidade menor que ele
+the-point-lies-on-the-face = o ponto está na face
+the-profile-is-undercut-at-the-cam-angle-angle-where-r-b-s-s-is-radius-a-flat-face-needs-a-base = o perfil tem adelgaçamento (undercutting) no ângulo do came { $angle }, onde R_b + s + s″ é { $radius }: uma face plana exige um raio do círculo de base acima de { $least }
+the-profile-is-undercut-at-the-cam-angle-angle-the-radius-of-curvature-of-the-pitch-curve-there = o perfil tem adelgaçamento (undercutting) no ângulo do came { $angle }: o raio de curvatura da curva primitiva ali, { $radius }, não é maior que o do rolete; use um círculo de base maior ou um rolete menor
+the-velocity-jumps-first-at-the-cam-angle-angle-the-acceleration-is-infinite-there = a velocidade salta, primeiro no ângulo do came { $angle }: a aceleração é infinita ali
+torque-at-that-place-by-a-fine-search = torque nesse lugar por uma busca fina
+torque-from-the-energy-of-mass-spring-and-load-over-the-cam-angle-and-the-damping = torque pela energia de massa, mola e carga ao longo do ângulo do came, e pelo amortecimento
+v-h-with-jumps-at-both-ends = v = hω/β, com saltos nos dois extremos
+velocity-by-differences-of-the-lift-over-time = velocidade por diferenças da elevação no tempo
+velocity-per-radian-by-differences-of-the-lift = velocidade por radiano por diferenças da elevação
+width-from-the-constants-of-the-laws = largura pelas constantes das leis
+h-2-9-8696-0-008-m-15791-4-s-2-1-09662-568-49-m-s-the-last-digit-is-lost-by-rounding-on-the-way = π² h ω²/(2β²) = 9,8696 × 0,008 m × 15791,4 s⁻²/(2 × 1,09662) = 568,49 m/s²; o último algarismo se perde nos arredondamentos intermediários.
+r-b-s-s-width-from-the-largest-ds-d-2h-of-the-cycloid-and-h-2-of-the-harmonic = ρ = R_b + s + s″; largura pelo maior ds/dθ, 2h/β da cicloide e πh/(2β) da harmônica
+least-of-k-s-f-m-s-over-two-million-points-of-each-segment = ω² = mínimo de (k s + F₀)/(m |s″|) em dois milhões de pontos de cada trecho
+cam-angles-that-do-not-make-up-a-revolution = Ângulos do came que não completam uma volta
+follower-that-does-not-come-back = Seguidor que não volta
+n-20-mm-up-and-15-mm-down = 20 mm para cima e 15 mm para baixo
+roller-as-large-as-the-prime-circle = Rolete tão grande quanto o círculo primário
+r-b-r-p-r-r-is-not-positive = R_b = R_p − R_r não é positivo
+n-90-90-100-60-340 = 90° + 90° + 100° + 60° = 340°
+the-follower-is-at-rest-in-a-dwell = O seguidor está parado em um repouso
+
+# virtual-work/geared-drive
+geared-drive = Acionamento com engrenagens
+acceleration-of-a-shaft-hoist-or-vehicle-that-a-motor-drives-through-gears-or-the-motor-torque-for-it = Aceleração de um eixo, guincho ou veículo que um motor aciona por engrenagens, ou o torque do motor para ela, com o rendimento das engrenagens conforme o sentido da potência; relação de transmissão da aceleração máxima.
+inertia-on-the-motor-shaft = Inércia no eixo do motor
+of-all-that-turns-with-the-motor = De tudo o que gira com o motor.
+gear-ratio = Relação de transmissão
+speed-of-the-motor-over-that-of-the-driven-shaft = Rotação do motor dividida pela do eixo movido.
+efficiency-of-the-gears = Rendimento das engrenagens
+power-that-leaves-them-over-the-power-that-enters-from-the-motor-to-the-load-or-from-the-load-to-the = Potência que sai delas dividida pela que entra, do motor para a carga ou da carga para o motor.
+speed-of-the-driven-shaft = Rotação do eixo movido
+at-which-the-power-is-required-and-up-to-which-the-time-from-rest = Em que se pede a potência, e até a qual se pede o tempo a partir do repouso.
+shaft-with-a-torque = Eixo com um torque
+inertia-on-the-driven-shaft = Inércia no eixo movido
+torque-of-the-load = Torque da carga
+on-the-driven-shaft-positive-against-forward-motion = No eixo movido, positivo contra o movimento para a frente.
+hoist-a-mass-on-a-drum = Guincho: uma massa em um tambor
+inertia-on-the-shaft-of-the-drum = Inércia no eixo do tambor
+vehicle = Veículo
+mass-of-the-vehicle = Massa do veículo
+radius-of-the-wheels = Raio das rodas
+inertia-of-the-wheels = Inércia das rodas
+of-all-wheels-with-their-axles = De todas as rodas com os seus eixos.
+resistance = Resistência
+against-the-motion-rolling-and-air = Contra o movimento: rolamento e ar.
+slope-of-the-road = Inclinação da estrada
+positive-where-forward-is-uphill = Positiva onde se avança subindo.
+from-rest = A partir do repouso
+forward = Para a frente
+backward = Para trás
+acceleration-under-a-motor-torque = Aceleração sob um torque do motor
+torque-of-the-motor = Torque do motor
+motor-torque-for-an-acceleration = Torque do motor para uma aceleração
+angular-acceleration-of-the-driven-shaft = Aceleração angular do eixo movido
+nothing-has-inertia-write-that-of-the-motor-shaft-or-of-the-load = nada tem inércia: escreva a do eixo do motor ou a da carga
+inertia-referred-to-the-driven-shaft-the-motor-drives-the-load-and-the-gears-pass-on-the-part = Inércia referida ao eixo movido: o motor aciona a carga, e as engrenagens passam adiante a parte η
+inertia-referred-to-the-driven-shaft-the-load-drives-the-motor-and-the-gears-take-1 = Inércia referida ao eixo movido: a carga aciona o motor, e as engrenagens exigem 1/η
+acceleration-of-the-driven-shaft = Aceleração do eixo movido
+motor-torque-for-that-acceleration = Torque do motor para essa aceleração
+motor-torque = Torque do motor
+angular-acceleration-of-the-motor = Aceleração angular do motor
+acceleration-of-the-motor = Aceleração do motor
+acceleration-of-the-mass = Aceleração da massa
+accelerations-of-the-mass-and-of-the-motor-by-the-radius-and-the-ratio = acelerações da massa e do motor pelo raio e pela relação
+torque-of-the-gears-on-the-driven-shaft = Torque das engrenagens no eixo movido
+torque-of-the-gears-driven-shaft = Torque das engrenagens, eixo movido
+power-that-leaves-the-gears-of-what-the-motor-gives-beyond-its-own-inertia = potência que sai das engrenagens: η do que o motor dá além da sua própria inércia
+power-that-reaches-the-motor-and-its-inertia-of-what-the-load-gives-to-the-gears = potência que chega ao motor e à sua inércia: η do que a carga dá às engrenagens
+acceleration-of-the-motor-from-its-own-shaft = aceleração do motor pelo seu próprio eixo
+power-of-the-motor-at-that-speed = Potência do motor nessa rotação
+power-of-the-gears-and-of-the-inertia-of-the-motor-shaft = potência das engrenagens e da inércia do eixo do motor
+time-from-rest-up-to-that-speed = Tempo do repouso até essa rotação
+angle-turned-meanwhile-from-the-mean-speed = ângulo girado nesse tempo, pela rotação média
+gear-ratio-of-the-maximum-acceleration-of-the-driven-shaft-from-d-dg-0 = Relação de transmissão da aceleração máxima do eixo movido, de dα₂/dG = 0
+gear-ratio-of-maximum-acceleration = Relação da aceleração máxima
+the-acceleration-does-not-change-with-the-ratio-there = a aceleração não muda com a relação ali
+torque-of-the-load-in-this-direction-of-motion = Torque da carga neste sentido de movimento
+inertia-at-the-driven-shaft-with-that-of-the-mass = Inércia no eixo movido, com a da massa
+torque-of-the-weight = Torque do peso
+torque-of-the-weight-on-the-slope = Torque do peso na rampa
+torque-of-the-resistance-to-motion = Torque da resistência ao movimento
+the-drive-stays-at-rest-under-this-torque-write-another-torque-or-choose-the-direction-in-which-it = o acionamento fica em repouso sob este torque: escreva outro torque, ou escolha o sentido em que se move
+without-acceleration-nothing-leaves-its-rest-choose-the-direction-of-the-motion = sem aceleração nada sai do repouso: escolha o sentido do movimento
+acceleration-of-the-driven-shaft-against-the-gear-ratio = Aceleração do eixo movido em função da relação de transmissão
+at-this-ratio = nesta relação
+the-motor-the-gears-and-the-load = O motor, as engrenagens e a carga
+mass-that-falls-freely-and-turns-geared-shafts = Massa que cai livremente e gira eixos engrenados
+fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-3-13 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 3.13
+fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-3-14 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 3.14
+fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-3-15 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 3.15
+fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-3-17 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 3.17
+up-is-positive-here-the-companion-prints-the-magnitude = Para cima é positivo aqui; a fonte imprime o módulo.
+the-same-with-an-efficiency-of-90 = O mesmo com rendimento de 90 %
+the-load-drives-the-motor-the-inertia-of-the-motor-counts-by-1 = A carga aciona o motor: a inércia do motor conta por 1/η.
+ratio-of-the-maximum-acceleration = Relação da máxima aceleração
+vehicle-that-climbs = Veículo em subida
+the-slope-has-a-sine-of-0-25-6-67-m-s-on-wheels-of-0-3-m-are-22-233-rad-s = A rampa tem seno de 0,25; 6,67 m/s em rodas de 0,3 m são 22,233 rad/s.
+power-of-a-motor-at-a-steady-speed = Potência de um motor em rotação constante
+time-to-start-a-loaded-machine = Tempo de partida de uma máquina carregada
+t-t-m-100-28-5-3-50877-so-the-sum-of-the-roots-is-7-01754-and-not-7-27-g-3-50877-3-50877-45-0-57-13 = T₂/(η T_m) = 100/28,5 = 3,50877, de modo que a soma das raízes é 7,01754 e não 7,27: G = 3,50877 + √(3,50877² + 45/0,57) = 13,062.
+steady-lowering-against-a-braking-motor = Descida constante contra um motor que freia
+t-m-g-r-g-with-the-load-driving = T = m g r η/G, com a carga acionando
+hoist-held-by-the-losses-of-its-gears = Guincho sustentado pelas perdas das engrenagens
+m-g-r-g-15-7-n-m-18-n-m-m-g-r-g-24-5-n-m-neither-up-nor-down = η m g r/G = 15,7 N·m < 18 N·m < m g r/(η G) = 24,5 N·m: nem sobe nem desce

@@ -1,0 +1,184 @@
+//! Plots of the motion and drawing of cam and follower.
+
+use dalembert_core::{Axis, Drawing, Ink, Plot, Series, Sketch, exhibit::Point};
+
+use super::{
+    follower::Outline,
+    load::Load,
+    motion::Units,
+    program::{Course, Motion},
+};
+
+/// What is shown.
+pub(super) struct View<'a> {
+    pub course: &'a Course,
+    pub speed: Option<f64>,
+    pub angle: Option<f64>,
+    pub outline: Option<Outline<f64>>,
+    pub load: Option<Load>,
+}
+
+impl View<'_> {
+    fn curve(
+        &self,
+        (title, label, unit): (&'static str, &'static str, &'static str),
+        (symbol, answer): (&'static str, &'static str),
+        number: impl Fn(&Motion) -> f64,
+    ) -> Plot {
+        let points = self.course.motions().iter().map(|motion| (motion.angle, number(motion))).collect();
+        let plot = Plot::new(
+            title,
+            Axis::linear("cam angle", "deg"),
+            Axis::linear(label, unit),
+            vec![Series::line(symbol, points).of(answer)],
+        )
+        .over("angle");
+        match self.angle.and_then(|angle| self.course.at(angle)) {
+            Some(motion) => plot.mark("at this cam angle", (motion.angle, number(&motion))),
+            None => plot,
+        }
+    }
+
+    pub(super) fn plots(&self) -> Vec<Plot> {
+        let units = Units::of(self.course);
+        let mut plots =
+            vec![
+                self.curve(("Lift against cam angle", "lift", units.lift), ("s", "lift"), |motion| {
+                    motion.lift
+                }),
+            ];
+        match self.speed {
+            Some(w) => {
+                let [first, second, third] = units.per_second;
+                plots.push(self.curve(
+                    ("Velocity of the follower", "velocity", first),
+                    ("v", "velocity"),
+                    |motion| w * motion.rate,
+                ));
+                plots.push(self.curve(
+                    ("Acceleration of the follower", "acceleration", second),
+                    ("a", "acceleration"),
+                    |motion| w * w * motion.second,
+                ));
+                plots.push(self.curve(("Jerk of the follower", "jerk", third), ("j", "jerk"), |motion| {
+                    w * w * w * motion.third
+                }));
+            }
+            None => {
+                let [first, second, third] = units.per_radian;
+                plots.push(self.curve(
+                    ("Velocity per radian of the cam", "ds/dθ", first),
+                    ("s′", "lift_rate"),
+                    |motion| motion.rate,
+                ));
+                plots.push(self.curve(
+                    ("Acceleration per radian of the cam squared", "d²s/dθ²", second),
+                    ("s″", "lift_second"),
+                    |motion| motion.second,
+                ));
+                plots.push(self.curve(
+                    ("Jerk per radian of the cam cubed", "d³s/dθ³", third),
+                    ("s‴", "lift_third"),
+                    |motion| motion.third,
+                ));
+            }
+        }
+        if let Some(outline) = self.outline.filter(|outline| !matches!(outline, Outline::Flat { .. })) {
+            plots.push(self.curve(
+                ("Pressure angle against cam angle", "pressure angle", "deg"),
+                ("φ", "pressure_angle"),
+                |motion| outline.pressure(motion),
+            ));
+        }
+        if let Some(load) = self.load {
+            plots.push(self.curve(
+                ("Force of the cam", "force of the cam", "N"),
+                ("F", "contact_force"),
+                |motion| load.force(motion),
+            ));
+            plots.push(self.curve(("Torque on the cam shaft", "torque", "N*m"), ("T", "torque"), |motion| {
+                load.torque(motion)
+            }));
+        }
+        plots
+    }
+
+    /// Cam and follower at a cam angle.
+    pub(super) fn drawing(&self, outline: &Outline<f64>, motion: &Motion) -> Drawing {
+        let mut sketch = Sketch::new("Cam and follower");
+        let shown = |[x, y]: [f64; 2]| {
+            let (sin, cos) = (outline.sign() * motion.angle).sin_cos();
+            (x * cos - y * sin, x * sin + y * cos)
+        };
+        let on_cam = |there: &Motion| {
+            let contact = outline.contact(there.lift, there.rate, there.second);
+            shown(outline.on_cam(contact, there.angle))
+        };
+        let motions = self.course.motions();
+        let mut profile: Vec<Point> = motions.iter().map(on_cam).collect();
+        if self.course.closed {
+            profile.extend(profile.first().copied());
+        }
+        let lowest = Motion { lift: 0.0, rate: 0.0, second: 0.0, third: 0.0, ..*motion };
+        let [x, y] = outline.contact(0.0, 0.0, 0.0);
+        let base = match *outline {
+            Outline::Flat { base } => base,
+            Outline::Translating { prime, roller, .. } => prime - roller.unwrap_or(0.0),
+            Outline::Oscillating { roller, .. } => outline
+                .tangent_at(&lowest)
+                .map_or(x.hypot(y), |tangent| tangent.point[0].hypot(tangent.point[1]) - roller),
+        };
+        sketch.circle((0.0, 0.0), base, Ink::Faint).curve(profile, Ink::Body).pin("O", (0.0, 0.0));
+        let [cx, cy] = outline.contact(motion.lift, motion.rate, motion.second);
+        let high = 2.2 * base + motion.lift.min(base);
+        match (*outline, outline.tangent_at(motion)) {
+            (Outline::Flat { base }, _) => {
+                let height = base + motion.lift;
+                let half = (1.2 * motion.rate.abs()).max(0.6 * base);
+                sketch
+                    .bars([(-half, height), (half, height)])
+                    .link("", (0.0, height), (0.0, height + base))
+                    .axis((0.0, 0.0), (0.0, height + base))
+                    .motion("s", (0.25 * base, height + 0.3 * base), (0.25 * base, height + 0.8 * base));
+            }
+            (Outline::Translating { roller, .. }, Some(tangent)) => {
+                let centre = (tangent.point[0], tangent.point[1]);
+                let top = (centre.0, centre.1 + base);
+                if let Some(roller) = roller {
+                    sketch.disc("", centre, roller);
+                }
+                sketch.link("", centre, top).axis((centre.0, 0.0), (centre.0, high.max(top.1)));
+                sketch.motion(
+                    "s",
+                    (centre.0 + 0.25 * base, top.1 - 0.5 * base),
+                    (centre.0 + 0.25 * base, top.1),
+                );
+                self.normal(&mut sketch, &tangent.normal(), (cx, cy), centre, base);
+                let angle = outline.pressure(motion);
+                if angle.abs() > 0.03 {
+                    let up = std::f64::consts::FRAC_PI_2;
+                    let (from, to) = if angle > 0.0 { (up, up + angle) } else { (up + angle, up) };
+                    sketch.angle("φ", centre, from, to);
+                }
+            }
+            (Outline::Oscillating { pivot, roller, .. }, Some(tangent)) => {
+                let centre = (tangent.point[0], tangent.point[1]);
+                sketch
+                    .disc("", centre, roller)
+                    .axis((0.0, 0.0), (pivot, 0.0))
+                    .link("l", (pivot, 0.0), centre)
+                    .pin("A", (pivot, 0.0));
+                self.normal(&mut sketch, &tangent.normal(), (cx, cy), centre, base);
+            }
+            _ => {}
+        }
+        sketch.finish()
+    }
+
+    /// Line of the normal through the contact.
+    fn normal(&self, sketch: &mut Sketch, normal: &[f64; 2], from: Point, through: Point, base: f64) {
+        let reach = 0.8 * base;
+        let to = (through.0 + reach * normal[0], through.1 + reach * normal[1]);
+        sketch.line("n", from, to, Ink::Force);
+    }
+}
