@@ -1273,6 +1273,7 @@ the-driving-force-is-perpendicular-to-the-velocity-of-its-point-it-has-no-power-
 # Table of powers
 powers-of-the-loads = Potências das ações
 load = Ação
+    .geared-drive = Carga
 power = Potência
 share-of-the-power-input = Parcela da potência fornecida
 total = Total

@@ -20,7 +20,7 @@ use crate::sources::{KHURMI, NORTON, SHIGLEY};
 
 /// A disc cam that turns at a constant speed, and its follower.
 ///
-/// Cam angles count from the start of the program; a cam with a translating follower turns counter-clockwise below it.
+/// Cam angles are measured from the start of the program; a cam with a translating follower turns counter-clockwise below it.
 #[derive(Clone, Debug, Inputs)]
 pub struct Cam {
     /// Motion of the follower.

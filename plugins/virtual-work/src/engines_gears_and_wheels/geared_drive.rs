@@ -37,7 +37,7 @@ pub struct GearedDrive {
     pub speed: Option<f64>,
 }
 
-/// What the driven shaft moves.
+/// Load of the driven shaft.
 #[derive(Clone, Debug, Inputs)]
 pub enum DrivenLoad {
     /// Shaft with a torque
@@ -91,7 +91,7 @@ pub enum DrivenLoad {
     },
 }
 
-/// Motion of the drive at the moment that is looked at.
+/// Motion of the drive at the examined moment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum DriveMotion {
     /// From rest

@@ -11,7 +11,7 @@ use super::{
 };
 use crate::sources::NORTON;
 
-/// What presses a translating follower on the cam.
+/// Mass, spring and load that press a translating follower on the cam.
 #[derive(Clone, Debug, Inputs)]
 pub struct FollowerLoad {
     /// Mass of the follower.

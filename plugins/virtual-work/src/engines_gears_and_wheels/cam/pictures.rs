@@ -9,7 +9,7 @@ use super::{
     program::{Course, Motion},
 };
 
-/// What is shown.
+/// Course, contact and load that are shown.
 pub(super) struct View<'a> {
     pub course: &'a Course,
     pub speed: Option<f64>,

@@ -113,7 +113,7 @@ pub(super) struct Found {
 pub(super) struct Course {
     pub segments: Vec<SegmentCourse>,
     pub closed: bool,
-    /// Whether the lift is an angle.
+    /// True where the lift is an angle.
     pub turning: bool,
 }
 
