@@ -48,9 +48,9 @@ pub(crate) use self::{
 };
 use crate::{
     Determined, FieldError, Measure, Number, Plain, Record, Stop, Symbol, Text, Value,
+    cell::{HeadingWords, add_fault},
     formula::{Formula, FormulaError, Operand, evaluate, missing, nearest_names, unit_of},
     intern::intern,
-    table::{self, HeadingWords},
 };
 
 /// The formulas of a problem, in an order in which each rests on earlier ones.
@@ -171,7 +171,7 @@ pub(crate) fn plan(
     wrong.extend(headings.iter().filter_map(|(path, heading)| names.in_heading(path, heading)));
     for pending in pending {
         if let Err(error) = found.take(pending, &names, record) {
-            table::add_fault(&mut wrong, error);
+            add_fault(&mut wrong, error);
         }
     }
     found.names = Arc::new(names);

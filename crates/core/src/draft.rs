@@ -11,11 +11,11 @@ use dalembert_units::{self as units, Style};
 
 use crate::{
     Field, FieldError, Measure, Record, Shape, Text, Value,
+    cell::{CellFormula, HeadingWords, add_fault, of_line},
     definitions::{self, AXES, Pending, PendingCell, has_unknown, is_unknown},
     gravity, kinds,
     path::{Segment, segments, step, unknown},
-    reading,
-    table::{self, CellFormula, HeadingWords},
+    reading, table,
 };
 
 /// The longest text of one line that is read, in bytes.
@@ -222,7 +222,7 @@ pub fn read_leaf(text: &str, shape: &Shape, path: &str) -> Result<Value, Vec<Fie
     let mut faults = Faults::default();
     let value = leaf(text, shape, path, &mut faults);
     for pending in faults.pending {
-        table::add_fault(&mut faults.errors, pending.error);
+        add_fault(&mut faults.errors, pending.error);
     }
     if faults.errors.is_empty() { Ok(value) } else { Err(faults.errors) }
 }
@@ -555,7 +555,7 @@ fn leaf(text: &str, shape: &Shape, path: &str, faults: &mut Faults) -> Value {
             let read = table::read(text, columns());
             faults.errors.extend(read.faults.into_iter().map(|why| FieldError::new(path, why)));
             for CellFormula { row, column, line, text, why } in read.formulas {
-                let error = FieldError::new(path, table::of_line(line, why));
+                let error = FieldError::new(path, of_line(line, why));
                 let cell = PendingCell { line, row, column, unit: read.table.units[column].clone() };
                 let path = format!("{path}[{}].{}", row + 1, columns()[column].name);
                 faults.pending.push(Pending { path, text, error, cell: Some(cell) });

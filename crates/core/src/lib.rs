@@ -10,6 +10,7 @@ mod analysis;
 pub mod ascii;
 mod assumed;
 pub mod cases;
+mod cell;
 pub mod check;
 pub mod coverage;
 mod definitions;

@@ -11,14 +11,16 @@ use std::borrow::Cow;
 use dalembert_units::{self as units, Dim, Kind, Style, Unit};
 
 use self::heading::Heading;
-use crate::{Field, FieldError, Shape, Text, reading, record::NumberTable, uff};
+use crate::{
+    Field, Shape, Text,
+    cell::{CellFormula, HeadingWords, MORE_FAULTS, MOST_FAULTS, of_line},
+    reading,
+    record::NumberTable,
+    uff,
+};
 
 /// The longest table that is read, in bytes.
 const LONGEST_TABLE: usize = 256 << 20;
-/// The most faults that are listed.
-const MOST_FAULTS: usize = 20;
-/// What is written behind them.
-const MORE_FAULTS: &str = "there are more faults; these are the first";
 /// The most cells that may be formulas.
 const MOST_FORMULAS: usize = 1000;
 
@@ -28,27 +30,8 @@ pub(crate) struct ReadTable {
     pub(crate) formulas: Vec<CellFormula>,
     /// The last heading without a unit, which may as well be a row of names.
     pub(crate) words: Option<HeadingWords>,
-    /// What is wrong with each line.
+    /// Faults of its lines.
     pub(crate) faults: Vec<Text>,
-}
-
-/// A cell that is no number and may be a formula.
-pub(crate) struct CellFormula {
-    /// Place in the table, counted from 0.
-    pub(crate) row: usize,
-    pub(crate) column: usize,
-    /// Number of its line, from 1.
-    pub(crate) line: usize,
-    pub(crate) text: String,
-    /// Reason for which it is no number.
-    pub(crate) why: Text,
-}
-
-/// The words of a heading, one for each column.
-pub(crate) struct HeadingWords {
-    /// Number of its line, from 1.
-    pub(crate) line: usize,
-    pub(crate) cells: Vec<String>,
 }
 
 /// A heading with the names and units of columns: `time [s]; displacement [m]`.
@@ -215,20 +198,6 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> ReadTable {
         faults.push(why.with_text("columns", headings_of(columns)));
     }
     ReadTable { table, formulas, words: words_of_heading, faults }
-}
-
-/// Adds an error of a field to others; of the same field, only the first ones are listed.
-pub(crate) fn add_fault(errors: &mut Vec<FieldError>, error: FieldError) {
-    match errors.iter().filter(|other| other.path == error.path).count() {
-        0..MOST_FAULTS => errors.push(error),
-        MOST_FAULTS => errors.push(FieldError::new(error.path, MORE_FAULTS)),
-        _ => {}
-    }
-}
-
-/// The reason of a line.
-pub(crate) fn of_line(line: usize, why: Text) -> Text {
-    Text::new("line {line}: {why}").with("line", line).with_text("why", why)
 }
 
 /// The text that gives a table again: a heading with the units, then the rows.

@@ -81,10 +81,10 @@ fn a_cell_takes_a_formula_and_a_number_alone_is_in_the_unit_of_its_column() {
     ] {
         let solution = solved(&with_rows(rows)).unwrap_or_else(|why| panic!("{rows}: {why}"));
         let found = [si(&solution, "stiffness"), si(&solution, "length")];
-        for (found, want) in found.into_iter().zip([stiffness, length]) {
+        for (found, want) in found.into_iter().zip_eq([stiffness, length]) {
             assert!((found / want - 1.0).abs() < 1e-14, "{rows}: {found} and not {want}");
         }
-        // What is assumed of numbers alone is told.
+        // Assumed units are stated.
         assert_eq!(solution.warnings.is_empty(), rows.starts_with("k [N/mm]"), "{:?}", solution.warnings);
     }
     // What names a definition is a line of the working.

@@ -127,7 +127,6 @@ macro_rules! registry_tests {
         $crate::registry_tests!(@ $laboratory => invariance {
             every_answer_scales_with_its_dimension
             the_plain_reading_is_the_worked_reading
-            points_read_by_simd_are_those_read_one_by_one
         });
         $crate::registry_tests!(@ $laboratory => alternatives {
             every_alternative_is_reached_by_a_case
@@ -163,9 +162,19 @@ macro_rules! registry_tests {
         $crate::registry_tests!(@ $laboratory => unknowns {
             an_input_is_found_back_from_an_answer
         });
-        $crate::registry_tests!(@ $laboratory => optima {
-            an_optimum_is_no_worse_than_a_scan
-        });
+
+        #[test]
+        fn points_read_by_simd_are_those_read_one_by_one() {
+            $crate::invariance::points_read_by_simd_are_those_read_one_by_one(
+                &$laboratory.entries(),
+                usize::MAX,
+            );
+        }
+
+        #[test]
+        fn an_optimum_is_no_worse_than_a_scan() {
+            $crate::optima::an_optimum_is_no_worse_than_a_scan(&$laboratory.entries(), usize::MAX);
+        }
 
         #[test]
         fn the_unit_of_an_input_does_not_change_the_answers() {

@@ -15,9 +15,9 @@ use itertools::Itertools as _;
 use crate::{problems::cases_of, some};
 
 /// The points of a curve, and the frames of an animation, that are solved for.
-const ABSCISSAS: usize = 29;
+const ABSCISSAS: usize = 14;
 /// Of these the most that a direct solve may refuse: dead centres, the moment zero, the end of a range.
-const REFUSED: usize = 4;
+const REFUSED: usize = 2;
 /// Error of an abscissa that was found as a root, of itself.
 const FOUND: f64 = 1e-13;
 /// The largest difference, relative to the largest ordinate of the curve.

@@ -2131,7 +2131,7 @@ from-the-settling-time-of-the-envelope = Pelo tempo de acomodação da envoltór
 half-a-cycle-reduces-the-amplitude-from-1-to-the-overshoot-half-the-logarithmic-decrement = Meio ciclo reduz a amplitude de 1 ao sobressinal: metade do decremento logarítmico
 imaginary-part = Parte imaginária
 inertia-torsion-spring-and-damper = Inércia, mola de torção e amortecedor
-the-mass-starts-at-rest-in-its-equilibrium-position-and-does-not-move-write-an-initial-displacement = a massa parte do repouso na posição de equilíbrio e não se move: escreva um deslocamento ou uma velocidade inicial
+the-mass-starts-at-rest-in-its-equilibrium-position-and-does-not-move-write-an-initial-displacement = a massa parte do repouso na posição de equilíbrio e não se move: escreva um deslocamento ou uma velocidade inicial para o movimento no tempo
 maximum-displacement-of-the-decaying-motion-its-first-turning-point = Deslocamento máximo do movimento que decai: seu primeiro ponto de retorno
 maximum-displacement-of-the-decaying-motion-its-start = Deslocamento máximo do movimento que decai: o início
 mass-of-that-weight = Massa desse peso
@@ -6665,10 +6665,7 @@ exact-for-a-piecewise-linear-load = Exato para carga linear por trechos
 the-load-is-linear-between-the-ends-of-the-steps = A carga é linear entre as extremidades dos passos.
 have-degrees-of-freedom-at-most-most-are-integrated-step-by-step = { $have } graus de liberdade: no máximo { $most } são integrados passo a passo
 the-integration-is-unstable-the-motion-grows-beyond-all-numbers-take-a-shorter-time-step = a integração é instável: o movimento cresce além de qualquer número; use um passo de tempo menor
-every-step-satisfies-the-method-written-as-a-recurrence-of-another-form = todos os passos satisfazem o método escrito como recorrência de outra forma
 the-effective-stiffness-of-a-step-is-singular-take-another-time-step = a rigidez efetiva de um passo é singular: use outro passo de tempo
-time-step-over-the-shortest-natural-period = Passo de tempo dividido pelo menor período natural
-time-step-over-the-shortest-period = Passo de tempo sobre o menor período
 critical-time-step-of-central-differences-t = Passo de tempo crítico das diferenças centrais, T/π
 critical-time-step-of-the-linear-acceleration-method-3-t = Passo de tempo crítico do método da aceleração linear, √3 T/π
 critical-time-step-of-newmark-s-method-without-damping = Passo de tempo crítico do método de Newmark sem amortecimento
@@ -6915,3 +6912,26 @@ s-2-k-t-c-t-with-s-per-rad-s-s-2-j-c-t = σ_θ² = π S/(2 k_t c_t) com S por ra
 s-4-s-1-4-4-with-s-per-rad-s = σ_θ² = π S/(4ζωₙ³), σ_α² = π S ωₙ(1 + 4ζ²)/(4ζ) com S por rad/s
 d-1-8-rad-s-with-0-6-y-max-1-e-1-with-g = ω_d = ωₙ√(1 − ζ²) = 8 rad/s com ζ = 0,6; y_max = δ(1 + e^(−ζπ/√(1 − ζ²))) com δ = g/ωₙ²
 g-st-at-resonance-x-f-k = ωₙ² = g/δ_st; na ressonância X = F₀/(ηk)
+tests-of-opensees-companion-to-chopra-dynamics-of-structures-4th-ed-example-5-3 = Testes do OpenSees, complemento a Chopra, Dynamics of Structures, 4ª ed., exemplo 5.3
+tests-of-opensees-companion-to-chopra-dynamics-of-structures-4th-ed-example-5-4 = Testes do OpenSees, complemento a Chopra, Dynamics of Structures, 4ª ed., exemplo 5.4
+tests-of-opensees-companion-to-chopra-dynamics-of-structures-4th-ed-example-5-2 = Testes do OpenSees, complemento a Chopra, Dynamics of Structures, 4ª ed., exemplo 5.2
+package-structdyn-companion-to-chopra-dynamics-of-structures-5th-ed-example-5-1 = Pacote structdyn, complemento a Chopra, Dynamics of Structures, 5ª ed., exemplo 5.1
+package-structdyn-companion-to-chopra-dynamics-of-structures-5th-ed-example-5-2 = Pacote structdyn, complemento a Chopra, Dynamics of Structures, 5ª ed., exemplo 5.2
+test-of-a-public-program-companion-to-bathe-finite-element-procedures-example-9-4 = Teste de um programa público, complemento a Bathe, Finite Element Procedures, exemplo 9.4
+bathe-example-9-7-x-a-5-3-1-cos-2-t-2-2-3-cos-5-t-1-at-t-3-36-s = Bathe, exemplo 9.7: x = A (5/√3 (1 − cos √2 t); 2√(2/3) (cos √5 t − 1)), em t = 3,36 s
+from-x-1-with-1-and-t-1-a-2-s-1-5-a-2-5-x-3-5-v-7-10 = De x₀ = 1 com ω = 1 e Δt = 1: a(2 s) = 1/5, a₁ = −2/5, x₁ = 3/5, v₁ = −7/10
+from-x-1-with-1-and-t-1-x-1-2-1-7-13-v-1-x-2-10-13 = De x₀ = 1 com ω = 1 e Δt = 1: x₁ = (1/2 + β)/(1 + β) = 7/13, v₁ = −(1 + x₁)/2 = −10/13
+from-x-1-with-1-and-t-1-x-1-2-and-x-1-2-by-central-differences-3-x-5-x-4-x-x = De x₀ = 1 com ω = 1 e Δt = 1: x₁ = 1/2 e x₂ = −1/2 por diferenças centrais, 3 x₃ = 5 x₂ − 4 x₁ + x₀
+t-with-t-1-s-which-the-mass-0-2533-gives-to-four-figures = T/π com T = 1 s, que a massa 0,2533 dá com quatro algarismos
+the-numbers-of-the-book-in-kips-and-inches-stand-as-newtons-and-metres-here = Os números do livro, em kips e polegadas, estão aqui em newtons e metros.
+the-book-rounds-every-step-to-four-decimals = o livro arredonda cada passo a quatro casas decimais
+x-1-z-2-z-24-and-v-z-z-6-with-z-t-0-2 = x₁ = 1 − z²/2 + z⁴/24 e v₁ = −ω(z − z³/6) com z = ωΔt = 0,2
+without-displacement-or-velocity-there-is-no-motion-but-a-period-2-1 = Sem deslocamento nem velocidade não há movimento, mas há um período: 2π/(ωₙ√(1 − ζ²))
+time-step-over-the-minimum-natural-period = Passo de tempo dividido pelo menor período natural
+time-step-over-the-minimum-period = Passo de tempo sobre o menor período
+displacement-at-at-the-end-by-another-form-of-the-method = deslocamento { $at } no fim por outra forma do método
+velocity-at-at-the-end-by-another-form-of-the-method = velocidade { $at } no fim por outra forma do método
+acceleration-at-at-the-end-by-another-form-of-the-method = aceleração { $at } no fim por outra forma do método
+largest-displacement-at-by-another-form-of-the-method = maior deslocamento { $at } por outra forma do método
+exact-displacement-at-at-the-end-by-taylor-series-step-by-step = deslocamento exato { $at } no fim por série de Taylor, passo a passo
+error-at-from-the-other-form-of-the-method-and-the-taylor-series = erro { $at } pela outra forma do método e pela série de Taylor

@@ -21,7 +21,7 @@ fn the_plain_reading_is_the_worked_reading() {
 
 #[test]
 fn points_read_by_simd_are_those_read_one_by_one() {
-    invariance::points_read_by_simd_are_those_read_one_by_one(&chosen());
+    invariance::points_read_by_simd_are_those_read_one_by_one(&chosen(), times());
 }
 
 #[test]

@@ -8,9 +8,9 @@ use super::{
 };
 use crate::{
     FieldError, Number, Plain, Record, Shape, Stop, Symbol, Text,
+    cell::{HeadingWords, of_line},
     formula::{Formula, FormulaError, Operand, evaluate},
     path::segments,
-    table::{HeadingWords, of_line},
 };
 
 impl Plan {

@@ -139,7 +139,9 @@ impl Reader {
                 (Formula { root: Expression::Quantity(quantity), text: text.to_owned() }, unit, si)
             }
             Err(error) => match Formula::parse(text, &|name| self.names.contains(scope, name)) {
-                Ok(formula) if !formula.names().is_empty() => (formula, measure.own_unit(), f64::NAN),
+                Ok(formula) if formula.calls() || !formula.names().is_empty() => {
+                    (formula, measure.own_unit(), f64::NAN)
+                }
                 _ => {
                     let why = reading::text(&error);
                     return Err(FieldError { path: path("formula"), why, span: error.span() });

@@ -486,7 +486,7 @@ impl Reactions {
         let largest_moment = supports
             .iter()
             .map(|of| of.moment.norm())
-            .fold(known.moment.norm().max(largest * length), f64::max);
+            .fold(known.moment.norm().max(largest * length).max(couple.value().norm()), f64::max);
         sheet.check_zero(
             "the forces of the supports balance all others",
             W::Num::from(total.value().norm()),

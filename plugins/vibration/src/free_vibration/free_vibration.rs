@@ -48,11 +48,6 @@ impl Analysis for FreeVibration {
     fn solve<W: Worksheet>(&self, given: &FreeVibrationGiven<W>, sheet: W) -> Result<(), Refusal> {
         let FreeOscillator { natural, zeta, x0, v0, elastic, units } =
             system(&given.oscillator, given.settled, sheet)?;
-        if x0.value() == 0.0 && v0.value() == 0.0 {
-            return Err(Refusal::because(
-                "the mass starts at rest in its equilibrium position and does not move: write an initial displacement or velocity",
-            ));
-        }
         let motion = FreeMotion {
             natural_frequency: natural.value(),
             damping_ratio: zeta.value(),
@@ -62,6 +57,16 @@ impl Analysis for FreeVibration {
         sheet.answer("natural_frequency", "Natural frequency", natural);
         sheet.answer("damping_ratio", "Damping ratio", zeta);
         let form = FreeResponse::of(natural, zeta, [x0, v0], &units, sheet);
+        if x0.value() == 0.0 && v0.value() == 0.0 {
+            sheet.warn(|| {
+                Text::new(
+                    "the mass starts at rest in its equilibrium position and does not move: write an initial displacement or velocity for the motion in time",
+                )
+            });
+            sheet.show(|| Exhibit::Plot(root_locus(&motion)));
+            sheet.show(|| Exhibit::Drawing(drawing(&self.oscillator)));
+            return Ok(());
+        }
         sheet.verify(|| checks::amplitude(&form, &motion, sheet));
         let largest = events(&form, &motion, &units, x0, sheet);
         if zeta.value() > 0.0 {

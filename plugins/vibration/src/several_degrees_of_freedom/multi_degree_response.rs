@@ -1,7 +1,5 @@
 //! Motion in time of systems with many degrees of freedom.
 
-mod histories;
-
 use dalembert_core::{
     About, Analysis, Axis, Exhibit, Inputs, Name, Plot, Refusal, Series, Symbol, Text, Worksheet, register,
 };
@@ -12,13 +10,14 @@ use dalembert_mechanics::{
         response::{TimeExcitation, TimeResponse, state_by_series},
     },
 };
-use nalgebra::{Complex, DMatrix, DVector};
+use nalgebra::{Complex, DMatrix};
 
-use self::histories::{AccelerationHistory, ForceHistory, History};
 use crate::{
     shared::system::{
         Assembled, System, assemble,
         damping::{ModalDamping, SystemDamping, in_modes},
+        excitation::{BaseAcceleration, Excitation, Force, InitialCondition, Observed},
+        histories::History,
         modes::{WorkedModes, find},
         picture,
     },
@@ -59,51 +58,12 @@ pub struct MultiDegreeResponse {
     pub duration: Option<f64>,
 }
 
-/// Initial condition of a coordinate.
-#[derive(Clone, Debug, Inputs)]
-pub struct InitialCondition {
-    /// Coordinate.
-    #[input(min = 1, max = 500)]
-    pub coordinate: usize,
-    /// Displacement.
-    #[input("x₀", "m", default = "0 m")]
-    pub displacement: f64,
-    /// Velocity.
-    #[input("v₀", "m/s", default = "0 m/s")]
-    pub velocity: f64,
-}
-
-/// A force on a coordinate.
-#[derive(Clone, Debug, Inputs)]
-pub struct Force {
-    /// Coordinate.
-    #[input(min = 1, max = 500)]
-    pub coordinate: usize,
-    /// Time history.
-    pub course: ForceHistory,
-}
-
-/// Motion of the base.
-#[derive(Clone, Debug, Inputs)]
-pub struct BaseAcceleration {
-    /// Time history.
-    pub course: AccelerationHistory,
-}
-
 /// A time that is asked for.
 #[derive(Clone, Debug, Inputs)]
 pub struct OutputTime {
     /// Time.
     #[input("t", "s", nonnegative)]
     pub time: f64,
-}
-
-/// A coordinate that is examined.
-#[derive(Clone, Debug, Inputs)]
-pub struct Observed {
-    /// Coordinate.
-    #[input(min = 1, max = 500)]
-    pub coordinate: usize,
 }
 
 register!(MultiDegreeResponse);
@@ -123,7 +83,11 @@ impl Analysis for MultiDegreeResponse {
 
     fn solve<W: Worksheet>(&self, given: &MultiDegreeResponseGiven<W>, sheet: W) -> Result<(), Refusal> {
         let system = assemble(&self.system, &given.system, sheet)?;
-        let excitation = self.excitation(&system.mass)?;
+        if self.times.len() > 50 {
+            return Err(Refusal::because("at most 50 times and 50 coordinates are computed at a time"));
+        }
+        let Self { start, forces, base, observed, .. } = self;
+        let excitation = Excitation { start, forces, base, observed }.over(&system.mass)?;
         let found = find(&system, sheet)?;
         let damped =
             in_modes(&self.damping, &given.damping, &system.damping, &system.mass, &found.modes, sheet)?;
@@ -148,41 +112,6 @@ impl Analysis for MultiDegreeResponse {
 }
 
 impl MultiDegreeResponse {
-    /// The start and the forces, as vectors over all coordinates.
-    pub(super) fn excitation(&self, mass: &DMatrix<f64>) -> Result<TimeExcitation, Refusal> {
-        let n = mass.nrows();
-        let all =
-            self.start.iter().map(|row| row.coordinate).chain(self.forces.iter().map(|row| row.coordinate));
-        if let Some(wrong) = all.chain(self.observed.iter().map(|row| row.coordinate)).find(|&at| at > n) {
-            let why = Text::new("there is no coordinate {at}: the system has {n}");
-            return Err(Refusal::because(why.with("at", wrong).with("n", n)));
-        }
-        if self.times.len() > 50 || self.observed.len() > 50 {
-            return Err(Refusal::because("at most 50 times and 50 coordinates are computed at a time"));
-        }
-        let mut excitation = TimeExcitation {
-            position: DVector::zeros(n),
-            velocity: DVector::zeros(n),
-            pushes: Vec::new(),
-            harmonics: Vec::new(),
-        };
-        for row in &self.start {
-            excitation.position[row.coordinate - 1] = row.displacement;
-            excitation.velocity[row.coordinate - 1] = row.velocity;
-        }
-        for row in &self.forces {
-            let on =
-                |size: f64| DVector::from_fn(n, |at, _| if at + 1 == row.coordinate { size } else { 0.0 });
-            row.course.history()?.add_to(&mut excitation, on);
-        }
-        // In coordinates relative to the base the inertia forces of its motion act: −M 1 a.
-        let inertia = -(mass * DVector::from_element(n, 1.0));
-        for row in &self.base {
-            row.course.history()?.add_to(&mut excitation, |size| &inertia * size);
-        }
-        Ok(excitation)
-    }
-
     /// Time histories of forces and of the base.
     fn histories(&self) -> impl Iterator<Item = History> {
         let forces = self.forces.iter().map(|row| row.course.history());

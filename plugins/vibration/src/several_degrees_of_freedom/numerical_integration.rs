@@ -1,5 +1,6 @@
 //! Step-by-step integration of the equations of motion, by the methods of textbooks.
 
+mod again;
 mod first_step;
 mod methods;
 
@@ -17,14 +18,15 @@ use dalembert_mechanics::{
 use dalembert_numerics::linalg::LinalgError;
 use nalgebra::DVector;
 
-use self::methods::{Equations, Integrated};
-use super::multi_degree_response::{
-    BaseAcceleration, Force, InitialCondition, MultiDegreeResponse, Observed,
+use self::{
+    again::Again,
+    methods::{Equations, Integrated},
 };
 use crate::{
     shared::system::{
         System, assemble,
         damping::{SystemDamping, in_modes},
+        excitation::{BaseAcceleration, Excitation, Force, InitialCondition, Observed},
         modes::find,
         picture,
     },
@@ -125,8 +127,8 @@ impl Analysis for NumericalIntegration {
             let why = Text::new("{have} degrees of freedom: at most {most} are integrated step by step");
             return Err(Refusal::because(why.with("have", system.size()).with("most", MOST)));
         }
-        let exact = self.exact();
-        let excitation = exact.excitation(&system.mass)?;
+        let Self { start, forces, base, observed, .. } = self;
+        let excitation = Excitation { start, forces, base, observed }.over(&system.mass)?;
         let found = find(&system, sheet)?;
         let damped =
             in_modes(&self.damping, &given.damping, &system.damping, &system.mass, &found.modes, sheet)?;
@@ -163,21 +165,13 @@ impl Analysis for NumericalIntegration {
         if system.size() == 1 {
             first_step::write(self, given, &equations, &motion, sheet);
         }
-        let step = given.step;
-        self.stability(&found.frequencies, step, sheet);
         let exact_motion = poles.as_ref().ok().map(|poles| TimeResponse::new(poles, &momentum, &excitation));
-        self.answers(&motion, poles.as_ref().ok().zip(exact_motion.as_ref()), sheet)?;
-        sheet.verify(|| {
-            if let Some([worst, size]) = equations.residual(&self.method, &motion) {
-                sheet.check_zero(
-                    "every step satisfies the method written as a recurrence of another form",
-                    worst.into(),
-                    size,
-                );
-            }
-        });
+        let exact = poles.as_ref().ok().zip(exact_motion.as_ref());
+        let again = Again::of(self, &equations, &excitation);
+        self.answers(&motion, exact, again.as_ref(), sheet)?;
+        self.stability(&found.frequencies, given.step, sheet);
         sheet.show(|| Exhibit::Table(self.table(&motion, &equations)));
-        sheet.show(|| Exhibit::Plot(self.plot(&motion, poles.as_ref().ok().zip(exact_motion.as_ref()))));
+        sheet.show(|| Exhibit::Plot(self.plot(&motion, exact)));
         sheet.show(|| Exhibit::Drawing(picture::at_rest(&self.system)));
         Ok(())
     }
@@ -192,20 +186,6 @@ fn cannot(_: LinalgError) -> Refusal {
 }
 
 impl NumericalIntegration {
-    /// The same problem, solved exactly.
-    fn exact(&self) -> MultiDegreeResponse {
-        MultiDegreeResponse {
-            system: self.system.clone(),
-            damping: self.damping.clone(),
-            start: self.start.clone(),
-            forces: self.forces.clone(),
-            base: self.base.clone(),
-            times: Vec::new(),
-            observed: self.observed.clone(),
-            duration: None,
-        }
-    }
-
     /// The load at a time; at a jump the value of the larger magnitude.
     fn load(&self, excitation: &TimeExcitation, time: f64) -> DVector<f64> {
         let near = 1e-9 * self.step;
@@ -280,9 +260,9 @@ impl NumericalIntegration {
         let Some(highest) = frequencies.last().copied().filter(|highest| highest.value() > 0.0) else {
             return;
         };
-        let why = ("Time step over the shortest natural period", BATHE.at("§9.4"));
+        let why = ("Time step over the minimum natural period", BATHE.at("§9.4"));
         let ratio = sheet.step("Δt/T", "1", step * highest / std::f64::consts::TAU, why);
-        sheet.answer("step_ratio", "Time step over the shortest period", ratio);
+        sheet.answer("step_ratio", "Time step over the minimum period", ratio);
         let (limit, why) = match self.method {
             IntegrationMethod::CentralDifference => (2.0, "Critical time step of central differences, T/π"),
             IntegrationMethod::LinearAcceleration => {
@@ -310,6 +290,7 @@ impl NumericalIntegration {
         &self,
         motion: &Integrated,
         exact: Option<(&Poles, &TimeResponse<'_>)>,
+        again: Option<&Again>,
         sheet: W,
     ) -> Result<(), Refusal> {
         let end = self.step * self.count as f64;
@@ -337,13 +318,15 @@ impl NumericalIntegration {
                 let why = ("Exact displacement at the end, by modal superposition", RAO.at("§6.14"));
                 let value = sheet.numerical(("x_x", coordinate), "m", value, why);
                 sheet.answer(("exact", coordinate), "Exact displacement at the end", value);
-                let error = sheet.step(
-                    ("ε", coordinate),
-                    "m",
-                    final_one - value,
-                    "Error of the integration at the end",
-                );
+                let why = "Error of the integration at the end";
+                let error = sheet.step(("ε", coordinate), "m", final_one - value, why);
                 sheet.answer(("error", coordinate), "Error at the end", error);
+                if let Some(again) = again {
+                    again.check_exact((coordinate, value, error), sheet);
+                }
+            }
+            if let Some(again) = again {
+                again.check(coordinate, [final_one, velocity, acceleration, farthest], sheet);
             }
             sheet.answer_list(("displacement", coordinate), "Displacement after each step", "m", &x[1..]);
             sheet.answer_list(("velocity", coordinate), "Velocity after each step", "m/s", &v[1..]);

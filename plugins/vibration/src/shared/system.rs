@@ -9,6 +9,8 @@ use nalgebra::{DMatrix, DVector};
 
 pub(crate) mod banded;
 pub(crate) mod damping;
+pub(crate) mod excitation;
+pub(crate) mod histories;
 pub(crate) mod modal_properties;
 pub(crate) mod modes;
 pub(crate) mod picture;

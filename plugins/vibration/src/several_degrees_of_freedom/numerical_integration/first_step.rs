@@ -110,8 +110,8 @@ fn oscillator<W: Worksheet>(
     let velocity = start
         .map_or_else(|| at_rest("v_0", "m/s", "Initial velocity, as none is given"), |start| start.velocity);
     let load = |n: usize| (equations.load)(equations.step * n as f64)[0];
-    let first = sheet.numerical("F_0", "N", load(0), "Load at the start");
-    let second = sheet.numerical("F_1", "N", load(1), "Load after one step");
+    let first = sheet.numerical("p_0", "N", load(0), "Load at the start");
+    let second = sheet.numerical("p_1", "N", load(1), "Load after one step");
     let acceleration = sheet.step(
         "a_0",
         "m/s^2",
@@ -149,7 +149,7 @@ impl<N: Real> Oscillator<N> {
         let a = sheet.step("a_p", "N/m", m / h.powi(2) - c / (two * h), "Factor of the displacement before");
         let b = sheet.step("b_p", "N/m", k - two * m / h.powi(2), "Factor of the present displacement");
         let load = self.loads[0] - a * before - b * self.displacement;
-        let load = sheet.step("F_e", "N", load, "Effective load of the first step");
+        let load = sheet.step("p_e", "N", load, "Effective load of the first step");
         sheet.step("x_1", "m", load / effective, "Displacement after one step")
     }
 
@@ -166,7 +166,7 @@ impl<N: Real> Oscillator<N> {
         let drag =
             gamma * x / (beta * h) + (gamma / beta - one) * v + h / 2.0 * (gamma / beta - N::from(2.0)) * a;
         let load = sheet.step(
-            "F_e",
+            "p_e",
             "N",
             self.loads[1] + m * inertia + c * drag,
             "Effective load of the first step",
@@ -199,10 +199,10 @@ impl<N: Real> Oscillator<N> {
             ("Effective stiffness of Wilson's method", BATHE.at("§9.2")),
         );
         let force = self.loads[0] + theta * (self.loads[1] - self.loads[0]);
-        let force = sheet.step("F_θ", "N", force, "Load at the end of the extended step");
+        let force = sheet.step("p_θ", "N", force, "Load at the end of the extended step");
         let inertia = x * 6.0 / long.powi(2) + v * 6.0 / long + a * 2.0;
         let drag = x * 3.0 / long + v * 2.0 + long / 2.0 * a;
-        let load = sheet.step("F_e", "N", force + m * inertia + c * drag, "Effective load of the first step");
+        let load = sheet.step("p_e", "N", force + m * inertia + c * drag, "Effective load of the first step");
         let beyond = sheet.step("x_θ", "m", load / effective, "Displacement at the end of the extended step");
         let acceleration = sheet.step(
             "a_1",
@@ -223,7 +223,7 @@ impl<N: Real> Oscillator<N> {
     fn runge_kutta<W: Worksheet<Num = N>>(&self, middle: f64, sheet: W) -> N {
         let Self { mass: m, damping: c, stiffness: k, step: h, .. } = *self;
         let (x, v, a) = (self.displacement, self.velocity, self.acceleration);
-        let middle = sheet.numerical("F_m", "N", middle, "Load in the middle of the step");
+        let middle = sheet.numerical("p_m", "N", middle, "Load in the middle of the step");
         let slope = |symbol: &'static str, force: N, [x, v]: [N; 2], why: &'static str| {
             sheet.step(symbol, "m/s^2", (force - c * v - k * x) / m, (why, RAO.at("§11.4")))
         };

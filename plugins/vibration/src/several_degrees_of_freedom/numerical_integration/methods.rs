@@ -23,17 +23,17 @@ pub(super) struct Equations<'a> {
     pub(super) count: usize,
 }
 
-fn solved(elimination: &Elimination, b: &DVector<f64>) -> Result<DVector<f64>, LinalgError> {
+pub(super) fn solved(elimination: &Elimination, b: &DVector<f64>) -> Result<DVector<f64>, LinalgError> {
     elimination.solve(b.as_slice()).map(DVector::from_vec)
 }
 
 impl Equations<'_> {
-    fn time(&self, n: usize) -> f64 {
+    pub(super) fn time(&self, n: usize) -> f64 {
         self.step * n as f64
     }
 
     /// The load after `n` steps.
-    fn force(&self, n: usize) -> DVector<f64> {
+    pub(super) fn force(&self, n: usize) -> DVector<f64> {
         (self.load)(self.time(n))
     }
 
@@ -177,108 +177,6 @@ impl Equations<'_> {
             motion.push(next, velocity, acceleration);
         }
         Ok(motion)
-    }
-
-    /// The residual of a method as a recurrence of another form, over the size of the load: of displacements alone for
-    /// Newmark's methods, central differences and Houbolt's, of the equation of motion at `t + θ Δt` for Wilson's, and
-    /// of powers of the state matrix for Runge–Kutta.
-    pub(super) fn residual(&self, method: &IntegrationMethod, motion: &Integrated) -> Option<[f64; 2]> {
-        let two_steps = |gamma_beta| Some(self.two_step_residual(gamma_beta, motion));
-        match method {
-            IntegrationMethod::CentralDifference => two_steps([0.5, 0.0]),
-            IntegrationMethod::AverageAcceleration => two_steps([0.5, 0.25]),
-            IntegrationMethod::LinearAcceleration => two_steps([0.5, 1.0 / 6.0]),
-            IntegrationMethod::Newmark { gamma, beta } => two_steps([*gamma, *beta]),
-            IntegrationMethod::Wilson { theta } => Some(self.wilson_residual(*theta, motion)),
-            IntegrationMethod::Houbolt => Some(self.houbolt_residual(motion)),
-            IntegrationMethod::RungeKutta => self.runge_kutta_residual(motion).ok(),
-            IntegrationMethod::LinearLoad => None,
-        }
-    }
-
-    /// Largest residual and the size of the terms in it.
-    fn worst(&self, terms: impl Iterator<Item = [DVector<f64>; 4]>) -> [f64; 2] {
-        terms.fold([0.0, f64::MIN_POSITIVE], |[worst, size]: [f64; 2], [inertia, drag, spring, force]| {
-            let sizes =
-                [&inertia, &drag, &spring, &force].map(DVector::amax).into_iter().fold(size, f64::max);
-            [worst.max((inertia + drag + spring - force).amax()), sizes]
-        })
-    }
-
-    /// Newmark's method as a linear two-step method.
-    fn two_step_residual(&self, [gamma, beta]: [f64; 2], motion: &Integrated) -> [f64; 2] {
-        let ([m, c, k], h) = (self.matrices, self.step);
-        let weights = [0.5 + beta - gamma, 0.5 - 2.0 * beta + gamma, beta];
-        self.worst(motion.displacements.windows(3).enumerate().map(|(n, x)| {
-            let inertia = (&x[2] - &x[1] * 2.0 + &x[0]) / (h * h);
-            let drag = (&x[2] * gamma + &x[1] * (1.0 - 2.0 * gamma) - &x[0] * (1.0 - gamma)) / h;
-            let mixed = &x[0] * weights[0] + &x[1] * weights[1] + &x[2] * weights[2];
-            let forces = [0, 1, 2].map(|at| self.force(n + at) * weights[at]);
-            let force = forces.into_iter().fold(DVector::zeros(m.nrows()), |sum, force| sum + force);
-            [m * inertia, c * drag, k * mixed, force]
-        }))
-    }
-
-    fn houbolt_residual(&self, motion: &Integrated) -> [f64; 2] {
-        let ([m, c, k], h) = (self.matrices, self.step);
-        self.worst(motion.displacements.windows(4).enumerate().map(|(n, x)| {
-            // Derivatives of the cubic through the four points, by differences of growing order.
-            let d1 = &x[3] - &x[2];
-            let d2 = &x[3] - &x[2] * 2.0 + &x[1];
-            let d3 = &x[3] - &x[2] * 3.0 + &x[1] * 3.0 - &x[0];
-            let velocity = (d1 + &d2 / 2.0 + &d3 / 3.0) / h;
-            let acceleration = (d2 + d3) / (h * h);
-            [m * acceleration, c * velocity, k * &x[3], self.force(n + 3)]
-        }))
-    }
-
-    fn wilson_residual(&self, theta: f64, motion: &Integrated) -> [f64; 2] {
-        let ([m, c, k], long) = (self.matrices, theta * self.step);
-        self.worst((0..self.count).map(|n| {
-            let (x, v, a) = motion.at(n);
-            let beyond = a + (&motion.accelerations[n + 1] - a) * theta;
-            let velocity = v + (a + &beyond) * (long / 2.0);
-            let position = x + v * long + (a * 2.0 + &beyond) * (long * long / 6.0);
-            let (now, then) = (self.force(n), self.force(n + 1));
-            [m * beyond, c * velocity, k * position, &now + (then - &now) * theta]
-        }))
-    }
-
-    /// One step is `y + h φ(hA)(A y + b)` with polynomials of the state matrix `A`.
-    fn runge_kutta_residual(&self, motion: &Integrated) -> Result<[f64; 2], LinalgError> {
-        let ([m, c, k], h) = (self.matrices, self.step);
-        let (size, mass) = (m.nrows(), Elimination::new(m)?);
-        let over_mass = |a: &DMatrix<f64>| -> Result<DMatrix<f64>, LinalgError> {
-            let columns = a.column_iter().map(|column| solved(&mass, &column.into_owned()));
-            Ok(DMatrix::from_columns(&columns.collect::<Result<Vec<_>, _>>()?))
-        };
-        let mut matrix = DMatrix::zeros(2 * size, 2 * size);
-        matrix.view_mut((0, size), (size, size)).fill_with_identity();
-        matrix.view_mut((size, 0), (size, size)).copy_from(&-over_mass(k)?);
-        matrix.view_mut((size, size), (size, size)).copy_from(&-over_mass(c)?);
-        let one = DMatrix::<f64>::identity(2 * size, 2 * size);
-        let ha = matrix * h;
-        let (ha2, ha3) = (&ha * &ha, &ha * &ha * &ha);
-        let whole = &one + &ha + &ha2 / 2.0 + &ha3 / 6.0 + &ha2 * &ha2 / 24.0;
-        let first = (&one + &ha + &ha2 / 2.0 + &ha3 / 4.0) * (h / 6.0);
-        let middle = (&one * 4.0 + &ha * 2.0 + &ha2 / 2.0) * (h / 6.0);
-        let state = |n: usize| {
-            let (x, v, _) = motion.at(n);
-            DVector::from_iterator(2 * size, x.iter().chain(v.iter()).copied())
-        };
-        let load = |time: f64| -> Result<DVector<f64>, LinalgError> {
-            let over = solved(&mass, &(self.load)(time))?;
-            Ok(DVector::from_iterator(2 * size, std::iter::repeat_n(0.0, size).chain(over.iter().copied())))
-        };
-        let [mut worst, mut scale] = [0.0f64, f64::MIN_POSITIVE];
-        for n in 0..self.count {
-            let [b0, bm, b1] = [self.time(n), self.time(n) + h / 2.0, self.time(n + 1)].map(load);
-            let next = &whole * state(n) + &first * b0? + &middle * bm? + b1? * (h / 6.0);
-            let weighed = |y: &DVector<f64>| y.rows(0, size).amax().max(h * y.rows(size, size).amax());
-            worst = worst.max(weighed(&(&next - state(n + 1))));
-            scale = scale.max(weighed(&next));
-        }
-        Ok([worst, scale])
     }
 }
 

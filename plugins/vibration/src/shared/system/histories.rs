@@ -209,7 +209,7 @@ pub enum AccelerationHistory {
 }
 
 /// A time history by its size and its course.
-pub(super) enum History {
+pub(crate) enum History {
     /// Straight pieces, each with a size of one.
     Pieces(f64, Vec<ForceSegment>),
     /// `size cos(Ωt − φ)`: size, frequency and lag.
@@ -219,7 +219,7 @@ pub(super) enum History {
 }
 
 impl ForceHistory {
-    pub(super) fn history(&self) -> Result<History, Refusal> {
+    pub(crate) fn history(&self) -> Result<History, Refusal> {
         Ok(match self {
             ForceHistory::Step { force, start } => History::Pieces(*force, step(*start)),
             ForceHistory::Pulse { force, start, duration } => {
@@ -244,7 +244,7 @@ impl ForceHistory {
 }
 
 impl AccelerationHistory {
-    pub(super) fn history(&self) -> Result<History, Refusal> {
+    pub(crate) fn history(&self) -> Result<History, Refusal> {
         Ok(match self {
             AccelerationHistory::Step { acceleration, start } => History::Pieces(*acceleration, step(*start)),
             AccelerationHistory::Pulse { acceleration, start, duration } => {
@@ -288,7 +288,7 @@ impl History {
     }
 
     /// Adds it to an excitation, as the forces that `of` makes of its size.
-    pub(super) fn add_to(self, excitation: &mut TimeExcitation, of: impl Fn(f64) -> DVector<f64>) {
+    pub(crate) fn add_to(self, excitation: &mut TimeExcitation, of: impl Fn(f64) -> DVector<f64>) {
         match self {
             History::Pieces(size, pieces) => excitation.pushes.push(Push { force: of(size), pieces }),
             History::Harmonic([size, frequency, lag]) => {
@@ -310,7 +310,7 @@ impl History {
     }
 
     /// Time after which nothing new begins, or six periods of a harmonic.
-    pub(super) fn end(&self) -> f64 {
+    pub(crate) fn end(&self) -> f64 {
         match self {
             History::Pieces(_, pieces) => pieces.last().map_or(0.0, |piece| piece.start),
             History::Harmonic([_, frequency, _]) => 6.0 * TAU / frequency,
