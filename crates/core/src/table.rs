@@ -378,7 +378,10 @@ fn is_heading(cells: &[Cow<'_, str>], columns: &'static [Field]) -> bool {
     let is_number = |cell: &Cow<'_, str>| {
         let text = cell.trim_start_matches(['-', '+', '−']).to_lowercase();
         cell.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '.' | '−'))
-            || ["nan", "inf", "infinity"].contains(&text.as_str())
+            || ["nan", "inf", "infinity", "pi"].contains(&text.as_str())
+            || ["pi/", "π"].iter().any(|pi| text.starts_with(pi))
+            // A product is a formula, where it is not a unit.
+            || text.contains('*') && !text.contains('[')
     };
     !cells.iter().any(is_number) || heading::is_of_units(cells, columns)
 }

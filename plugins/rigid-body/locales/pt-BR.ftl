@@ -3573,3 +3573,6 @@ the-parameters-of-a-rotation-have-length-1 = os parâmetros de uma rotação tê
 parallel-directions = Direções paralelas
 a-rotation-about-the-common-direction-changes-neither = uma rotação em torno da direção comum não muda nenhuma delas
 with-this-damping-the-axle-is-overdamped-and-approaches-its-settled-direction-without-oscillation = com este amortecimento o eixo é superamortecido e se aproxima de sua direção de equilíbrio sem oscilar: escreva um coeficiente menor
+disc-on-one-clevis-driven-about-its-axle = Disco em uma só articulação com pino, acionado em torno do eixo
+f-r-m-r-2-for-100-n-at-the-rim-of-a-disc-of-20-kg-and-1-1-m = α = F R/(m R²/2) para 100 N na borda de um disco de 20 kg e 1,1 m
+nothing-but-the-drive-and-the-inertia-couple-act-about-the-axle-110-n-m-over-12-1-kg-m = Só o acionamento e o binário de inércia atuam em torno do eixo: 110 N·m sobre 12,1 kg·m².

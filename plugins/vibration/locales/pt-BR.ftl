@@ -5995,7 +5995,7 @@ fourth-frequency-without-damping = quarta frequência sem amortecimento
 it-follows-from-187-8-cycles-per-minute-with-in-inches-60-2-386-4-in-s-is-187-71 = segue de 187,8/√δ ciclos por minuto com δ em polegadas; 60/(2π)·√(386,4 in/s²) é 187,71
 it-follows-from-628-3-rad-s-for-6000-rpm-calculated-0-316629-kg = segue de 628,3 rad/s para 6000 rpm; calculado: 0,316629 kg
 m-i-friswell-et-al-dynamics-of-rotating-machines-ex-5-9-5-as-the-program-ross-asserts-it = M. I. Friswell et al., Dynamics of Rotating Machines, ex. 5.9.5, como o verifica o programa ROSS
-rayleigh-s-value-is-that-of-the-static-deflection-its-improvement-354-0695-rad-s-is-the-second-round = O valor de Rayleigh é o da deflexão estática; o seu melhoramento, 354,0695 rad/s, é a segunda volta da iteração, e o método de Stodola termina no valor exato.
+rayleigh-s-value-is-that-of-the-static-deflection-stodola-s-method-ends-at-the-exact-value = O valor de Rayleigh é o da deflexão estática; o método de Stodola termina no valor exato.
 s-s-rao-mechanical-vibrations-ch-9-diesel-engine-of-3000-n-with-an-undamped-absorber = S. S. Rao, Mechanical Vibrations, cap. 9: motor Diesel de 3000 N com um absorvedor não amortecido
 second-frequency-without-damping = segunda frequência sem amortecimento
 steel-disc-on-a-wire-by-its-dimensions = Disco de aço em um arame, dado pelas dimensões
@@ -6912,12 +6912,12 @@ s-2-k-t-c-t-with-s-per-rad-s-s-2-j-c-t = σ_θ² = π S/(2 k_t c_t) com S por ra
 s-4-s-1-4-4-with-s-per-rad-s = σ_θ² = π S/(4ζωₙ³), σ_α² = π S ωₙ(1 + 4ζ²)/(4ζ) com S por rad/s
 d-1-8-rad-s-with-0-6-y-max-1-e-1-with-g = ω_d = ωₙ√(1 − ζ²) = 8 rad/s com ζ = 0,6; y_max = δ(1 + e^(−ζπ/√(1 − ζ²))) com δ = g/ωₙ²
 g-st-at-resonance-x-f-k = ωₙ² = g/δ_st; na ressonância X = F₀/(ηk)
-tests-of-opensees-companion-to-chopra-dynamics-of-structures-4th-ed-example-5-3 = Testes do OpenSees, complemento a Chopra, Dynamics of Structures, 4ª ed., exemplo 5.3
-tests-of-opensees-companion-to-chopra-dynamics-of-structures-4th-ed-example-5-4 = Testes do OpenSees, complemento a Chopra, Dynamics of Structures, 4ª ed., exemplo 5.4
-tests-of-opensees-companion-to-chopra-dynamics-of-structures-4th-ed-example-5-2 = Testes do OpenSees, complemento a Chopra, Dynamics of Structures, 4ª ed., exemplo 5.2
-package-structdyn-companion-to-chopra-dynamics-of-structures-5th-ed-example-5-1 = Pacote structdyn, complemento a Chopra, Dynamics of Structures, 5ª ed., exemplo 5.1
-package-structdyn-companion-to-chopra-dynamics-of-structures-5th-ed-example-5-2 = Pacote structdyn, complemento a Chopra, Dynamics of Structures, 5ª ed., exemplo 5.2
-test-of-a-public-program-companion-to-bathe-finite-element-procedures-example-9-4 = Teste de um programa público, complemento a Bathe, Finite Element Procedures, exemplo 9.4
+tests-of-opensees-as-companion-to-chopra-dynamics-of-structures-4th-ed-example-5-3 = Testes do OpenSees, complemento a Chopra, Dynamics of Structures, 4ª ed., exemplo 5.3
+tests-of-opensees-as-companion-to-chopra-dynamics-of-structures-4th-ed-example-5-4 = Testes do OpenSees, complemento a Chopra, Dynamics of Structures, 4ª ed., exemplo 5.4
+tests-of-opensees-as-companion-to-chopra-dynamics-of-structures-4th-ed-example-5-2 = Testes do OpenSees, complemento a Chopra, Dynamics of Structures, 4ª ed., exemplo 5.2
+package-structdyn-as-companion-to-chopra-dynamics-of-structures-5th-ed-example-5-1 = Pacote structdyn, complemento a Chopra, Dynamics of Structures, 5ª ed., exemplo 5.1
+package-structdyn-as-companion-to-chopra-dynamics-of-structures-5th-ed-example-5-2 = Pacote structdyn, complemento a Chopra, Dynamics of Structures, 5ª ed., exemplo 5.2
+test-of-a-public-program-as-companion-to-bathe-finite-element-procedures-example-9-4 = Teste de um programa público, complemento a Bathe, Finite Element Procedures, exemplo 9.4
 bathe-example-9-7-x-a-5-3-1-cos-2-t-2-2-3-cos-5-t-1-at-t-3-36-s = Bathe, exemplo 9.7: x = A (5/√3 (1 − cos √2 t); 2√(2/3) (cos √5 t − 1)), em t = 3,36 s
 from-x-1-with-1-and-t-1-a-2-s-1-5-a-2-5-x-3-5-v-7-10 = De x₀ = 1 com ω = 1 e Δt = 1: a(2 s) = 1/5, a₁ = −2/5, x₁ = 3/5, v₁ = −7/10
 from-x-1-with-1-and-t-1-x-1-2-1-7-13-v-1-x-2-10-13 = De x₀ = 1 com ω = 1 e Δt = 1: x₁ = (1/2 + β)/(1 + β) = 7/13, v₁ = −(1 + x₁)/2 = −10/13
@@ -6935,3 +6935,8 @@ acceleration-at-at-the-end-by-another-form-of-the-method = aceleração { $at } 
 largest-displacement-at-by-another-form-of-the-method = maior deslocamento { $at } por outra forma do método
 exact-displacement-at-at-the-end-by-taylor-series-step-by-step = deslocamento exato { $at } no fim por série de Taylor, passo a passo
 error-at-from-the-other-form-of-the-method-and-the-taylor-series = erro { $at } pela outra forma do método e pela série de Taylor
+rayleigh-s-bound-improved = Limite de Rayleigh, melhorado
+inertia-force-of-the-disc-at-rayleigh-s-frequency = Força de inércia do disco na frequência de Rayleigh
+deflection-at-the-disc-under-these-forces = Deflexão no disco sob essas forças
+rayleigh-s-quotient-of-these-deflections-whose-bending-energy-is-the-work-of-the-forces = Quociente de Rayleigh dessas deflexões, cuja energia de flexão é o trabalho das forças
+rayleigh-improved-the-second-step-of-matrix-iteration = Rayleigh, melhorado: o segundo passo da iteração matricial

@@ -72,3 +72,19 @@ fn a_solve_is_a_pure_function() {
 fn every_analysis_is_well_described() {
     catalogue::every_analysis_is_well_described(registry());
 }
+
+/// The guide lists the analyses; one that is begun is listed when it is done.
+#[test]
+fn every_analysis_is_in_the_list_of_the_guide() {
+    if only().is_some() {
+        return;
+    }
+    let guide = include_str!("../../../docs/guide.md");
+    let (_, list) = guide.split_once("## What it solves").expect("the guide has a list");
+    let list = list.split("\n## ").next().unwrap_or_default();
+    let is_listed =
+        |id: &str| id.split('/').next_back().is_some_and(|name| list.contains(&format!("`{name}`")));
+    let missing: Vec<&str> =
+        registry().iter().map(|entry| entry.about.id).filter(|id| !is_listed(id)).collect();
+    assert!(missing.is_empty() && list.lines().count() > 10, "{missing:?}");
+}

@@ -114,10 +114,14 @@ impl Analysis for ShaftWithDiscs {
         };
         let influence = shaft.influence(sheet);
         let dunkerley = shaft.dunkerley(&influence, sheet)?;
-        let rayleigh = shaft.rayleigh(&influence, given.gravity, sheet);
+        let (rayleigh, deflections) = shaft.rayleigh(&influence, given.gravity, sheet);
         sheet.keep_going()?;
         let exact = match line {
-            None => shaft.lumped(&influence, [dunkerley, rayleigh], sheet)?,
+            None => {
+                let improved = shaft.improved_rayleigh(&influence, (rayleigh, &deflections), sheet);
+                sheet.answer("rayleigh_improved", "Rayleigh's bound, improved", improved);
+                shaft.lumped(&influence, [dunkerley, rayleigh, improved], sheet)?
+            }
             Some(line) => shaft.distributed(line, sheet)?,
         };
         let omega = exact.modes[0].frequency;
@@ -287,7 +291,8 @@ impl<W: Worksheet> Shaft<'_, W> {
         ))
     }
 
-    fn rayleigh(&self, influence: &[Vec<W::Num>], gravity: W::Num, sheet: W) -> W::Num {
+    /// Rayleigh's frequency, and the static deflections of the discs that it rests on.
+    fn rayleigh(&self, influence: &[Vec<W::Num>], gravity: W::Num, sheet: W) -> (W::Num, Vec<W::Num>) {
         let count = self.masses.len();
         let deflections: Vec<W::Num> = (0..count)
             .map(|i| {
@@ -333,15 +338,42 @@ impl<W: Worksheet> Shaft<'_, W> {
                 (W::Num::sum(potential.chain([work_found])), W::Num::sum(kinetic.chain([square_found])))
             }
         };
-        sheet.step(
-            "ω_R",
-            "Hz",
-            (potential / kinetic).sqrt(),
-            (
-                "Rayleigh: maximum potential energy over maximum kinetic energy of the static deflection",
-                RAO.at("§7.3"),
-            ),
-        )
+        let why = (
+            "Rayleigh: maximum potential energy over maximum kinetic energy of the static deflection",
+            RAO.at("§7.3"),
+        );
+        (sheet.step("ω_R", "Hz", (potential / kinetic).sqrt(), why), deflections)
+    }
+
+    /// Rayleigh's frequency of the deflections under the inertia forces `m ω² y` of the first ones, without a mass of the
+    /// shaft.
+    fn improved_rayleigh(
+        &self,
+        influence: &[Vec<W::Num>],
+        (first, deflections): (W::Num, &[W::Num]),
+        sheet: W,
+    ) -> W::Num {
+        let count = self.masses.len();
+        let why = ("Inertia force of the disc at Rayleigh's frequency", RAO.at("§7.3"));
+        let force =
+            |n: usize| sheet.step(("F", n + 1), "N", self.masses[n] * first.powi(2) * deflections[n], why);
+        let forces: Vec<W::Num> = (0..count).map(force).collect();
+        let second: Vec<W::Num> = (0..count)
+            .map(|i| {
+                let parts = (0..count).map(|j| influence[i][j] * forces[j]);
+                sheet.step(
+                    ("z", i + 1),
+                    "mm",
+                    W::Num::sum(parts),
+                    "Deflection at the disc under these forces",
+                )
+            })
+            .collect();
+        let potential = (0..count).map(|n| forces[n] * second[n]);
+        let kinetic = (0..count).map(|n| self.masses[n] * second[n].powi(2));
+        let square = W::Num::sum(potential) / W::Num::sum(kinetic);
+        let why = "Rayleigh's quotient of these deflections, whose bending energy is the work of the forces";
+        sheet.step("ω_R2", "Hz", square.sqrt(), (why, RAO.at("§7.3")))
     }
 
     /// The static deflection at a place under all weights.

@@ -66,7 +66,7 @@ impl Again {
             let size = self.displacements.iter().map(DVector::amax).fold(f64::MIN_POSITIVE, f64::max);
             let [end, velocity, acceleration, largest] = answers;
             let compare = |what: &'static str, answer: W::Num, other: f64, size: f64| {
-                sheet.check_zero(Text::new(what).with("at", coordinate), answer - W::Num::from(other), size);
+                sheet.check_sum(Text::new(what).with("at", coordinate), answer, other.into(), size);
             };
             compare("displacement {at} at the end by another form of the method", end, self.end()[at], size);
             let what = "velocity {at} at the end by another form of the method";
@@ -90,10 +90,10 @@ impl Again {
         sheet.verify(|| {
             let size = exact.amax().max(self.end().amax()).max(f64::MIN_POSITIVE);
             let what = "exact displacement {at} at the end by Taylor series, step by step";
-            sheet.check_zero(Text::new(what).with("at", coordinate), value - W::Num::from(exact[at]), size);
+            sheet.check_sum(Text::new(what).with("at", coordinate), value, exact[at].into(), size);
             let what = "error {at} from the other form of the method and the Taylor series";
             let other = self.end()[at] - exact[at];
-            sheet.check_zero(Text::new(what).with("at", coordinate), error - W::Num::from(other), size);
+            sheet.check_sum(Text::new(what).with("at", coordinate), error, other.into(), size);
         });
     }
 }

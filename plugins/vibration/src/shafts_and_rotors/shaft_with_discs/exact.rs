@@ -61,7 +61,7 @@ impl<W: Worksheet> Shaft<'_, W> {
     pub(super) fn lumped(
         &self,
         influence: &[Vec<W::Num>],
-        [dunkerley, rayleigh]: [W::Num; 2],
+        [dunkerley, rayleigh, improved]: [W::Num; 3],
         sheet: W,
     ) -> Result<Exact<W::Num>, Refusal> {
         let (rows, masses) = self.numbers(influence);
@@ -92,6 +92,13 @@ impl<W: Worksheet> Shaft<'_, W> {
                 W::Num::from(first.frequency),
                 rayleigh,
             );
+            if let Some(second) = rounds.get(1) {
+                sheet.check(
+                    "Rayleigh, improved: the second step of matrix iteration",
+                    W::Num::from(second.frequency),
+                    improved,
+                );
+            }
             sheet.check(
                 "matrix iteration starting from equal deflections converges to the exact frequency",
                 W::Num::from(last.frequency),

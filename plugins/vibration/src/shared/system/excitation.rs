@@ -45,7 +45,7 @@ pub struct Observed {
     pub coordinate: usize,
 }
 
-/// What moves a system, and the coordinates that are observed.
+/// Initial conditions and loads of a system, and the coordinates that are observed.
 pub(crate) struct Excitation<'a> {
     pub(crate) start: &'a [InitialCondition],
     pub(crate) forces: &'a [Force],
