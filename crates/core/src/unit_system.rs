@@ -153,7 +153,9 @@ pub(crate) fn found(draft: &Draft, shape: &Shape, forces: bool) -> Option<UnitSy
             Shape::Table(columns) => {
                 let head = text.lines().take(TABLE_LINES).collect::<Vec<_>>().join("\n");
                 let read = table::read(&head, columns());
-                units.extend(read.faults.is_empty().then_some(read.table.units).unwrap_or_default());
+                if read.faults.is_empty() {
+                    units.extend(read.table.units);
+                }
             }
             Shape::Quantity(measure) => {
                 units.extend(gravity::unit_of(text, &Shape::Quantity(measure.meant(text))));

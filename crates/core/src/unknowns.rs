@@ -125,7 +125,17 @@ pub(crate) fn determine(entry: &Entry, record: &Record, stop: &Stop) -> Result<O
         let changes: Vec<(usize, f64)> = x.iter().copied().enumerate().collect();
         again.with(&changes, stop)
     };
-    let found = search(&mut evaluate, &variables, &targets, stop)?;
+    let mut found = search(&mut evaluate, &variables, &targets, stop)?;
+    if let ([_], [unknown], [input]) = (&variables[..], unknowns, &inputs[..])
+        && found.solutions.is_empty()
+        && found.without_influence.is_none()
+        && let Some(wider) = wider(&variables[0], unknown, input)
+    {
+        let again = search(&mut evaluate, std::slice::from_ref(&wider), &targets, stop)?;
+        if !again.solutions.is_empty() {
+            (found, variables) = (again, vec![wider]);
+        }
+    }
     let label = |answer: &Answer| answer.title();
     if let Some(blind) = found.without_influence {
         let why = Text::new("{answer} does not depend on what is unknown: give another answer")
@@ -257,7 +267,6 @@ fn variable(
     unknown: &Unknown,
     input: &VariedInput,
 ) -> Result<Variable, SolveError> {
-    const WIDE: f64 = 1000.0;
     if !unknown.choices.is_empty() {
         return Ok(Variable::one_of(unknown.choices.clone()));
     }
@@ -287,6 +296,20 @@ fn variable(
         return Ok(Variable::new(range, start));
     }
     Err(fault(&unknown.name, "write a range to search, as in ? 1 kg .. 100 kg"))
+}
+
+/// Factor of a range that was assumed, to both sides.
+const WIDE: f64 = 1000.0;
+
+/// A range that was assumed, a thousand times wider, where nothing was found in it.
+fn wider(variable: &Variable, unknown: &Unknown, input: &VariedInput) -> Option<Variable> {
+    if unknown.range.is_some() || !unknown.choices.is_empty() || input.is_angle() {
+        return None;
+    }
+    let [from, to] = variable.range;
+    let low = if from < 0.0 { from * WIDE } else { from / WIDE };
+    let range = input.permitted([low, to * WIDE]);
+    (range != variable.range).then(|| Variable::new(range, unknown.start))
 }
 
 /// The range of a component of a vector without one, in sizes of its largest component, to both sides.

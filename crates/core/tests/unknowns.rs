@@ -146,6 +146,22 @@ fn one_unknown_is_found_and_comes_first() {
     assert!(solution.checks.iter().any(|check| check.what.english() == "Natural frequency is the given one"));
 }
 
+#[test]
+fn an_assumed_range_is_widened_where_nothing_is_in_it() {
+    for (frequency, range) in [(5e-3, [2e-6, 2e6]), (500.0, [2e-6, 2e6])] {
+        let given = given(&[("natural_frequency", &format!("{frequency} Hz"))]);
+        let solution = problem(&(inputs(&[("mass", "?")]) + &given)).expect("it has a solution");
+        let determined = found(&solution);
+        close(determined.solutions[0][0], 800.0 / (2.0 * std::f64::consts::PI * frequency).powi(2), 1e-9);
+        for (found, wanted) in determined.unknowns[0].range.into_iter().zip_eq(range) {
+            close(found, wanted, 1e-12);
+        }
+    }
+    // A range that was typed is not.
+    let typed = inputs(&[("mass", "? 1 kg .. 10 kg")]) + &given(&[("natural_frequency", "5 mHz")]);
+    assert!(problem(&typed).is_err());
+}
+
 /// The first step: what was unknown, by its formula, and what is said of it.
 fn first_step(solution: &Solution) -> (String, String) {
     let step = printer::step(solution, &solution.steps[0], &Locale::english());

@@ -98,7 +98,7 @@ fn planned(
 fn constant(formula: &Formula, cell: &PendingCell) -> Result<f64, FormulaError> {
     let stop = Stop::new();
     let plain = Plain::new(&stop);
-    let found = evaluate::<&Plain<'_>>(formula, &|_| Ok(None), &|_| Vec::new(), &&plain)?;
+    let found = evaluate::<&Plain<'_>>(formula, &|_| Ok(None), &|_| Vec::new(), &plain)?;
     let unit = &cell.unit;
     match found {
         Operand::Number(number, dim) if dim == Dim::NONE => Ok(unit.si(number)),
