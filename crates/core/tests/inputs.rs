@@ -518,12 +518,11 @@ pub struct Flywheel {
 #[test]
 fn a_fraction_is_written_as_a_number_or_in_per_cent() {
     let fields = Flywheel::SHAPE.fields(None);
-    let read =
-        |field: usize, text: &str| match dalembert_core::draft::read_leaf(text, &fields[field].shape, "x") {
-            Ok(dalembert_core::Value::Quantity(quantity)) => Ok(quantity.si),
-            Ok(other) => Err(format!("{other:?}")),
-            Err(errors) => Err(errors[0].why.english()),
-        };
+    let read = |field: usize, text: &str| match draft::read_leaf(text, &fields[field].shape, "x") {
+        Ok(Value::Quantity(quantity)) => Ok(quantity.si),
+        Ok(other) => Err(format!("{other:?}")),
+        Err(errors) => Err(errors[0].why.english()),
+    };
     for (text, si) in
         [("0.05", 0.05), ("5", 0.05), ("5 %", 0.05), ("0.5 %", 0.005), ("0.5", 0.5), ("50", 0.5)]
     {

@@ -65,7 +65,7 @@ const WORDS: [(&str, &str); 60] = [
     ("pião", "rigid-body/heavy-top"),
     ("parallel axis theorem", "rigid-body/mass-properties"),
     ("products of inertia", "rigid-body/mass-properties"),
-    ("Euler angles", "rigid-body/rotation-chain"),
+    ("Euler angles", "rigid-body/attitude"),
     ("separatrix", "rigid-body/free-triaxial"),
     ("hammer blow", "balancing/locomotive"),
     ("influence coefficients", "balancing/field"),
