@@ -3467,7 +3467,7 @@ weighted-directions-q-method = Direções ponderadas: método q
 yaw-and-pitch = Guinada e arfagem
 yaw-pitch-and-roll-over-42-s = Guinada, arfagem e rolamento em 42 s
 bn-as-the-product-of-the-three-euler-rotations = [BN] como produto das três rotações de Euler
-bn-at-the-end-by-integration-of-poisson-s-equation-c = [BN] no final por integração da equação de Poisson, Ċ = −[ω×] C
+bn-at-the-end-by-integration-of-poisson-s-equation-dc-dt-c = [BN] no final por integração da equação de Poisson, dC/dt = −[ω×] C
 bn-at-the-end-by-one-rotation-about-the-constant-angular-velocity = [BN] no final por uma só rotação em torno da velocidade angular constante
 bn-brings-the-first-direction-and-the-normal-to-both-into-those-in-b = [BN] leva a primeira direção e a normal a ambas às de B
 bn-by-a-rotation-about-the-principal-axis = [BN] por uma rotação em torno do eixo principal

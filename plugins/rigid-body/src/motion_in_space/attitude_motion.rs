@@ -261,7 +261,7 @@ impl AttitudeMotion {
         if let Some(state) = states.last() {
             let off = found - Matrix3::from_column_slice(state);
             sheet.check_residual(
-                "[BN] at the end by integration of Poisson's equation, Ċ = −[ω×] C",
+                "[BN] at the end by integration of Poisson's equation, dC/dt = −[ω×] C",
                 off.amax().into(),
                 1.0,
                 INTEGRATION_ERROR,

@@ -15,13 +15,13 @@ pub struct Measurements {
     /// A row for each sensor, and for each speed where there are several.
     #[input("0", min = 1)]
     pub first: Vec<SensorReading>,
+    /// Influence of the planes.
+    pub influence: InfluenceSource,
     /// Slow-roll readings.
     /// Run-out of the shaft under each sensor, read far below the first critical speed; one for each reading of the initial
     /// run, in the same order. Subtracted as a vector from all readings of that sensor; omit it for sensors on the casing.
     #[input("s")]
     pub slow_roll: Vec<SlowRollReading>,
-    /// Influence of the planes.
-    pub influence: InfluenceSource,
 }
 
 /// Reading of a sensor at slow roll.

@@ -110,7 +110,7 @@ pub(crate) fn answer_representations<W: Worksheet>(
     sheet.answer_vector("modified_rodrigues", "Modified Rodrigues parameters", modified);
     let shadow = (!still).then(|| {
         let shadow = sheet.step_vector(
-            "σˢ",
+            "σ_s",
             "1",
             -modified / modified.dot(modified),
             ("Shadow set: the rotation the long way round, by Φ − 360°", SCHAUB.at("§3.7")),
