@@ -3472,7 +3472,7 @@ bn-at-the-end-by-one-rotation-about-the-constant-angular-velocity = [BN] no fina
 bn-brings-the-first-direction-and-the-normal-to-both-into-those-in-b = [BN] leva a primeira direção e a normal a ambas às de B
 bn-by-a-rotation-about-the-principal-axis = [BN] por uma rotação em torno do eixo principal
 bn-by-the-principal-rotation-vector = [BN] pelo vetor de rotação principal
-bn-changes-components-in-n-into-components-in-b-the-transpose-of-a-matrix-that-rotates-vectors = [BN] transforma componentes em N em componentes em B. É a transposta de uma matriz que gira vetores.
+it-changes-components-in-n-into-components-in-b-the-transpose-of-a-matrix-that-rotates-vectors = Transforma componentes em N em componentes em B. É a transposta de uma matriz que gira vetores.
 bn-from-vectors-rotated-by-the-quaternion = [BN] a partir de vetores girados pelo quatérnio
 fb-fn-bn-back-from-b-to-n-then-on-to-f = [FB] = [FN][BN]ᵀ: de volta de B a N, e depois a F.
 a-pendulous-compass-is-not-damped-about-the-vertical-alone-give-the-damping-ratio-the-decrement-or = uma bússola pendular não é amortecida só em torno da vertical: dê o fator de amortecimento, o decremento ou a razão entre oscilações sucessivas

@@ -18,7 +18,7 @@ use kinematics::{InstantRotation, Known};
 
 /// Attitude of a body with axes B relative to axes N.
 ///
-/// [BN] changes components in N into components in B: its rows are the unit vectors b₁, b₂, b₃ of B in components in N.
+/// `[BN]` changes components in N into components in B: its rows are the unit vectors b₁, b₂, b₃ of B in components in N.
 /// Rotations are of the frame, positive by the right-hand rule.
 #[derive(Clone, Debug, Inputs)]
 pub struct Attitude {

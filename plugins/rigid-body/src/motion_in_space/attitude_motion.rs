@@ -20,7 +20,7 @@ use crate::{
 
 /// Rotation of a body whose angular velocity is known at every time.
 ///
-/// [BN] changes components in N, which are fixed, into components in B, the axes of the body.
+/// `[BN]` changes components in N, which are fixed, into components in B, the axes of the body.
 #[derive(Clone, Debug, Inputs)]
 pub struct AttitudeMotion {
     /// Attitude at the start.

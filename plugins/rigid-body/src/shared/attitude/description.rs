@@ -78,7 +78,7 @@ pub enum SingleAttitude {
         third: f64,
     },
     /// Direction cosine matrix
-    /// [BN] changes components in N into components in B. The transpose of a matrix that rotates vectors.
+    /// It changes components in N into components in B. The transpose of a matrix that rotates vectors.
     DirectionCosines {
         /// First row: b₁ in components in N.
         #[input("C₁", "1")]
