@@ -1,5 +1,7 @@
 //! Cells of tables that may be formulas, and the faults of the lines of a table.
 
+use dalembert_units::Unit;
+
 use crate::{FieldError, Text};
 
 /// Most faults that are listed of one field.
@@ -7,13 +9,20 @@ pub(crate) const MOST_FAULTS: usize = 20;
 /// Sentence behind them.
 pub(crate) const MORE_FAULTS: &str = "there are more faults; these are the first";
 
-/// A cell that is no number and may be a formula.
-pub(crate) struct CellFormula {
-    /// Place in the table, counted from 0.
+/// Place of a cell in a table.
+pub(crate) struct CellPlace {
+    /// Row and column, counted from 0.
     pub(crate) row: usize,
     pub(crate) column: usize,
     /// Number of its line, from 1.
     pub(crate) line: usize,
+    /// Unit of its column.
+    pub(crate) unit: Unit,
+}
+
+/// A cell that is no number and may be a formula.
+pub(crate) struct CellFormula {
+    pub(crate) place: CellPlace,
     pub(crate) text: String,
     /// Reason for which it is no number.
     pub(crate) why: Text,

@@ -48,7 +48,7 @@ pub(crate) use self::{
 };
 use crate::{
     Determined, FieldError, Measure, Number, Plain, Record, Stop, Symbol, Text, Value,
-    cell::{HeadingWords, add_fault},
+    cell::{CellPlace, HeadingWords, add_fault},
     formula::{Formula, FormulaError, Operand, evaluate, missing, nearest_names, unit_of},
     intern::intern,
 };
@@ -134,18 +134,7 @@ pub(crate) struct Pending {
     /// Reason for which it is no quantity.
     pub(crate) error: FieldError,
     /// The cell of a table that it stands in.
-    pub(crate) cell: Option<PendingCell>,
-}
-
-/// A cell of a table with a text that may be a formula.
-pub(crate) struct PendingCell {
-    /// Number of its line, from 1.
-    pub(crate) line: usize,
-    /// Place of its row and of its column, counted from 0.
-    pub(crate) row: usize,
-    pub(crate) column: usize,
-    /// Unit of its column.
-    pub(crate) unit: Unit,
+    pub(crate) cell: Option<CellPlace>,
 }
 
 /// Reads definitions, formulas and questions, and writes the values of the inputs that have a formula into the record.
@@ -194,6 +183,30 @@ fn mentions(text: &str, scope: usize, names: &Names) -> bool {
     text.contains('@') || words.filter(|word| !word.is_empty()).any(|word| names.contains(scope, word))
 }
 
+/// The formula that a text was parsed to, if it names something that is there, or calls a function. Otherwise the text
+/// keeps its own error, unless a better one is returned.
+fn formula_of(
+    parsed: Result<Formula, FormulaError>,
+    text: &str,
+    scope: usize,
+    names: &Names,
+) -> Result<Formula, Option<FormulaError>> {
+    match parsed {
+        Ok(formula)
+            if formula.calls() || formula.names().iter().any(|(name, _)| names.contains(scope, name)) =>
+        {
+            Ok(formula)
+        }
+        Ok(_) if text.contains('@') => {
+            let why = "the linked file is not read yet: save this problem beside it".into();
+            Err(Some(FormulaError { why, span: None }))
+        }
+        Ok(formula) => Err(misspelled(&formula, scope, names)),
+        Err(wrong) if mentions(text, scope, names) => Err(Some(wrong)),
+        Err(_) => Err(None),
+    }
+}
+
 /// The refusal of a formula with a word that is nearly a name, and no unit.
 fn misspelled(formula: &Formula, scope: usize, names: &Names) -> Option<FormulaError> {
     let near = |name: &str| {
@@ -237,26 +250,12 @@ impl Plan {
             self.inputs.push(input);
             return Ok(());
         }
-        let text = &*text;
-        let scope = input.scope;
-        match Formula::parse(text, &|name| names.contains(scope, name)) {
-            Ok(formula)
-                if formula.calls() || formula.names().iter().any(|(name, _)| names.contains(scope, name)) =>
-            {
-                input.formula = Some(formula);
-                self.inputs.push(input);
-                Ok(())
-            }
-            Err(formula) if mentions(text, scope, names) => Err(field_error(&path, formula)),
-            Ok(_) if text.contains('@') => {
-                let why = "the linked file is not read yet: save this problem beside it";
-                Err(FieldError::new(&path, why))
-            }
-            Ok(formula) => {
-                Err(misspelled(&formula, scope, names).map_or(error, |wrong| field_error(&path, wrong)))
-            }
-            Err(_) => Err(error),
-        }
+        let parsed = Formula::parse(&text, &|name| names.contains(input.scope, name));
+        let formula = formula_of(parsed, &text, input.scope, names);
+        let formula = formula.map_err(|wrong| wrong.map_or(error, |wrong| field_error(&path, wrong)))?;
+        input.formula = Some(formula);
+        self.inputs.push(input);
+        Ok(())
     }
 
     /// Name from outside, unit and value in SI of each definition that is a quantity and no formula: what can be varied.

@@ -12,7 +12,7 @@ use dalembert_units::{self as units, Style};
 use crate::{
     Field, FieldError, Measure, Record, Shape, Text, Value,
     cell::{CellFormula, HeadingWords, add_fault, of_line},
-    definitions::{self, AXES, Pending, PendingCell, has_unknown, is_unknown},
+    definitions::{self, AXES, Pending, has_unknown, is_unknown},
     gravity, kinds,
     path::{Segment, segments, step, unknown},
     reading, table,
@@ -554,11 +554,10 @@ fn leaf(text: &str, shape: &Shape, path: &str, faults: &mut Faults) -> Value {
         Shape::Table(columns) => {
             let read = table::read(text, columns());
             faults.errors.extend(read.faults.into_iter().map(|why| FieldError::new(path, why)));
-            for CellFormula { row, column, line, text, why } in read.formulas {
-                let error = FieldError::new(path, of_line(line, why));
-                let cell = PendingCell { line, row, column, unit: read.table.units[column].clone() };
-                let path = format!("{path}[{}].{}", row + 1, columns()[column].name);
-                faults.pending.push(Pending { path, text, error, cell: Some(cell) });
+            for CellFormula { place, text, why } in read.formulas {
+                let error = FieldError::new(path, of_line(place.line, why));
+                let path = format!("{path}[{}].{}", place.row + 1, columns()[place.column].name);
+                faults.pending.push(Pending { path, text, error, cell: Some(place) });
             }
             faults.headings.extend(read.words.map(|words| (path.to_owned(), words)));
             Value::Table(read.table)

@@ -250,6 +250,12 @@ impl Measure {
         self.place(unit.dim).and_then(|place| self.all().nth(place)).unwrap_or(self)
     }
 
+    /// A measure in a unit, without limits.
+    pub const fn in_unit(unit: &'static str) -> Self {
+        let (min, max) = (FieldLimit::None, FieldLimit::None);
+        Measure { unit, kind: None, min, max, others: &[], fraction: false }
+    }
+
     /// The one that a text is of. A number alone is a number, where one may stand here.
     #[must_use]
     pub fn meant(self, text: &str) -> Measure {

@@ -87,9 +87,7 @@ pub mod derive_support {
     use nalgebra::Vector3;
 
     use super::{FieldError, Inputs, Lift, MeasuredQuantity, Reference};
-    use crate::{
-        Field, FieldLimit, Measure, Record, Shape, Value, Variant, Worksheet, worksheet::InputNumber,
-    };
+    use crate::{Field, Measure, Record, Shape, Value, Variant, Worksheet, worksheet::InputNumber};
 
     pub use crate::worksheet::FieldPath;
     pub use dalembert_units::Kind;
@@ -260,14 +258,7 @@ pub mod derive_support {
     }
 
     fn measure_of(shape: &Shape) -> &'static Measure {
-        const NONE: &Measure = &Measure {
-            unit: "1",
-            kind: None,
-            min: FieldLimit::None,
-            max: FieldLimit::None,
-            others: &[],
-            fraction: false,
-        };
+        const NONE: &Measure = &Measure::in_unit("1");
         match shape {
             Shape::Optional(inner) => measure_of(inner()),
             Shape::Rows { item, .. } => match item() {

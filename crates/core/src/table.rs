@@ -13,7 +13,7 @@ use dalembert_units::{self as units, Dim, Kind, Style, Unit};
 use self::heading::Heading;
 use crate::{
     Field, Shape, Text,
-    cell::{CellFormula, HeadingWords, MORE_FAULTS, MOST_FAULTS, of_line},
+    cell::{CellFormula, CellPlace, HeadingWords, MORE_FAULTS, MOST_FAULTS, of_line},
     reading,
     record::NumberTable,
     uff,
@@ -164,7 +164,9 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> ReadTable {
             row.push(read_cell(text, field, &table.units[column]).unwrap_or_else(|why| {
                 if is_formula(text) && formulas.len() < MOST_FORMULAS {
                     let text = units::with_point(text).into_owned();
-                    formulas.push(CellFormula { row: at, column, line: n + 1, text, why });
+                    let unit = table.units[column].clone();
+                    let place = CellPlace { row: at, column, line: n + 1, unit };
+                    formulas.push(CellFormula { place, text, why });
                 } else {
                     faults.push(of_line(n + 1, why));
                 }

@@ -105,14 +105,7 @@ pub fn inputs(record: &Record) -> Vec<VariedInput> {
             label: Text::verbatim(&name),
             symbol: intern(&name),
             path: name,
-            measure: Measure {
-                unit: intern(&unit.ascii()),
-                kind: Some(Kind::Other),
-                min: FieldLimit::None,
-                max: FieldLimit::None,
-                others: &[],
-                fraction: false,
-            },
+            measure: Measure { kind: Some(Kind::Other), ..Measure::in_unit(intern(&unit.ascii())) },
             unit: unit.clone(),
             si,
         }));

@@ -3,8 +3,8 @@
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
 
 use dalembert_core::{
-    Field, FieldLimit, FieldPath, Locale, Measure, Refusal, Shape, Sheet, Solution, Stop, Term, VectorTerm,
-    Worksheet, printer, worksheet::InputNumber,
+    Field, FieldPath, Locale, Measure, Refusal, Shape, Sheet, Solution, Stop, Term, VectorTerm, Worksheet,
+    printer, worksheet::InputNumber,
 };
 use dalembert_numerics::{Real, Vector};
 use nalgebra::Vector3;
@@ -22,14 +22,7 @@ struct Bench<'s> {
 
 /// An input of that symbol in that unit.
 fn input(symbol: &'static str, unit: &'static str) -> InputNumber<'static> {
-    let measure = Measure {
-        unit,
-        kind: None,
-        min: FieldLimit::None,
-        max: FieldLimit::None,
-        others: &[],
-        fraction: false,
-    };
+    let measure = Measure::in_unit(unit);
     let field = Field {
         name: symbol,
         label: "",

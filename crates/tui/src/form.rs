@@ -702,19 +702,12 @@ fn alike(a: &Shape, b: &Shape) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use dalembert_core::{FieldLimit, Measure};
+    use dalembert_core::Measure;
 
     use super::*;
 
     fn quantity(unit: &'static str) -> Shape {
-        Shape::Quantity(Measure {
-            unit,
-            kind: None,
-            min: FieldLimit::None,
-            max: FieldLimit::None,
-            others: &[],
-            fraction: false,
-        })
+        Shape::Quantity(Measure::in_unit(unit))
     }
 
     #[test]

@@ -645,14 +645,7 @@ fn every_kind_of_field_refuses_nonsense() {
         former: &[],
         shape: Shape::Quantity(KILOGRAM),
     }];
-    const KILOGRAM: Measure = Measure {
-        unit: "kg",
-        kind: None,
-        min: FieldLimit::Excluding(0.0),
-        max: FieldLimit::None,
-        others: &[],
-        fraction: false,
-    };
+    const KILOGRAM: Measure = Measure { min: FieldLimit::Excluding(0.0), ..Measure::in_unit("kg") };
     let any: &[&str] = &[];
     // What a text may be: anything that is one visible line.
     let words = &[

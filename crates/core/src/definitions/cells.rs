@@ -3,12 +3,12 @@
 use dalembert_units::Dim;
 
 use super::{
-    Pending, PendingCell, Plan, PlannedInput, mentions, misspelled,
+    Pending, Plan, PlannedInput, formula_of,
     names::{self, Names},
 };
 use crate::{
     FieldError, Number, Plain, Record, Shape, Stop, Symbol, Text,
-    cell::{HeadingWords, of_line},
+    cell::{CellPlace, HeadingWords, of_line},
     formula::{Formula, FormulaError, Operand, evaluate},
     path::segments,
 };
@@ -28,21 +28,16 @@ impl Plan {
         // The bytes that are wrong are those of the cell.
         let of_cell = |wrong: FormulaError| FieldError::new(&table, of_line(cell.line, wrong.why));
         let scope = input.scope;
-        let formula = match Formula::parse(&text, &|name| names.contains(scope, name)) {
-            Ok(formula) => formula,
-            Err(wrong) if mentions(&text, scope, names) => return Err(of_cell(wrong)),
-            Err(_) => return Err(error),
-        };
-        let named = formula.names();
-        if named.is_empty() {
-            let si = constant(&formula, &cell).map_err(of_cell)?;
-            input.value = Number::Scalar(si);
+        let parsed = Formula::parse(&text, &|name| names.contains(scope, name));
+        if let Ok(formula) = &parsed
+            && formula.names().is_empty()
+        {
+            input.value = Number::Scalar(constant(formula, &cell).map_err(of_cell)?);
             names::write(record, &path, super::value_of(&input));
             return Ok(());
         }
-        if !formula.calls() && !named.iter().any(|(name, _)| names.contains(scope, name)) {
-            return Err(misspelled(&formula, scope, names).map_or(error, of_cell));
-        }
+        let formula = formula_of(parsed, &text, scope, names);
+        let formula = formula.map_err(|wrong| wrong.map_or(error, of_cell))?;
         input.formula = Some(formula);
         self.inputs.push(input);
         Ok(())
@@ -67,7 +62,7 @@ impl Names {
 /// The cell at a path as an input.
 fn planned(
     path: &str,
-    cell: &PendingCell,
+    cell: &CellPlace,
     error_path: &str,
     names: &Names,
     record: &mut Record,
@@ -95,7 +90,7 @@ fn planned(
 }
 
 /// The value of a formula without names, in SI.
-fn constant(formula: &Formula, cell: &PendingCell) -> Result<f64, FormulaError> {
+fn constant(formula: &Formula, cell: &CellPlace) -> Result<f64, FormulaError> {
     let stop = Stop::new();
     let plain = Plain::new(&stop);
     let found = evaluate::<&Plain<'_>>(formula, &|_| Ok(None), &|_| Vec::new(), &plain)?;

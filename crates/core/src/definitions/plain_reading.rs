@@ -43,7 +43,7 @@ enum Lever {
 struct Readings {
     /// Of each scope.
     solutions: Vec<PlainSolution>,
-    /// Values of the questions, and which of them are needed.
+    /// Values of the questions.
     questions: Vec<Option<(f64, Dim)>>,
     /// The questions, and the inputs and definitions over answers, that are needed.
     needed: BTreeSet<Place>,

@@ -81,8 +81,8 @@ fn answer<'s>(working: &Working<'_, 's>, at: usize) -> Result<(), Text> {
     Ok(())
 }
 
-/// The names that a formula of a scope can use behind its solution: those of a formula, its answers and those of other problems, and the symbols
-/// of its steps.
+/// The names that a formula of a scope can use behind its solution: those of any formula, its answers and those of other
+/// problems, and the symbols of its steps.
 pub(super) fn known(working: &Working<'_, '_>, scope: usize, name: &str) -> Vec<String> {
     let (names, solution) = (&working.plan.names, working.sheet.solution());
     let of = &names.scopes[scope];

@@ -114,14 +114,7 @@ mod tests {
 
     #[test]
     fn a_unit_goes_round_and_comes_back_as_it_was_typed() {
-        let shape = Shape::Quantity(Measure {
-            unit: "rad/s",
-            kind: None,
-            min: FieldLimit::None,
-            max: FieldLimit::None,
-            others: &[],
-            fraction: false,
-        });
+        let shape = Shape::Quantity(Measure::in_unit("rad/s"));
         let mut shown = "1000.0 rpm".to_owned();
         let mut seen = Vec::new();
         loop {
@@ -139,20 +132,12 @@ mod tests {
 
     #[test]
     fn a_number_alone_takes_the_unit_that_is_there_whatever_it_is() {
-        let measure = |unit| Measure {
-            unit,
-            kind: None,
-            min: FieldLimit::None,
-            max: FieldLimit::None,
-            others: &[],
-            fraction: false,
-        };
         for known in dalembert_units::spellings() {
             let Ok(unit) = units::unit(known.symbols[0]) else { continue };
             if unit.sense == dalembert_units::UnitMeaning::Level {
                 continue;
             }
-            let shape = Shape::Quantity(measure(known.symbols[0]));
+            let shape = Shape::Quantity(Measure::in_unit(known.symbols[0]));
             let (own, kind) = asked(&shape, "").expect("a quantity");
             for number in ["25", "-30", "1,5", "2.5e-3", "1/2", "3 + 4", "sqrt(2)", "2^3"] {
                 let whole = with_unit(number.to_owned(), Some(&unit), &shape);
@@ -167,14 +152,7 @@ mod tests {
 
     #[test]
     fn the_unit_of_a_text_is_what_a_user_wrote() {
-        let measure = Measure {
-            unit: "m",
-            kind: None,
-            min: FieldLimit::Excluding(0.0),
-            max: FieldLimit::None,
-            others: &[],
-            fraction: false,
-        };
+        let measure = Measure { min: FieldLimit::Excluding(0.0), ..Measure::in_unit("m") };
         let (length, vector) = (Shape::Quantity(measure), Shape::Vector(measure, 3));
         let angle = Shape::Quantity(Measure { unit: "rad", ..measure });
         for (old, shape, typed, wanted) in [

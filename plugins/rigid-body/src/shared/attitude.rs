@@ -15,7 +15,7 @@ pub(crate) use self::{
     euler::plain_angles,
     pictures::{both, frames},
     representations::{Representations, answer_representations},
-    rotations::{cross_matrix, matrix, parameter_rows, plain_parameters, row_times},
+    rotations::{along, cross_matrix, matrix, parameter_rows, plain_parameters, row_times},
 };
 pub use self::{
     description::{

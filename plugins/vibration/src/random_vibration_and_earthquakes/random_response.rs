@@ -18,7 +18,7 @@ use crate::{
         spectral_density::{
             AccelerationDensity, AccelerationDensityGiven, AngularAccelerationDensity,
             AngularAccelerationDensityGiven, ForceDensity, ForceDensityGiven, Spectrum, TorqueDensity,
-            TorqueDensityGiven, not_found,
+            TorqueDensityGiven, not_found, zero_crossings,
         },
     },
     sources::{MILES, RAO, THOMSON},
@@ -268,7 +268,8 @@ impl<N: Real> Random<N> {
             sheet.answer("miles", "Acceleration by Miles' formula", miles);
             sheet.answer("miles_error", "Error of Miles' formula", error);
         }
-        self.crossings(displacement, velocity, sheet);
+        let moment = |power| self.second(Weight { power, constant: 1.0, square: 0.0 });
+        zero_crossings([displacement, velocity], moment, sheet);
         let why = "Three standard deviations: reached or passed 0.27 % of the time";
         let symbol = motion.of("3σ_z", "3σ_θ");
         let three = sheet.step(symbol, motion.displacement_unit(), displacement * 3.0, why);
@@ -359,30 +360,13 @@ impl<N: Real> Random<N> {
             )?;
             sheet.answer("acceleration", why, acceleration);
         }
-        self.crossings(displacement, velocity, sheet);
+        let moment = |power| self.second(Weight { power, constant: 1.0, square: 0.0 });
+        zero_crossings([displacement, velocity], moment, sheet);
         let why = "Three standard deviations: reached or passed 0.27 % of the time";
         let symbol = motion.of("3σ_x", "3σ_θ");
         let three = sheet.step(symbol, motion.displacement_unit(), displacement * 3.0, why);
         sheet.answer("three_sigma_displacement", motion.of("3σ displacement", "3σ angle"), three);
         Ok(())
-    }
-
-    /// Rate of zero crossings with positive slope.
-    fn crossings<W: Worksheet<Num = N>>(&self, displacement: N, velocity: N, sheet: W) {
-        let why = (
-            "Mean rate of upward zero crossings, by Rice: the apparent frequency of the motion",
-            RAO.at("ch. 14"),
-        );
-        let rate = sheet.step("ν₀", "Hz", velocity / displacement, why);
-        sheet.answer("crossing_rate", "Mean rate of upward zero crossings", rate);
-        sheet.verify(|| {
-            let moment = |power| self.second(Weight { power, constant: 1.0, square: 0.0 });
-            if let (Some(zeroth), Some(second)) = (moment(0), moment(2)) {
-                let what =
-                    "the square of the zero-crossing rate is the second spectral moment of the response over that of order zero";
-                sheet.check(what, (second / zeroth).into(), rate.powi(2));
-            }
-        });
     }
 
     /// A root mean square: by its closed form under white noise, else by adaptive integration.

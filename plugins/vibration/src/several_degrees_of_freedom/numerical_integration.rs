@@ -19,7 +19,7 @@ use dalembert_numerics::linalg::LinalgError;
 use nalgebra::DVector;
 
 use self::{
-    again::Again,
+    again::{Again, CoordinateAnswers},
     methods::{Equations, Integrated},
 };
 use crate::{
@@ -167,8 +167,12 @@ impl Analysis for NumericalIntegration {
         }
         let exact_motion = poles.as_ref().ok().map(|poles| TimeResponse::new(poles, &momentum, &excitation));
         let exact = poles.as_ref().ok().zip(exact_motion.as_ref());
-        let again = Again::of(self, &equations, &excitation);
-        self.answers(&motion, exact, again.as_ref(), sheet)?;
+        let answered = self.answers(&motion, exact, sheet)?;
+        sheet.verify(|| {
+            if let Some(again) = Again::of(self, &equations, &excitation) {
+                answered.iter().for_each(|answers| again.check(answers, sheet));
+            }
+        });
         self.stability(&found.frequencies, given.step, sheet);
         sheet.show(|| Exhibit::Table(self.table(&motion, &equations)));
         sheet.show(|| Exhibit::Plot(self.plot(&motion, exact)));
@@ -290,10 +294,11 @@ impl NumericalIntegration {
         &self,
         motion: &Integrated,
         exact: Option<(&Poles, &TimeResponse<'_>)>,
-        again: Option<&Again>,
         sheet: W,
-    ) -> Result<(), Refusal> {
+    ) -> Result<Vec<CoordinateAnswers<W::Num>>, Refusal> {
         let end = self.step * self.count as f64;
+        let exact = exact.map(|(poles, response)| (poles, response.state(end)));
+        let mut answered = Vec::with_capacity(self.observed.len());
         for row in &self.observed {
             let (at, coordinate) = (row.coordinate - 1, row.coordinate);
             sheet.keep_going()?;
@@ -301,8 +306,8 @@ impl NumericalIntegration {
             let (x, v, a) = (of(&motion.displacements), of(&motion.velocities), of(&motion.accelerations));
             let last = |all: &[f64]| all.last().copied().unwrap_or(f64::NAN);
             let why = "Displacement after the last step";
-            let final_one = sheet.numerical(("x_e", coordinate), "m", last(&x), (why, RAO.at("ch. 11")));
-            sheet.answer(("final_displacement", coordinate), "Displacement at the end", final_one);
+            let displacement = sheet.numerical(("x_e", coordinate), "m", last(&x), (why, RAO.at("ch. 11")));
+            sheet.answer(("final_displacement", coordinate), "Displacement at the end", displacement);
             let velocity =
                 sheet.numerical(("v_e", coordinate), "m/s", last(&v), "Velocity after the last step");
             sheet.answer(("final_velocity", coordinate), "Velocity at the end", velocity);
@@ -311,28 +316,31 @@ impl NumericalIntegration {
             sheet.answer(("final_acceleration", coordinate), "Acceleration at the end", acceleration);
             let farthest = x.iter().copied().fold(0.0f64, |far, x| if x.abs() > far.abs() { x } else { far });
             let why = "Displacement farthest from zero at the end of a step";
-            let farthest = sheet.numerical(("x_m", coordinate), "m", farthest, why);
-            sheet.answer(("largest", coordinate), "Largest displacement of all steps", farthest);
-            if let Some((poles, response)) = exact {
-                let value = poles.displacement(at, &response.state(end));
+            let largest = sheet.numerical(("x_m", coordinate), "m", farthest, why);
+            sheet.answer(("largest", coordinate), "Largest displacement of all steps", largest);
+            let exact = exact.as_ref().map(|(poles, state)| {
                 let why = ("Exact displacement at the end, by modal superposition", RAO.at("§6.14"));
+                let value = poles.displacement(at, state);
                 let value = sheet.numerical(("x_x", coordinate), "m", value, why);
                 sheet.answer(("exact", coordinate), "Exact displacement at the end", value);
                 let why = "Error of the integration at the end";
-                let error = sheet.step(("ε", coordinate), "m", final_one - value, why);
+                let error = sheet.step(("ε", coordinate), "m", displacement - value, why);
                 sheet.answer(("error", coordinate), "Error at the end", error);
-                if let Some(again) = again {
-                    again.check_exact((coordinate, value, error), sheet);
-                }
-            }
-            if let Some(again) = again {
-                again.check(coordinate, [final_one, velocity, acceleration, farthest], sheet);
-            }
+                [value, error]
+            });
+            answered.push(CoordinateAnswers {
+                coordinate,
+                displacement,
+                velocity,
+                acceleration,
+                largest,
+                exact,
+            });
             sheet.answer_list(("displacement", coordinate), "Displacement after each step", "m", &x[1..]);
             sheet.answer_list(("velocity", coordinate), "Velocity after each step", "m/s", &v[1..]);
             sheet.answer_list(("acceleration", coordinate), "Acceleration after each step", "m/s^2", &a[1..]);
         }
-        Ok(())
+        Ok(answered)
     }
 
     fn table(&self, motion: &Integrated, equations: &Equations<'_>) -> TableExhibit {
@@ -364,6 +372,10 @@ impl NumericalIntegration {
 
     fn plot(&self, motion: &Integrated, exact: Option<(&Poles, &TimeResponse<'_>)>) -> Plot {
         let end = self.step * self.count as f64;
+        let grid: Vec<f64> = (0..=POINTS).map(|n| end * n as f64 / POINTS as f64).collect();
+        let exact = exact.map(|(poles, response)| {
+            (poles, grid.iter().map(|time| response.state(*time)).collect::<Vec<_>>())
+        });
         let mut series = Vec::new();
         for row in self.observed.iter().take(3) {
             let at = row.coordinate - 1;
@@ -371,9 +383,9 @@ impl NumericalIntegration {
             let points = points.map(|(n, x)| (self.step * n as f64, x[at])).collect();
             let label = Text::new("coordinate {at}, step by step").with("at", row.coordinate);
             series.push(Series::line(label, points).of(Name::from(("final_displacement", row.coordinate))));
-            if let Some((poles, response)) = exact {
-                let grid = (0..=POINTS).map(|n| end * n as f64 / POINTS as f64);
-                let points = grid.map(|time| (time, poles.displacement(at, &response.state(time)))).collect();
+            if let Some((poles, states)) = &exact {
+                let points = grid.iter().zip(states);
+                let points = points.map(|(time, state)| (*time, poles.displacement(at, state))).collect();
                 let label = Text::new("coordinate {at}, exact").with("at", row.coordinate);
                 series.push(Series::line(label, points));
             }

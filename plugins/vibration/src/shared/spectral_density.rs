@@ -1,9 +1,12 @@
 //! Power spectral density of a random excitation: a level over all frequencies, over a band, or a table.
 
-use dalembert_core::{Inputs, Refusal};
-use dalembert_mechanics::vibration::random::{
-    Closed, Density, DensityError, QuadratureError, Resonance, modal_moment,
+use dalembert_core::{Inputs, Refusal, Worksheet};
+use dalembert_mechanics::{
+    Real,
+    vibration::random::{Closed, Density, DensityError, QuadratureError, Resonance, modal_moment},
 };
+
+use crate::sources::RAO;
 
 /// Spectral density of an acceleration, one-sided, over the frequency in Hz.
 #[derive(Clone, Debug, Inputs)]
@@ -415,6 +418,28 @@ impl Spectrum {
     pub(crate) fn reaches(&self, omega: f64) -> bool {
         self.at(omega) > 0.0
     }
+}
+
+/// Rate of zero crossings with positive slope, from root mean squares. `moment` gives the spectral moments of the response of
+/// order zero and two by another way.
+pub(crate) fn zero_crossings<W: Worksheet>(
+    [displacement, velocity]: [W::Num; 2],
+    moment: impl Fn(u8) -> Option<f64>,
+    sheet: W,
+) {
+    let why = (
+        "Mean rate of upward zero crossings, by Rice: the apparent frequency of the motion",
+        RAO.at("ch. 14"),
+    );
+    let rate = sheet.step("ν₀", "Hz", velocity / displacement, why);
+    sheet.answer("crossing_rate", "Mean rate of upward zero crossings", rate);
+    sheet.verify(|| {
+        if let (Some(zeroth), Some(second)) = (moment(0), moment(2)) {
+            let what =
+                "the square of the zero-crossing rate is the second spectral moment of the response over that of order zero";
+            sheet.check(what, (second / zeroth).into(), rate.powi(2));
+        }
+    });
 }
 
 /// The words for an integral that was not found.

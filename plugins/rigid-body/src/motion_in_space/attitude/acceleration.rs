@@ -7,7 +7,7 @@ use dalembert_mechanics::{Real, Vector, rigid};
 use nalgebra::Vector3;
 
 use crate::{
-    shared::attitude::{EulerSequence, matrix, row_times},
+    shared::attitude::{EulerSequence, along, matrix, row_times},
     sources::BEER,
 };
 
@@ -116,10 +116,9 @@ impl<W: Worksheet> KnownAcceleration<'_, W> {
         let triple = a.dot(b.cross(c));
         let why =
             "Acceleration of an Euler angle: what is left, resolved along the axes of the three rotations";
-        let one = sheet.step("θ̈₁", "rad/s^2", left.dot(b.cross(c)) / triple, why);
-        let two = sheet.step("θ̈₂", "rad/s^2", left.dot(c.cross(a)) / triple, why);
-        let three = sheet.step("θ̈₃", "rad/s^2", left.dot(a.cross(b)) / triple, why);
-        let found = [one, two, three];
+        let [one, two, three] = along(left, self.axes, triple);
+        let found = [("θ̈₁", one), ("θ̈₂", two), ("θ̈₃", three)];
+        let found = found.map(|(symbol, acceleration)| sheet.step(symbol, "rad/s^2", acceleration, why));
         for (n, acceleration) in found.into_iter().enumerate() {
             sheet.answer(("euler_acceleration", n + 1), "Acceleration of the Euler angle", acceleration);
         }

@@ -8,7 +8,7 @@ use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use super::acceleration::{AngularAcceleration, KnownAcceleration};
 use crate::{
-    shared::attitude::{EulerSequence, Representations, plain_parameters, row_times},
+    shared::attitude::{EulerSequence, Representations, along, plain_parameters, row_times},
     sources::SCHAUB,
 };
 
@@ -317,10 +317,9 @@ fn euler_rates<W: Worksheet>(
         "Triple product of the axes of the three rotations: zero at gimbal lock",
     );
     let why = ("Rate of an Euler angle: ω resolved along the axes of the three rotations", SCHAUB.at("§3.3"));
-    let one = sheet.step("θ̇₁", "rad/s", omega.dot(second.cross(third)) / triple, why);
-    let two = sheet.step("θ̇₂", "rad/s", omega.dot(third.cross(first)) / triple, why);
-    let three = sheet.step("θ̇₃", "rad/s", omega.dot(first.cross(second)) / triple, why);
-    let rates = [one, two, three];
+    let [one, two, three] = along(omega, [first, second, third], triple);
+    let rates = [("θ̇₁", one), ("θ̇₂", two), ("θ̇₃", three)];
+    let rates = rates.map(|(symbol, rate)| sheet.step(symbol, "rad/s", rate, why));
     for (n, rate) in rates.into_iter().enumerate() {
         sheet.answer(("euler_rate", n + 1), "Rate of the Euler angle", rate);
     }

@@ -25,6 +25,11 @@ pub(crate) fn row_times<V: Vector>(row: V, rows: [V; 3]) -> V {
     rows[0] * x + rows[1] * y + rows[2] * z
 }
 
+/// Components of a vector along three axes that need not be normal to each other, from their triple product.
+pub(crate) fn along<V: Vector>(vector: V, [a, b, c]: [V; 3], triple: V::Scalar) -> [V::Scalar; 3] {
+    [b.cross(c), c.cross(a), a.cross(b)].map(|normal| vector.dot(normal) / triple)
+}
+
 /// Elements of `[BN]` from products `2 εₙ εₘ` off the diagonal and twists `2 β₀ ε`, in the order of the axes:
 /// `diagonal(n)`, `product(n, m)` and `twist(k)`.
 fn built<N: Real>(

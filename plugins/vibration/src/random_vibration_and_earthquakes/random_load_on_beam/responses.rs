@@ -4,7 +4,10 @@ use dalembert_core::{Refusal, Text, Worksheet};
 use dalembert_mechanics::{Real, beam::dynamic_stiffness::BeamShape, vibration::random::Resonance};
 
 use super::mean_square::ModalSum;
-use crate::{shared::spectral_density::Spectrum, sources::RAO};
+use crate::{
+    shared::spectral_density::{Spectrum, zero_crossings},
+    sources::RAO,
+};
 
 /// A mode under its load, with its values at the place of the response.
 pub(super) struct LoadedMode<N> {
@@ -193,20 +196,8 @@ impl<N: Real> LoadedBeam<N> {
         }
         let velocity = total(&parts, &self.sum(|mode| mode.deflection, 2), &VELOCITY, sheet)?;
         sheet.answer("velocity", "Root mean square of the velocity", velocity);
-        let why = (
-            "Mean rate of upward zero crossings, by Rice: the apparent frequency of the motion",
-            RAO.at("ch. 14"),
-        );
-        let rate = sheet.step("ν₀", "Hz", velocity / displacement, why);
-        sheet.answer("crossing_rate", "Mean rate of upward zero crossings", rate);
-        sheet.verify(|| {
-            let moment = |power| self.sum(|mode| mode.deflection, power).second();
-            if let (Some(zeroth), Some(second)) = (moment(0), moment(2)) {
-                let what =
-                    "the square of the zero-crossing rate is the second spectral moment of the response over that of order zero";
-                sheet.check(what, (second / zeroth).into(), rate.powi(2));
-            }
-        });
+        let moment = |power| self.sum(|mode| mode.deflection, power).second();
+        zero_crossings([displacement, velocity], moment, sheet);
         Ok(())
     }
 

@@ -15,6 +15,19 @@ const MOST: usize = 12;
 /// Most steps of the Taylor series.
 const LIMIT: usize = 400;
 
+/// Answers of a coordinate.
+pub(super) struct CoordinateAnswers<N> {
+    /// The coordinate, counted from 1.
+    pub(super) coordinate: usize,
+    /// After the last step.
+    pub(super) displacement: N,
+    pub(super) velocity: N,
+    pub(super) acceleration: N,
+    pub(super) largest: N,
+    /// The exact displacement after the last step, and the error.
+    pub(super) exact: Option<[N; 2]>,
+}
+
 /// The motion by the second form of a method.
 pub(super) struct Again {
     displacements: Vec<DVector<f64>>,
@@ -58,43 +71,34 @@ impl Again {
         &self.displacements[self.displacements.len() - 1]
     }
 
-    /// Compares what is answered of a coordinate: displacement, velocity and acceleration at the end, and the largest
-    /// displacement.
-    pub(super) fn check<W: Worksheet>(&self, coordinate: usize, answers: [W::Num; 4], sheet: W) {
-        let at = coordinate - 1;
-        sheet.verify(|| {
-            let size = self.displacements.iter().map(DVector::amax).fold(f64::MIN_POSITIVE, f64::max);
-            let [end, velocity, acceleration, largest] = answers;
-            let compare = |what: &'static str, answer: W::Num, other: f64, size: f64| {
-                sheet.check_sum(Text::new(what).with("at", coordinate), answer, other.into(), size);
-            };
-            compare("displacement {at} at the end by another form of the method", end, self.end()[at], size);
-            let what = "velocity {at} at the end by another form of the method";
-            compare(what, velocity, self.velocity[at], size / self.step);
-            let what = "acceleration {at} at the end by another form of the method";
-            compare(what, acceleration, self.acceleration[at], size / self.step.powi(2));
-            let all = self.displacements.iter().map(|x| x[at]);
-            let far = all.fold(0.0f64, |far, x| if x.abs() > far.abs() { x } else { far });
-            compare("largest displacement {at} by another form of the method", largest, far, size);
-        });
-    }
-
-    /// Compares the exact displacement of a coordinate and the error with a Taylor series.
-    pub(super) fn check_exact<W: Worksheet>(
-        &self,
-        (coordinate, value, error): (usize, W::Num, W::Num),
-        sheet: W,
-    ) {
-        let Some(exact) = &self.exact else { return };
-        let at = coordinate - 1;
-        sheet.verify(|| {
+    /// Compares the answers of a coordinate, the exact displacement with a Taylor series.
+    pub(super) fn check<W: Worksheet>(&self, answers: &CoordinateAnswers<W::Num>, sheet: W) {
+        let (coordinate, at) = (answers.coordinate, answers.coordinate - 1);
+        let compare = |what: &'static str, answer: W::Num, other: f64, size: f64| {
+            sheet.check_sum(Text::new(what).with("at", coordinate), answer, other.into(), size);
+        };
+        let end = self.end()[at];
+        let size = self.displacements.iter().map(DVector::amax).fold(f64::MIN_POSITIVE, f64::max);
+        compare(
+            "displacement {at} at the end by another form of the method",
+            answers.displacement,
+            end,
+            size,
+        );
+        let what = "velocity {at} at the end by another form of the method";
+        compare(what, answers.velocity, self.velocity[at], size / self.step);
+        let what = "acceleration {at} at the end by another form of the method";
+        compare(what, answers.acceleration, self.acceleration[at], size / self.step.powi(2));
+        let all = self.displacements.iter().map(|x| x[at]);
+        let far = all.fold(0.0f64, |far, x| if x.abs() > far.abs() { x } else { far });
+        compare("largest displacement {at} by another form of the method", answers.largest, far, size);
+        if let (Some([value, error]), Some(exact)) = (answers.exact, &self.exact) {
             let size = exact.amax().max(self.end().amax()).max(f64::MIN_POSITIVE);
             let what = "exact displacement {at} at the end by Taylor series, step by step";
-            sheet.check_sum(Text::new(what).with("at", coordinate), value, exact[at].into(), size);
+            compare(what, value, exact[at], size);
             let what = "error {at} from the other form of the method and the Taylor series";
-            let other = self.end()[at] - exact[at];
-            sheet.check_sum(Text::new(what).with("at", coordinate), error, other.into(), size);
-        });
+            compare(what, error, end - exact[at], size);
+        }
     }
 }
 
