@@ -45,6 +45,7 @@ impl Analysis for Fan {
         title: "Fan",
         summary: "The amplitude of an unbalanced machine.",
         topic: "",
+        main: &[],
         keywords: "",
         sources: &[&NOTES],
         cases: "",

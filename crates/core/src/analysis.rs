@@ -26,6 +26,9 @@ pub struct About {
     pub topic: &'static str,
     /// One sentence: what goes in and what comes out.
     pub summary: &'static str,
+    /// Names of the main answers, those for which one opens it, the most wanted first. Of them those that a solution has
+    /// stand before its other answers.
+    pub main: &'static [&'static str],
     /// Words people search for, in any language.
     pub keywords: &'static str,
     /// The books and notes it follows.
@@ -194,7 +197,10 @@ impl Entry {
         field_path: &FieldPath<'_>,
         sheet: &Sheet<'_>,
     ) -> Result<(), SolveError> {
-        (self.write)(inputs, field_path, sheet)
+        let before = sheet.mark();
+        (self.write)(inputs, field_path, sheet)?;
+        sheet.rank_answers(before, self.about.main);
+        Ok(())
     }
 
     /// Input fields of the analysis itself.

@@ -88,6 +88,7 @@ fn read(name: &str, text: &'static str) -> Result<&'static Entry, String> {
         title: intern(&title),
         topic,
         summary,
+        main: linked.about.main,
         keywords: intern(&analyses.join(" ")),
         sources: linked.about.sources,
         cases: text,

@@ -225,6 +225,7 @@ fn about(problems: &'static [LinkedProblem]) -> About {
         title: "Linked problems",
         topic: "Linked problems",
         summary: "Several problems that feed each other.",
+        main: &[],
         keywords: "",
         sources: sources.leak(),
         cases: "",

@@ -441,7 +441,8 @@ impl<'a> Sheet<'a> {
     pub(crate) fn mark_asked(&self, name: Name, problem: &'static str, is_unit_asked: bool) {
         if let Some(answer) = self.solution.borrow_mut().answers.iter_mut().find(|answer| answer.name == name)
         {
-            (answer.asked, answer.problem, answer.is_unit_asked) = (true, problem, is_unit_asked);
+            (answer.asked, answer.is_main) = (true, true);
+            (answer.problem, answer.is_unit_asked) = (problem, is_unit_asked);
         }
     }
 
@@ -485,6 +486,16 @@ impl<'a> Sheet<'a> {
             warnings: solution.warnings.len(),
             exhibits: solution.exhibits.len(),
         }
+    }
+
+    /// Puts the main answers of an analysis before its others, of those that its solution has added since.
+    pub(crate) fn rank_answers(&self, since: Mark, main: &[&str]) {
+        let answers = &mut self.solution.borrow_mut().answers[since.answers..];
+        let rank = |answer: &Answer| main.iter().position(|name| *name == answer.name.base);
+        for answer in answers.iter_mut() {
+            answer.is_main = rank(answer).is_some();
+        }
+        answers.sort_by_key(|answer| rank(answer).unwrap_or(main.len()));
     }
 
     /// Writes the name of a problem or a configuration before what its solution has added since; `path` leads to its

@@ -80,6 +80,8 @@ pub struct Answer {
     pub noise: f64,
     /// The digits it is shown with, where the user chose them.
     pub digits: Option<u8>,
+    /// True if it is a main answer: one of those that its analysis names, or the answer to a question of the user's own.
+    pub is_main: bool,
     /// True if it answers a question of the user's own.
     pub asked: bool,
     /// True if that question states its unit, which no system of units changes.
@@ -228,6 +230,7 @@ impl Answer {
             noise,
             digits: None,
             asked: false,
+            is_main: false,
             is_unit_asked: false,
         }
     }

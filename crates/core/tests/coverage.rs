@@ -23,6 +23,7 @@ impl Analysis for Disc {
         title: "Disc",
         topic: "Test",
         summary: "A disc.",
+        main: &[],
         keywords: "",
         sources: &[],
         cases: r#"

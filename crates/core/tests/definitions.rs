@@ -62,6 +62,7 @@ impl Analysis for Machine {
         title: "Machine",
         topic: "Tests",
         summary: "A machine.",
+        main: &[],
         keywords: "",
         sources: &[&BOOK],
         cases: "",

@@ -36,6 +36,7 @@ impl Analysis for Springs {
         title: "Springs",
         topic: "Tests",
         summary: "Springs.",
+        main: &[],
         keywords: "",
         sources: &[&BOOK],
         cases: "",

@@ -57,6 +57,7 @@ impl Analysis for Exercise {
         title: "Exercise",
         topic: "Tests",
         summary: "An exercise.",
+        main: &[],
         keywords: "",
         sources: &[&BOOK],
         cases: CASES,

@@ -102,6 +102,7 @@ mod tests {
             title: "",
             topic: "",
             summary: "",
+            main: &[],
             keywords: "",
             sources: &[],
             cases: "",

@@ -1,9 +1,9 @@
 //! Published cases and worked solutions: what is printed is answered, and what is worked is sound.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use dalembert_core::{
-    Entry, Locale, Stop,
+    Answer, Entry, Locale, Stop,
     cases::{Comparison, ComparisonRule, Seen},
     coverage::same_trees,
     printer,
@@ -110,6 +110,30 @@ pub fn every_solution_is_sound(entries: &[&'static Entry]) {
         assert!(!solution.steps.is_empty(), "{name}: nothing is worked");
         assert!(!solution.answers.is_empty(), "{name}: nothing is answered");
     });
+}
+
+/// Looks for the main answers: the solution of every case has one at least, and each that an analysis names is an answer
+/// of one of its cases.
+pub fn every_solution_has_a_main_answer(entries: &[&'static Entry]) {
+    let (mut seen, mut faults) = (BTreeSet::new(), Vec::new());
+    for_each_problem(entries, |SolvedCase { name, entry, solution, .. }| {
+        let main: Vec<&Answer> = solution.answers.iter().filter(|answer| answer.is_main).collect();
+        if main.is_empty() {
+            let names: Vec<&str> = solution.answers.iter().map(|answer| answer.name.base).collect();
+            faults.push(format!("{name}: none of its answers is a main one: {}", names.join(" ")));
+        }
+        let within_problem = |answer: &Answer| answer.name.base.rsplit('.').next();
+        seen.extend(main.iter().filter_map(|answer| Some((entry.about.id, within_problem(answer)?))));
+    });
+    for entry in entries {
+        let id = entry.about.id;
+        if entry.about.main.is_empty() {
+            faults.push(format!("{id} names no main answer"));
+        }
+        let missing = entry.about.main.iter().filter(|name| !seen.contains(&(id, **name)));
+        faults.extend(missing.map(|name| format!("{id}: no case has the answer {name}")));
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
 /// Writes every worked solution down: each step has a reason in both languages. Returns the English text of the first

@@ -34,6 +34,7 @@ impl Analysis for TorsionalPendulum {
         title: "Torsional pendulum",
         topic: "Torsion",
         summary: "The moment of inertia of a part from the period of its oscillation on a wire.",
+        main: &["moment_of_inertia"],
         keywords: "moment of inertia wire torsion",
         sources: &[&RAO],
         cases: include_str!("../cases/torsional_pendulum.toml"),

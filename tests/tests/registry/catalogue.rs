@@ -55,6 +55,11 @@ fn every_solution_is_sound() {
     catalogue::every_solution_is_sound(&chosen());
 }
 
+#[test]
+fn every_solution_has_a_main_answer() {
+    catalogue::every_solution_has_a_main_answer(&chosen());
+}
+
 /// The first case of each analysis, so that a change can be read in review.
 #[test]
 fn every_worked_solution_is_written_down() {

@@ -277,7 +277,7 @@ fn a_unit_that_fits_no_answer_is_refused_with_the_answers() {
     for (asked, wanted) in [
         ("amplitude=N", "amplitude cannot be shown in N; write a unit like mm"),
         ("force=mm", "none of the answers of `force` can be shown in mm: transmitted_force (N)"),
-        ("warmth=K", "no answer `warmth`; use one of stiffness, "),
+        ("warmth=K", "no answer `warmth`; use one of amplitude, "),
     ] {
         let (printed, said) = run(&[&fan[..], &[asked]].concat());
         assert_eq!(printed, "", "{asked}");

@@ -38,6 +38,7 @@ impl Analysis for AnalysisName {
         title: "Analysis name",
         topic: "Topic of it",
         summary: "Natural frequency, period and maximum speed of a mass on a spring, released from rest.",
+        main: &["natural_frequency"],
         keywords: "mass spring free vibration natural frequency massa mola",
         sources: &[&TEXTBOOK],
         cases: include_str!("../../cases/analysis_name.toml"),

@@ -128,6 +128,14 @@ impl Analysis for LinkageBalance {
         title: "Force balance of a linkage",
         topic: "Engines and linkages",
         summary: "Counterweights that eliminate the shaking force of a four-bar linkage or a slider-crank, and their effect on shaking moment and torque.",
+        main: &[
+            "crank_mass",
+            "crank_unbalance",
+            "crank_angle",
+            "rocker_mass",
+            "rocker_unbalance",
+            "rocker_angle",
+        ],
         keywords: "balanceamento de mecanismos quatro barras biela-manivela contrapeso força de trepidação momento torque \
                    berkof lowen four-bar slider-crank shaking force shaking moment counterweight",
         sources: &[&BERKOF, &NORTON],

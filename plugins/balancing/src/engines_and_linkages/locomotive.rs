@@ -122,6 +122,7 @@ impl Analysis for Locomotive {
         title: "Partial balance of locomotives",
         topic: "Engines and linkages",
         summary: "Balance masses in the wheels of a locomotive with two cylinders, hammer blow, limit speed, variation of tractive effort and swaying couple.",
+        main: &["mass", "angle", "hammer_blow", "tractive"],
         keywords: "locomotiva balanceamento parcial golpe de martelo esforço de tração conjugado de balanço rodas acopladas \
                    locomotive inside outside cylinders hammer blow tractive effort swaying couple limit speed",
         sources: &[&KHURMI, &BEVAN],

@@ -262,6 +262,7 @@ impl Analysis for Reciprocating {
         title: "Shaking forces of reciprocating engines",
         topic: "Engines and linkages",
         summary: "Primary, secondary and higher forces and couples of engines in line, in V, boxer, radial or cylinder by cylinder, with counterweights and balance shafts.",
+        main: &["force", "couple", "residual", "counterweight"],
         keywords: "balanceamento massas alternativas motor em linha V radial boxer twin V-twin força primária secundária contrapeso eixo balanceador \
                    ordem de ignição reciprocating engine inline primary secondary couple firing order Lanchester balance shaft counterweight",
         sources: &[&DEN_HARTOG, &NORTON, &KHURMI, &BEVAN],

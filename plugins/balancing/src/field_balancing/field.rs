@@ -152,6 +152,7 @@ impl Analysis for Field {
         title: "Field balancing",
         topic: "Field balancing",
         summary: "Correction masses from measured vibrations, by influence coefficients: runs with trial weights, any number of planes, sensors and speeds, with uncertainties.",
+        main: &["correction", "correction_angle", "trim", "trim_angle", "largest_residual"],
         keywords: "balanceamento em campo balanceamento no local coeficientes de influência peso de prova massa de teste \
                    influence coefficients trial weight single plane two plane least squares min-max trim vector fase \
                    balancear ventilador exaustor ventoinha rebolo turbina fan balancing blower in situ on site",

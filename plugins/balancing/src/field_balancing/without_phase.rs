@@ -90,6 +90,7 @@ impl Analysis for WithoutPhase {
         title: "Balancing without phase: four and seven runs",
         topic: "Field balancing",
         summary: "Correction masses from amplitudes alone, with a trial weight at three or more angles in each plane, and the consistency of the amplitudes.",
+        main: &["correction", "correction_angle"],
         keywords: "balanceamento sem fase quatro corridas quatro medições sete corridas método dos círculos four run method \
                    three circles seven run amplitude only no phase",
         sources: &[&RAO],

@@ -84,6 +84,7 @@ impl Analysis for SinglePlane {
         title: "Balancing in one plane",
         topic: "Rigid rotors",
         summary: "The mass, or the hole, that balances eccentric masses of a disc: static balancing.",
+        main: &["unbalance"],
         keywords: "balanceamento estático um plano disco massa de correção furação static balancing disc counterweight drilling eq. 6 11",
         sources: &[&RIUL, &NORTON, &MABIE],
         cases: include_str!("../../cases/single_plane.toml"),

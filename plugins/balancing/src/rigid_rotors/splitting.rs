@@ -112,6 +112,7 @@ impl Analysis for Splitting {
         title: "Splitting and combining balance weights",
         topic: "Rigid rotors",
         summary: "Splitting a correction between two holes or blades or into available weights, combining several weights into one, and the drilling depth.",
+        main: &["first", "second", "mass", "angle", "depth"],
         keywords: "divisão de massas furos palhetas combinar pesos furação profundidade split weights holes blades combine drilling depth",
         sources: &[&RIUL],
         cases: include_str!("../../cases/splitting.toml"),

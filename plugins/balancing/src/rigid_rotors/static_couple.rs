@@ -63,6 +63,7 @@ impl Analysis for StaticCouple {
         title: "Static and couple components of two readings",
         topic: "Rigid rotors",
         summary: "Static component (common to two bearings or planes) and couple component (opposite in them), from two vectors.",
+        main: &["static", "static_angle", "couple", "couple_angle"],
         keywords: "decomposição estático-conjugado parcela estática parcela de conjugado static couple derived in phase out of phase modal",
         sources: &[&RIUL],
         cases: include_str!("../../cases/static_couple.toml"),

@@ -91,6 +91,7 @@ impl Analysis for TwoPlane {
         title: "Balancing in two planes",
         topic: "Rigid rotors",
         summary: "Corrections in two planes that cancel both the rotating force and the rotating couple of a rigid rotor.",
+        main: &["mass_a", "radius_a", "angle_a", "mass_b", "angle_b"],
         keywords: "balanceamento dinâmico dois planos rotor correção dynamic balancing correction planes example 2",
         sources: &[&RIUL, &MABIE],
         cases: include_str!("../../cases/two_plane.toml"),

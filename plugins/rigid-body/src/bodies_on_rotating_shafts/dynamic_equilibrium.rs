@@ -93,6 +93,7 @@ impl Analysis for DynamicEquilibrium {
         title: "Hinged body on a rotating shaft",
         topic: "Bodies on rotating shafts",
         summary: "Equilibrium angle of a rod, plate or particle hinged to a rotating shaft, or the speed for a given angle; its stability and the hinge forces.",
+        main: &["angle", "critical_speed", "speed"],
         keywords: "dynamic equilibrium conical pendulum hinged rod governor rotating frame equilíbrio dinâmico relativo pêndulo cônico haste \
                    articulada eixo vertical regulador velocidade crítica ângulo",
         sources: &[&RIUL, &BEER],

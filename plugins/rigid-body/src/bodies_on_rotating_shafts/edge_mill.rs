@@ -95,6 +95,7 @@ impl Analysis for EdgeMill {
         title: "Edge mill",
         topic: "Bodies on rotating shafts",
         summary: "Crushing force of a roller driven round on a pan, with its gyroscopic component, the pull of the arm, and the speed for a required force.",
+        main: &["crushing_force", "force_ratio"],
         keywords: "edge runner mill Chile mill pan roller crushing grinding gyroscopic moinho moenda galga rolo moagem giroscópico",
         sources: &[&BEER],
         cases: include_str!("../../cases/edge_mill.toml"),

@@ -102,6 +102,7 @@ impl Analysis for Reactions {
         title: "Reactions on a rotating body",
         topic: "Bodies on rotating shafts",
         summary: "Forces and couples of bearings, hinges, welds, wires and contacts on a body that turns about a shaft or on a chain of joints, by d'Alembert.",
+        main: &["reaction", "reaction_size", "tension", "normal_force", "drive_couple"],
         keywords: "dynamic reactions bearings ball joint socket unbalance shaft plate rod reações dinâmicas mancais mancal rótula pino engaste cabo fio contato \
                    d'Alembert binário motor giroscópico desbalanceamento estática isostático hiperestático",
         sources: &[&BEER, &RIUL, &MERIAM, &HIBBELER, &KHURMI],

@@ -63,6 +63,7 @@ impl Analysis for RodOnShaft {
         title: "Slender rod welded to a rotating shaft",
         topic: "Bodies on rotating shafts",
         summary: "Angular momentum of an inclined rod that rotates with a shaft, its rate of change, and the couple that the shaft exerts.",
+        main: &["couple", "angular_momentum"],
         keywords: "rod shaft couple weld haste eixo binário soldada inclinada momento angular exemplo 4",
         sources: &[&RIUL, &BEER, &IRODOV],
         cases: include_str!("../../cases/rod_on_shaft.toml"),

@@ -54,6 +54,7 @@ impl Analysis for SpinningDiscOnArm {
         title: "Disc spinning on a turning arm",
         topic: "Bodies on rotating shafts",
         summary: "Angular momentum of a thin disc that spins on a rotating arm, its rate of change, and the couple that the arm exerts.",
+        main: &["couple", "angular_acceleration", "angular_momentum"],
         keywords: "gyroscope gyroscopic couple disc arm giroscópio giroscópico disco braço momento angular exemplo 3",
         sources: &[&RIUL, &BEER],
         cases: include_str!("../../cases/spinning_disc_on_arm.toml"),

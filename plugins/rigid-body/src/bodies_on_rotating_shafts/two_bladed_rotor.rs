@@ -97,6 +97,7 @@ impl Analysis for TwoBladedRotor {
         title: "Gyroscopic couple of a two-bladed propeller",
         topic: "Bodies on rotating shafts",
         summary: "Couple on a two-bladed rotor whose carrier turns: components about the spin axis, the precession axis and their normal, variation with the blade angle, and mean.",
+        main: &["mean_couple", "pulsation", "couple"],
         keywords: "propeller airscrew two blades gyroscopic pulsating hélice duas pás giroscópico pulsante wind turbine aerogerador",
         sources: &[&BEVAN, &BEER],
         cases: include_str!("../../cases/two_bladed_rotor.toml"),

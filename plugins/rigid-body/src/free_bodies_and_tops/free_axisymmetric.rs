@@ -135,6 +135,7 @@ impl Analysis for FreeAxisymmetric {
         title: "Body of revolution in free motion",
         topic: "Free bodies and tops",
         summary: "Torque-free motion of a body of revolution: precession and spin, direct or retrograde, body and space cones, angular velocity and attitude at an instant.",
+        main: &["precession", "nutation", "spin"],
         keywords: "torque-free satellite wobble precession body cone space cone Chandler Euler satélite corpo livre cone precessão retrógrada",
         sources: &[&BEER, &GOLDSTEIN],
         cases: include_str!("../../cases/free_axisymmetric.toml"),
@@ -588,12 +589,10 @@ fn components(ratio: f64, omega: Vector3<f64>) -> Plot {
         "Angular velocity in body axes",
         Axis::linear("time", "s"),
         Axis::linear("angular velocity", "rad/s"),
-        ["ω_x", "ω_y", "ω_z"]
+        [("ω_x", "velocity.x"), ("ω_y", "velocity.y"), ("ω_z", "velocity.z")]
             .into_iter()
             .enumerate()
-            .map(|(n, name)| {
-                Series::line(Text::from(name), along(n)).of(["velocity.x", "velocity.y", "velocity.z"][n])
-            })
+            .map(|(n, (name, answer))| Series::line(Text::from(name), along(n)).of(answer))
             .collect(),
     )
     .over("instant")

@@ -102,6 +102,7 @@ impl Analysis for FreeTriaxial {
         title: "Free motion of any body",
         topic: "Free bodies and tops",
         summary: "Torque-free motion of a body with three different moments of inertia by Jacobi's elliptic functions: polhode, periods, flips about the intermediate axis, angular velocity and attitude at an instant.",
+        main: &["growth_rate", "first_flip", "period", "velocity"],
         keywords: "torque-free Euler Jacobi Dzhanibekov tennis racket intermediate axis polhode herpolhode Poinsot eixo intermediário polódia herpolódia raquete",
         sources: &[&LANDAU, &GOLDSTEIN],
         cases: include_str!("../../cases/free_triaxial.toml"),

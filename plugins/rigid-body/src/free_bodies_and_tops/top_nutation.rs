@@ -78,6 +78,7 @@ impl Analysis for TopNutation {
         title: "Heavy top: nutation",
         topic: "Free bodies and tops",
         summary: "A heavy top released with any initial motion: limits and period of its nutation, mean precession, cusps, loops or waves, and the attitude at an instant.",
+        main: &["highest", "lowest", "nutation_period", "mean_precession"],
         keywords: "gyroscope spinning top nutation cusp loop pião giroscópio nutação cúspide laço potencial efetivo",
         sources: &[&GOLDSTEIN, &BEER],
         cases: include_str!("../../cases/top_nutation.toml"),

@@ -75,6 +75,7 @@ impl Analysis for DippingRail {
         title: "Pair of wheels on a dipping rail",
         topic: "Gyroscopes and vehicles",
         summary: "Gyroscopic couple of a locomotive's pair of wheels when one rail dips, and the resulting forces between wheels and rails.",
+        main: &["couple", "load_change"],
         keywords: "locomotive wheel axle rail dip gyroscopic locomotiva rodeiro trilho rebaixo desnível giroscópico",
         sources: &[&KHURMI],
         cases: include_str!("../../cases/dipping_rail.toml"),

@@ -103,6 +103,7 @@ impl Analysis for Gyrocompass {
         title: "Gyrocompass",
         topic: "Gyroscopes and vehicles",
         summary: "Period of a gyrocompass about the meridian, directing couple, damping and settling time, tilt and Schuler tuning of a pendulous one, and its deviation on a moving vessel.",
+        main: &["period", "deviation", "damping_ratio"],
         keywords: "gyrocompass gyro compass meridian north-seeking Schuler tuning 84.4 min steaming speed error latitude Earth rotation \
                    bússola giroscópica girocompasso agulha giroscópica meridiano norte rotação da Terra erro de velocidade",
         sources: &[&KIBBLE, &SCHULER],

@@ -71,6 +71,7 @@ impl Analysis for PendulousGyro {
         title: "Pendulous gyroscope on a vehicle in a turn",
         topic: "Gyroscopes and vehicles",
         summary: "Inclination of a frame with a spinning wheel that hangs from a fore-and-aft axis, under the gyroscopic couple, the centrifugal force and the weight.",
+        main: &["inclination", "gyroscopic_couple"],
         keywords: "pendulous gyro gyroscope pivoted frame gyro-wheel inclination turn vehicle giroscópio pendular quadro articulado \
                    inclinação curva veículo",
         sources: &[&KHURMI, &BEER],

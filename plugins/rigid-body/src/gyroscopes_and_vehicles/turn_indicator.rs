@@ -96,6 +96,7 @@ impl Analysis for TurnIndicator {
         title: "Turn indicator of an aircraft",
         topic: "Gyroscopes and vehicles",
         summary: "Angle of a yoke with a spinning rotor and two springs in a level turn, or the rate of turn indicated by an angle.",
+        main: &["angle", "rate_of_turn"],
         keywords: "turn indicator rate gyro yoke springs aircraft giroscópio indicador de curva molas garfo aeronave",
         sources: &[&BEER, &KHURMI],
         cases: include_str!("../../cases/turn_indicator.toml"),

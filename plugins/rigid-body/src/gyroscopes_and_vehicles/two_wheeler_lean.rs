@@ -116,6 +116,7 @@ impl Analysis for TwoWheelerLean {
         title: "Lean of a two-wheeler in a turn",
         topic: "Gyroscopes and vehicles",
         summary: "Lean angle of a motorcycle in a turn, with the gyroscopic couples of wheels and engine, the required friction, and the speed for a given lean.",
+        main: &["lean", "speed"],
         keywords: "motorcycle bicycle lean heel gyroscopic motocicleta bicicleta inclinação curva giroscópico duas rodas",
         sources: &[&KHURMI, &BEER],
         cases: include_str!("../../cases/two_wheeler_lean.toml"),

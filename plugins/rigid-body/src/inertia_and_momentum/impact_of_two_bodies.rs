@@ -100,6 +100,7 @@ impl Analysis for ImpactOfTwoBodies {
         title: "Impact of two bodies",
         topic: "Inertia and momentum",
         summary: "Velocities after a direct or oblique central impact, on a free body, a wall or a hinged body; impulse, energy lost, and the swing of a ballistic pendulum.",
+        main: &["velocity_a", "velocity_b", "speed_a", "speed_b", "angular_velocity", "energy_lost"],
         keywords: "impact collision restitution elastic inelastic plastic direct oblique central spheres ballistic pendulum bullet block \
                    hinged rod percussion choque colisão elástico inelástico coeficiente de restituição pêndulo balístico esferas",
         sources: &[&BEER, &HIBBELER],

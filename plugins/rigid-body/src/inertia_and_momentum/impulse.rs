@@ -161,6 +161,7 @@ impl Analysis for Impulse {
         title: "Impulse on a body in space",
         topic: "Inertia and momentum",
         summary: "Motion of a body immediately after an impulse, an angular impulse, the impact of a projectile or a sudden constraint; impulsive reactions and energy.",
+        main: &["angular_velocity", "centre_velocity", "wanted_mass", "reaction"],
         keywords: "impulse angular impulse impact blow sudden constraint projectile meteorite impulsive reaction instantaneous axis screw torque-free precession \
                    impulso impulso angular impacto choque percussão projétil reação impulsiva eixo instantâneo precessão",
         sources: &[&BEER, &HIBBELER, &MERIAM, &RIUL],

@@ -48,6 +48,7 @@ impl Analysis for MassProperties {
         title: "Mass, centre of mass and inertia of a body",
         topic: "Inertia and momentum",
         summary: "Centre of mass, moments and products of inertia, principal axes of a composite body, about any point and line.",
+        main: &["centre", "inertia_x", "inertia_y", "inertia_z"],
         keywords: "moment of inertia product of inertia tensor matrix principal axes centroid centre of mass composite steiner parallel axis \
                    radius of gyration momento de inércia produto de inércia centro de massa eixos principais raio de giração teorema dos eixos paralelos corpo composto",
         sources: &[&MERIAM, &BEER, &RIUL],

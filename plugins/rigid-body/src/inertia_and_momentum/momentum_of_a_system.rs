@@ -55,6 +55,7 @@ impl Analysis for MomentumOfASystem {
         title: "Angular momentum of several bodies",
         topic: "Inertia and momentum",
         summary: "Common speed of discs that are coupled, of a turntable on which somebody walks, of a body pulled in: conservation of angular momentum about an axis, energy lost.",
+        main: &["speed", "momentum", "energy_lost"],
         keywords: "angular momentum conservation system clutch coupling flywheels common speed slip turntable merry-go-round skater \
                    conservação momento angular sistema embreagem acoplamento volantes velocidade comum carrossel patinadora",
         sources: &[&KHURMI, &BEER],

@@ -62,6 +62,7 @@ impl Analysis for RateOfChange {
         title: "Rate of change of angular momentum",
         topic: "Inertia and momentum",
         summary: "dH/dt = (dH/dt) relative + Ω × H of a body on a chain of joints, in a chosen moving frame, and the inertia force and couple at any point.",
+        main: &["moment", "moment_size"],
         keywords: "angular momentum rate Euler equations inertia couple d'Alembert momento angular taxa de variação equações de Euler \
                    força e binário de inércia referencial móvel haltere dumbbell",
         sources: &[&RIUL, &BEER, &IRODOV],

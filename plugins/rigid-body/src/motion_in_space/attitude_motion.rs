@@ -99,6 +99,7 @@ impl Analysis for AttitudeMotion {
         title: "Attitude from the angular velocity",
         topic: "Motion in space",
         summary: "Attitude of a body after a time from its angular velocity as a function of time, by integration of Euler parameters: direction cosines, Euler angles, quaternion, Rodrigues parameters, and their time histories.",
+        main: &["angular_velocity", "principal_angle", "principal_axis"],
         keywords: "attitude kinematics differential equations integration quaternion Euler parameters angular velocity Poisson strapdown rate gyro \
                    cinemática de atitude integração quatérnio velocidade angular equação de Poisson girômetro",
         sources: &[&SCHAUB, &SHUSTER],

@@ -52,6 +52,7 @@ impl Analysis for Motion {
         title: "Motion of a rigid body in space",
         topic: "Motion in space",
         summary: "A body that rotates freely, about a fixed point under gravity, or under torques: attitude and angular velocity over time, with the drift of energy and angular momentum.",
+        main: &["omega_body", "omega", "initial_acceleration"],
         keywords: "simulation simulação free body corpo livre fixed point ponto fixo heavy top pião torque torque-free Euler quaternion movimento atitude giroscópio polhode tumbling",
         sources: &[&GOLDSTEIN, &HAIRER_LUBICH_WANNER, &HAIRER, &BRULS],
         cases: include_str!("../../cases/motion.toml"),

@@ -62,6 +62,7 @@ impl Analysis for RotationChain {
         title: "Chain of rotations",
         topic: "Motion in space",
         summary: "Angular velocity and acceleration of every frame of a chain of joints, and velocity and acceleration of points, in any axes.",
+        main: &["angular_velocity", "angular_acceleration", "velocity", "acceleration"],
         keywords: "angular velocity acceleration precession nutation spin Euler angles precessão nutação rotação própria velocidade aceleração angular \
                    composição de rotações addition theorem arm disc braço disco ship pitch roll arfagem balanço vehicle turn",
         sources: &[&BEER, &MERIAM],

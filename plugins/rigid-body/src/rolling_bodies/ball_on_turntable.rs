@@ -80,6 +80,7 @@ impl Analysis for BallOnTurntable {
         title: "Ball on a turntable",
         topic: "Rolling bodies",
         summary: "Path of a ball that rolls on a level or tilted turntable: angular velocity, centre and radius of its circle, drift across the slope, position at a time, friction.",
+        main: &["rate", "period", "position"],
         keywords: "ball sphere rolling turntable rotating table circle 2/7 drift inclined rolling without slip bola esfera mesa giratória \
                    prato rolamento círculo deriva inclinada",
         sources: &[&FOWLER, &ROUTH],

@@ -85,6 +85,7 @@ impl Analysis for RollingCone {
         title: "Cone rolling on a plane about its apex",
         topic: "Rolling bodies",
         summary: "Angular velocity, angular momentum and kinetic energy of a cone that rolls about its apex, position of the normal force, required friction, and the precession at which it tips.",
+        main: &["normal", "friction", "precession", "tipping"],
         keywords: "cone rolling apex precession tipping cone rolamento vértice geratriz precessão tombamento landau",
         sources: &[&LANDAU, &BEER],
         cases: include_str!("../../cases/rolling_cone.toml"),

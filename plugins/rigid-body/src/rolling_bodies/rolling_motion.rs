@@ -80,6 +80,7 @@ impl Analysis for RollingMotion {
         title: "Motion of a rolling disc or coin",
         topic: "Rolling bodies",
         summary: "Contact path, angle, normal force and friction against time for a disc, hoop or coin rolling without slipping, until it lies flat, lifts or slips.",
+        main: &["inclination", "omega", "friction_needed"],
         keywords: "rolling disc coin hoop simulation non-holonomic Euler disk moeda disco aro rolando não holonômico simulação contato atrito",
         sources: &[&ROUTH, &HAIRER],
         cases: include_str!("../../cases/rolling_motion.toml"),

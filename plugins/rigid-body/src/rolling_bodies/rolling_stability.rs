@@ -58,6 +58,7 @@ impl Analysis for RollingStability {
         title: "Stability of an upright rolling or spinning disc",
         topic: "Rolling bodies",
         summary: "Minimum speed at which an upright disc or hoop keeps rolling, or minimum spin with which it stays upright on the spot; growth or oscillation at a given speed.",
+        main: &["critical_speed", "critical_spin", "wobble", "growth"],
         keywords: "rolling spinning stability critical speed disc hoop wheel coin estabilidade velocidade crítica disco aro roda moeda rolamento giro",
         sources: &[&ROUTH],
         cases: include_str!("../../cases/rolling_stability.toml"),

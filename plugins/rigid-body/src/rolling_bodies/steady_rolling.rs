@@ -89,6 +89,7 @@ impl Analysis for SteadyRolling {
         title: "Disc or hoop rolling steadily on a circle",
         topic: "Rolling bodies",
         summary: "Precession, angle or circle of a disc or hoop rolling without slipping, inclined to the floor: spin, normal force, required friction and stability of the motion.",
+        main: &["precession", "lean", "spin", "inclination"],
         keywords: "rolling disc hoop coin wheel circle precession lean rolamento disco aro moeda roda circunferência precessão inclinação sem deslizamento hibbeler 21-69",
         sources: &[&ROUTH, &HIBBELER],
         cases: include_str!("../../cases/steady_rolling.toml"),

@@ -71,6 +71,7 @@ impl Analysis for BarOnTwoSprings {
         title: "Bar on two springs",
         topic: "Free vibration",
         summary: "Natural frequencies of bounce and pitch of a rigid body on two springs, and the nodes about which it oscillates.",
+        main: &["frequency"],
         keywords: "bounce pitch vehicle car body two degrees coupling node oscillation centre veículo arfagem \
                    quique barra duas molas centro de oscilação dois graus de liberdade",
         sources: &[&RAO],

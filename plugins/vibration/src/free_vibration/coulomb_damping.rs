@@ -94,6 +94,7 @@ impl Analysis for CoulombDamping {
         title: "Free vibration with dry friction",
         topic: "Free vibration",
         summary: "Amplitude decrease, number of cycles, stopping time and position, and exact motion of a mass with dry friction; friction from a decay.",
+        main: &["strokes", "cycles", "stop_time", "rest_position", "friction_coefficient"],
         keywords: "coulomb friction dry damping linear decay rest position stop sliding block atrito seco \
                    amortecimento de coulomb decaimento linear parada",
         sources: &[&RAO, &GROVER],

@@ -94,6 +94,7 @@ impl Analysis for DecayIdentification {
         title: "Viscous damping or friction from a free decay",
         topic: "Free vibration",
         summary: "Exponential, linear and combined fits to a decay record: viscous damping, Coulomb friction, and which of them is present.",
+        main: &["damping_ratio", "friction_coefficient", "natural_frequency"],
         keywords: "coulomb viscous discriminate envelope exponential linear fit decay record identification \
                    identificação decaimento envoltória atrito viscoso",
         sources: &[&RAO, &GROVER],

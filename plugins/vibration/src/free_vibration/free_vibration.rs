@@ -38,6 +38,7 @@ impl Analysis for FreeVibration {
         title: "Free vibration",
         topic: "Free vibration",
         summary: "Motion of one degree of freedom from its initial conditions: regime, frequencies, displacement at any time, envelope, overshoot, settling.",
+        main: &["displacement", "natural_frequency", "damping_ratio", "maximum"],
         keywords: "transient decay underdamped overdamped critically damped undamped initial conditions envelope \
                    overshoot settling phase plane vibração livre subamortecido superamortecido crítico \
                    sobressinal acomodação",

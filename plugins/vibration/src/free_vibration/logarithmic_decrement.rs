@@ -147,6 +147,7 @@ impl Analysis for LogarithmicDecrement {
         title: "Logarithmic decrement",
         topic: "Free vibration",
         summary: "Decrement, damping ratio and damping of a decay from its amplitudes, and the cycles and time to decay to a given amplitude.",
+        main: &["damping_ratio", "decrement", "damping"],
         keywords: "decay damping ratio successive amplitudes peaks torsional pendulum cycles least squares \
                    decremento logarítmico decaimento amplitude picos pêndulo de torção",
         sources: &[&RAO, &GROVER],

@@ -86,6 +86,7 @@ impl Analysis for TorsionalFriction {
         title: "Free torsional vibration with dry friction",
         topic: "Free vibration",
         summary: "Amplitude decrease, number of cycles, stopping time and angle, and exact motion of a body on a torsional spring or shaft with a friction torque; friction torque from a decay.",
+        main: &["strokes", "cycles", "stop_time", "rest_position"],
         keywords: "coulomb friction dry damping torsional oscillation pulley disc shaft brake friction torque stop \
                    rest position atrito seco amortecimento de coulomb oscilação torcional polia eixo freio torque de \
                    atrito parada",

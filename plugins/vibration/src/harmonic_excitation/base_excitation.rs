@@ -100,6 +100,7 @@ impl Analysis for BaseExcitation {
         title: "Base excitation",
         topic: "Harmonic excitation",
         summary: "Absolute and relative motion, acceleration and force of a mass under harmonic base excitation, including a wavy road.",
+        main: &["amplitude", "transmissibility", "acceleration", "growth"],
         keywords: "support motion transmissibility quarter car vehicle road ground seismic excitação de base movimento do suporte \
                    transmissibilidade veículo estrada velocidade crítica",
         sources: &[&RAO, &THOMSON],

@@ -112,6 +112,7 @@ impl Analysis for EquivalentDamping {
         title: "Hysteretic and other equivalent damping",
         topic: "Harmonic excitation",
         summary: "Equivalent viscous damping, loss factor and steady-state amplitude of an oscillator, moving along a line or about an axis, whose damping is given by its hysteresis loop.",
+        main: &["equivalent_damping", "equivalent_ratio", "amplitude"],
         keywords: "structural damping hysteresis loop area loss factor specific damping capacity quadratic drag \
                    amortecimento histerético estrutural fator de perda laço de histerese arrasto quadrático",
         sources: &[&RAO, &THOMSON],

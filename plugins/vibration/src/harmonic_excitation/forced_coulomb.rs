@@ -86,6 +86,7 @@ impl Analysis for ForcedCoulomb {
         title: "Harmonic force with dry friction",
         topic: "Harmonic excitation",
         summary: "Steady-state amplitude of a mass with friction, by equivalent viscous damping and exactly, including stops; or the force for an amplitude.",
+        main: &["amplitude", "phase", "force", "stops"],
         keywords: "coulomb friction dry forced equivalent viscous damping den hartog stick slip hysteresis loop atrito \
                    seco forçada amortecimento equivalente",
         sources: &[&RAO, &DEN_HARTOG_1931, &GROVER],

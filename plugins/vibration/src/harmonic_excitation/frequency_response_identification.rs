@@ -163,6 +163,7 @@ impl Analysis for FrequencyResponseIdentification {
         title: "Identification from a frequency response",
         topic: "Harmonic excitation",
         summary: "Stiffness, mass and damping of one degree of freedom from a measured frequency response, real or complex, or from a few points of it.",
+        main: &["natural_frequency", "damping_ratio", "mass", "stiffness"],
         keywords: "frf receptance sweep modal half-power bandwidth quality factor loss factor 3 dB peak suspension ensaio resposta em frequência \
                    suspensão identificação ressonância receptância \
                    mobility accelerance nyquist circle fit modal testing uff mobilidade acelerância ajuste de círculo 06/1",

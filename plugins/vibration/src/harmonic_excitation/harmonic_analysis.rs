@@ -79,6 +79,7 @@ impl Analysis for HarmonicAnalysis {
         title: "Harmonic analysis of a periodic curve",
         topic: "Harmonic excitation",
         summary: "Fourier coefficients, amplitudes and phases of the harmonics of a curve from its ordinates at equal intervals: a turning moment, a pressure, a cam lift, a measured vibration.",
+        main: &["amplitude", "phase"],
         keywords: "fourier coefficients numerical harmonic analysis ordinates periodic curve turning moment diagram spectrum rms \
                    análise harmônica coeficientes de fourier ordenadas espectro valor eficaz",
         sources: &[&RAO, &GROVER],

@@ -92,6 +92,7 @@ impl Analysis for HarmonicForce {
         title: "Harmonic force or torque",
         topic: "Harmonic excitation",
         summary: "Steady-state amplitude, phase, forces and power of one mass under a harmonic force, or of a rotating body under a harmonic torque, and its motion from rest.",
+        main: &["amplitude", "phase", "transmitted_force", "growth"],
         keywords: "forced resonance magnification power hysteretic build-up phasor torsional oscillation dashpot torque \
                    força harmônica ressonância amplificação potência regime permanente transitório torque harmônico \
                    oscilação torcional",

@@ -83,6 +83,7 @@ impl Analysis for HarmonicSum {
         title: "Superposition of harmonic motions",
         topic: "Harmonic excitation",
         summary: "Phasor sum of harmonic motions, beats of two with nearly equal frequencies, and the work of a harmonic force on a harmonic motion.",
+        main: &["amplitude", "phase", "largest", "beat_frequency", "work"],
         keywords: "beat beating phasor rotating vector superposition batimento fasor vetor girante soma harmônica \
                    trabalho",
         sources: &[&RAO, &THOMSON],

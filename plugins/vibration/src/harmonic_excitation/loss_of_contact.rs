@@ -81,6 +81,7 @@ impl Analysis for LossOfContact {
         title: "Loss of contact",
         topic: "Harmonic excitation",
         summary: "Frequency, speed and amplitude at which a body on a vibrating table, a cam follower with a spring, or a sprung wheel on a wavy road loses contact; contact force over a cycle.",
+        main: &["lost_frequency", "lost_speed", "lost_amplitude", "least_force"],
         keywords: "loss of contact lift-off jump follower jump cam speed vibrating table piston block wavy road wheel hop \
                    contact force preload perda de contato salto do seguidor came mesa vibratória estrada ondulada roda",
         sources: &[&NORTON, &RAO],

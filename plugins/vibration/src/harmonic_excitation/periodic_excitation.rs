@@ -107,6 +107,7 @@ impl Analysis for PeriodicExcitation {
         title: "Periodic force, torque or base",
         topic: "Harmonic excitation",
         summary: "Fourier coefficients of a periodic force, torque or base motion, and the steady-state response to each harmonic and to all of them.",
+        main: &["largest", "rms", "displacement"],
         keywords: "fourier series square triangle sawtooth rectified cam harmonics spectrum série de fourier onda \
                    quadrada triangular dente de serra retificada came espectro",
         sources: &[&RAO, &THOMSON],

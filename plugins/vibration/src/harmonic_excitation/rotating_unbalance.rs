@@ -82,6 +82,7 @@ impl Analysis for RotatingUnbalance {
         title: "Rotating unbalance",
         topic: "Harmonic excitation",
         summary: "Steady-state amplitude, phase and transmitted force of an unbalanced machine on an elastic, damped support.",
+        main: &["amplitude", "transmitted_force", "largest_amplitude"],
         keywords: "fan ventilador desbalanceamento desbalanceado cantilever amplitude resonance 07/2",
         sources: &[&RAO, &KELLY, &LISTS],
         cases: include_str!("../../cases/rotating_unbalance.toml"),

@@ -174,6 +174,7 @@ impl Analysis for DampedAbsorber {
         title: "Damped vibration absorber",
         topic: "Isolation, absorbers and instruments",
         summary: "Optimum tuning and damping of an absorber by the invariant points and for the minimum peak, of a viscous absorber without spring, and the response before and after.",
+        main: &["best_tuning", "best_damping_ratio_absorber", "best_peak", "peak"],
         keywords: "tuned mass damper TMD Den Hartog Houdaille Lanchester optimum fixed points minimax \
                    absorvedor dinâmico amortecido amortecedor de massa sintonizado ótimo pontos fixos",
         sources: &[&DEN_HARTOG, &BROCK, &NISHIHARA, &RAO],

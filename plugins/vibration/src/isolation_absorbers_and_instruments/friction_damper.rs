@@ -51,6 +51,7 @@ impl Analysis for FrictionDamper {
         title: "Elastic dry-friction damper",
         topic: "Isolation, absorbers and instruments",
         summary: "Peak of the response and amplitude at a frequency of an oscillator with a spring-and-slider damper, by one harmonic.",
+        main: &["peak_amplitude", "peak_frequency", "amplitude"],
         keywords: "jenkins element coulomb slip stick harmonic balance underplatform turbine blade hysteresis \
                    amortecedor de atrito elástico elemento de jenkins balanço harmônico palheta",
         sources: &[&RAO],

@@ -180,6 +180,7 @@ impl Analysis for PendulumAbsorber {
         title: "Pendulum absorber",
         topic: "Isolation, absorbers and instruments",
         summary: "Order, arm and mass of centrifugal pendulums and rollers on a rotor, their swing and effective inertia, and pendulums under an oscillating mass.",
+        main: &["length", "mass", "tuned_order", "antiresonance", "rotor_amplitude"],
         keywords: "centrifugal pendulum CPVA bifilar Salomon roller order tuning torsional absorber antiresonance \
                    absorvedor pendular pêndulo centrífugo bifilar rolete ordem sintonia antirressonância",
         sources: &[&DEN_HARTOG, &KER_WILSON],

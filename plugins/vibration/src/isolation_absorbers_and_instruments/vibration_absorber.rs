@@ -250,6 +250,15 @@ impl Analysis for VibrationAbsorber {
         title: "Undamped vibration absorber",
         topic: "Isolation, absorbers and instruments",
         summary: "Mass and spring of an absorber for a limited stroke or for separated resonances, its two resonances and amplitudes, and a main system from a trial absorber.",
+        main: &[
+            "absorber_mass",
+            "absorber_inertia",
+            "absorber_stiffness",
+            "main_inertia",
+            "main_stiffness",
+            "lower_resonance",
+            "upper_resonance",
+        ],
         keywords: "dynamic vibration absorber Frahm tuned mass neutraliser splitting resonance torsional \
                    absorvedor dinâmico de vibrações neutralizador sintonizado ressonância torcional",
         sources: &[&RAO, &DEN_HARTOG, &GROVER],

@@ -114,6 +114,7 @@ impl Analysis for VibrationInstrument {
         title: "Vibrometer and accelerometer",
         topic: "Isolation, absorbers and instruments",
         summary: "Usable frequencies of a seismic instrument for an allowed error, its amplitude and phase error at a frequency, and the true motion for a given reading.",
+        main: &["amplitude", "factor", "error", "usable_frequencies", "distortion"],
         keywords: "seismometer seismograph pickup transducer usable range phase distortion torsiograph vibrômetro \
                    acelerômetro sismógrafo torsiógrafo sensor faixa de uso erro de fase",
         sources: &[&RAO, &THOMSON],

@@ -148,6 +148,7 @@ impl Analysis for VibrationIsolation {
         title: "Vibration and shock isolation",
         topic: "Isolation, absorbers and instruments",
         summary: "Stiffness and static deflection of mounts for a required isolation over a speed range, the isolation of given mounts, and mounts for a shock.",
+        main: &["stiffness", "stiffness_each", "transmissibility", "static_deflection"],
         keywords: "isolator mount transmissibility inertia block static deflection drop packaging isolamento isolador \
                    coxim calço transmissibilidade bloco de inércia deflexão estática choque",
         sources: &[&RAO, &THOMSON],

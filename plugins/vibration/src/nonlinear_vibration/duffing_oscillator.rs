@@ -132,6 +132,7 @@ impl Analysis for DuffingOscillator {
         title: "Duffing oscillator",
         topic: "Nonlinear vibration",
         summary: "Exact free period, or forced amplitudes with backbone curve, jumps and stability, of a mass on a spring with a cubic term, or of a body on a torsional one.",
+        main: &["period", "amplitude", "peak_amplitude", "jump_frequency", "largest_displacement"],
         keywords: "nonlinear hardening softening jump backbone harmonic balance oscilador de Duffing não linear salto \
                    balanço harmônico mola cúbica pendulum torsional pêndulo torção",
         sources: &[&NAYFEH, &THOMSON, &ABRAMOWITZ],

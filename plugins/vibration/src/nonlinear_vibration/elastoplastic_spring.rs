@@ -55,6 +55,7 @@ impl Analysis for ElastoplasticSpring {
         title: "Elastoplastic spring",
         topic: "Nonlinear vibration",
         summary: "Maximum displacement, permanent displacement, ductility and rebound of a mass on an elastic, perfectly plastic spring under a sudden force or a blow.",
+        main: &["largest_displacement", "ductility", "permanent_displacement"],
         keywords: "elastic perfectly plastic elastoplastic yield ductility permanent set blast sudden force impulse resistance \
                    elastoplástica escoamento ductilidade deformação permanente explosão força súbita",
         sources: &[&BIGGS, &CHOPRA],

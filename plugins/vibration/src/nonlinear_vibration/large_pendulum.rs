@@ -39,6 +39,7 @@ impl Analysis for LargePendulum {
         title: "Pendulum of large amplitude",
         topic: "Nonlinear vibration",
         summary: "Exact period and motion of a pendulum at any amplitude, compared with the small-angle value and the series.",
+        main: &["period", "angle"],
         keywords: "nonlinear elliptic integral pêndulo grandes amplitudes não linear período",
         sources: &[&NAYFEH, &RAO, &ABRAMOWITZ],
         cases: include_str!("../../cases/large_pendulum.toml"),

@@ -66,6 +66,7 @@ impl Analysis for PiecewiseSpring {
         title: "Piecewise-linear spring",
         topic: "Nonlinear vibration",
         summary: "Exact free vibration of a mass on a spring with a gap, a stop or a force limit: maximum displacement and period.",
+        main: &["period", "frequency", "largest_displacement"],
         keywords: "nonlinear gap clearance bilinear stop elastoplastic folga batente mola bilinear não linear",
         sources: &[&THOMSON, &NAYFEH],
         cases: include_str!("../../cases/piecewise_spring.toml"),

@@ -39,6 +39,7 @@ impl Analysis for RandomChain {
         title: "Chain of masses under random base excitation",
         topic: "Random vibration and earthquakes",
         summary: "Root mean square of displacement and acceleration of each mass of a chain whose base moves with a spectral density, with modal damping.",
+        main: &["displacement", "acceleration"],
         keywords: "psd random vibration rms one sigma modal damping multi degree chain vibração aleatória densidade \
                    espectral vários graus de liberdade cadeia de massas amortecimento modal um sigma",
         sources: &[&RAO, &CHOPRA],

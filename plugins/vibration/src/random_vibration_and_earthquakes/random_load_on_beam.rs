@@ -118,6 +118,7 @@ impl Analysis for RandomLoadOnBeam {
         title: "Random load on a beam",
         topic: "Random vibration and earthquakes",
         summary: "Root mean square of displacement, velocity, bending moment and bending stress at a point of a beam under a random force, distributed load or motion of its supports, by modal superposition.",
+        main: &["displacement", "stress", "bending_moment"],
         keywords: "psd random vibration continuous beam white noise rain on the roof rms bending stress modal joint \
                    acceptance cross terms vibração aleatória viga ruído branco chuva no telhado valor eficaz tensão de \
                    flexão densidade espectral",

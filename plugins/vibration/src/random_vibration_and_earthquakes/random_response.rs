@@ -74,6 +74,7 @@ impl Analysis for RandomResponse {
         title: "Random response",
         topic: "Random vibration and earthquakes",
         summary: "Root mean square of displacement and acceleration, crossing rate and three-sigma values of one degree of freedom, moving along a line or about an axis, under a spectral density.",
+        main: &["displacement", "acceleration", "three_sigma_displacement"],
         keywords: "psd random vibration rms grms white noise Miles three sigma spectral density crossing rate vibração \
                    aleatória densidade espectral ruído branco valor eficaz três sigma cruzamentos",
         sources: &[&RAO, &THOMSON, &MILES],

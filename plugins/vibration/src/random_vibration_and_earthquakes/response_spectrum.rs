@@ -153,6 +153,7 @@ impl Analysis for ResponseSpectrum {
         title: "Response spectrum analysis",
         topic: "Random vibration and earthquakes",
         summary: "Maximum displacement, acceleration or stress of a chain, of given modes or of a beam under base excitation, by ABS, SRSS and CQC.",
+        main: &["deflection_srss", "displacement_srss", "base_force_srss", "stress_srss"],
         keywords: "earthquake seismic response spectrum modal combination srss cqc abs participation effective mass \
                    terremoto sismo espectro de resposta combinação modal participação massa efetiva",
         sources: &[&CHOPRA, &BIGGS],

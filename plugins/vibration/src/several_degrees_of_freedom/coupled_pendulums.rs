@@ -69,6 +69,7 @@ impl Analysis for CoupledPendulums {
         title: "Coupled pendulums",
         topic: "Several degrees of freedom",
         summary: "Natural frequencies, amplitude ratios and beats of two rods or pendulums joined by a spring.",
+        main: &["frequency", "beat_frequency"],
         keywords: "pendulum rods spring coupling beats two degrees pêndulos acoplados barras mola batimento dois \
                    graus de liberdade",
         sources: &[&RAO],

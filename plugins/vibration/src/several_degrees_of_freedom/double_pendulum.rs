@@ -110,6 +110,7 @@ impl Analysis for DoublePendulum {
         title: "Double pendulum",
         topic: "Several degrees of freedom",
         summary: "Natural frequencies and modes of two pendulums, one hanging from the other: small masses, rods or bodies of any form.",
+        main: &["frequency"],
         keywords: "pendulum two degrees compound crane hook load small oscillations pêndulo duplo composto dois \
                    graus de liberdade guindaste pequenas oscilações",
         sources: &[&RAO, &MERIAM],

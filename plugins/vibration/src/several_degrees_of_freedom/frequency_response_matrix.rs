@@ -148,6 +148,7 @@ impl Analysis for FrequencyResponseMatrix {
         title: "Frequency response of multi-degree-of-freedom systems",
         topic: "Several degrees of freedom",
         summary: "Receptance, mobility or accelerance of a chain or of given matrices: steady-state amplitudes and phases under harmonic forces on any masses.",
+        main: &["frequency", "amplitude", "phase"],
         keywords: "frf receptance mobility accelerance harmonic forced steady state mdof matrix reciprocity Nyquist loss factor complex stiffness hysteretic rubber mount \
                    receptância mobilidade acelerância resposta em frequência harmônica regime permanente vários \
                    graus de liberdade matriz",

@@ -62,6 +62,7 @@ impl Analysis for HalfCar {
         title: "Half-car model",
         topic: "Several degrees of freedom",
         summary: "Bounce, pitch and wheel hop of a vehicle seen from the side: natural frequencies, modes and damping ratios of four degrees of freedom.",
+        main: &["frequency"],
         keywords: "vehicle suspension wheel hop bounce pitch tyre ride four degrees veículo suspensão meio carro \
                    arfagem pneu roda salto quatro graus de liberdade",
         sources: &[&RAO],

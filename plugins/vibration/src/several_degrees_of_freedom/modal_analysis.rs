@@ -60,6 +60,7 @@ impl Analysis for ModalAnalysis {
         title: "Modal analysis",
         topic: "Several degrees of freedom",
         summary: "Natural frequencies, mode shapes, modal masses, participation and damping ratios of a chain, of masses on a string, or of given matrices.",
+        main: &["frequency"],
         keywords: "mdof eigenvalue eigenvector natural frequencies modes chain string matrices complex modes Rayleigh \
                    proportional damping autovalor autovetor frequências naturais modos de vibração cadeia massas \
                    molas corda matrizes amortecimento vários graus de liberdade",

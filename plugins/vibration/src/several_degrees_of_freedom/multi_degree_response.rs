@@ -74,6 +74,7 @@ impl Analysis for MultiDegreeResponse {
         title: "Motion of many degrees of freedom in time",
         topic: "Several degrees of freedom",
         summary: "Exact motion of a chain or of given matrices from initial conditions, under steps, pulses, ramps, harmonic forces or tables of forces, or on a moving base, with any damping.",
+        main: &["largest", "largest_time", "frequency"],
         keywords: "transient time response mdof pulse step initial conditions modal superposition state space \
                    transitório resposta no tempo condições iniciais pulso degrau superposição modal vários graus \
                    de liberdade",

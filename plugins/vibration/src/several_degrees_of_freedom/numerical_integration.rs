@@ -113,6 +113,7 @@ impl Analysis for NumericalIntegration {
         title: "Numerical integration of the equation of motion",
         topic: "Several degrees of freedom",
         summary: "Response step by step of one or several degrees of freedom by central differences, Newmark, Wilson, Houbolt or Runge–Kutta methods, beside the exact motion, with the critical time step.",
+        main: &["final_displacement", "largest", "error"],
         keywords: "time stepping step-by-step direct integration central difference Newmark beta average acceleration \
                    linear acceleration Wilson theta Houbolt Runge-Kutta finite difference interpolation of excitation \
                    stability critical time step integração numérica passo a passo diferenças centrais aceleração \

@@ -40,6 +40,7 @@ impl Analysis for RayleighDamping {
         title: "Rayleigh damping",
         topic: "Several degrees of freedom",
         summary: "Coefficients of proportional (Rayleigh) damping from the damping ratios of two modes, and the damping ratio at any frequency.",
+        main: &["mass_coefficient", "stiffness_coefficient"],
         keywords: "proportional damping alpha beta amortecimento proporcional de Rayleigh",
         sources: &[&CLOUGH, &RAO],
         cases: include_str!("../../cases/rayleigh_damping.toml"),

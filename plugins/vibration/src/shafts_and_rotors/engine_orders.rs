@@ -237,6 +237,7 @@ impl Analysis for EngineOrders {
         title: "Torsional vibration of an engine",
         topic: "Shafts and rotors",
         summary: "Natural frequencies of crankshaft and driven machine, sums of the phase vectors of each order, critical speeds with their amplitudes and torques.",
+        main: &["frequency", "critical_speeds", "amplitude", "stress"],
         keywords: "torsional vibration crankshaft diesel engine firing order phase vector star harmonic order critical speed \
                    Holzer Carter Ker Wilson vibração torcional virabrequim motor ordem de ignição velocidade crítica harmônico",
         sources: &[&DEN_HARTOG, &KER_WILSON],

@@ -127,6 +127,7 @@ impl Analysis for MassOnShaft {
         title: "Mass on a shaft",
         topic: "Shafts and rotors",
         summary: "Longitudinal, transverse and torsional natural frequencies of a mass or flywheel on a light shaft.",
+        main: &["transverse", "longitudinal", "torsional"],
         keywords: "flywheel longitudinal transverse torsional frequency shaft volante eixo frequência longitudinal \
                    transversal torcional",
         sources: &[&BEVAN, &RAO, &BEER, &SHIGLEY],

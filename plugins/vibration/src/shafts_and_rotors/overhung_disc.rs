@@ -121,6 +121,7 @@ impl Analysis for OverhungDisc {
         title: "Overhung disc with gyroscopic action",
         topic: "Shafts and rotors",
         summary: "Natural frequencies at rest, forward and backward whirl at a speed, and synchronous critical speeds of a disc on a light shaft.",
+        main: &["forward_critical", "backward_critical", "forward_whirl"],
         keywords: "overhung disc cantilever gyroscopic whirl critical speed forward backward Campbell disco em balanço \
                    efeito giroscópico precessão direta retrógrada velocidade crítica",
         sources: &[&DEN_HARTOG, &FRISWELL, &BEER],

@@ -96,6 +96,7 @@ impl Analysis for RotorDynamics {
         title: "Rotor on bearings by finite elements",
         topic: "Shafts and rotors",
         summary: "Natural frequencies with direction of whirl and damping, critical speeds, unbalance response and threshold of stability of a stepped shaft with discs on bearings.",
+        main: &["critical_speed", "frequency", "stability_threshold"],
         keywords: "rotor rotordynamics whirl campbell critical speed gyroscopic bearing unbalance finite element log \
                    decrement instability dinâmica de rotores velocidade crítica mancal giroscópico desbalanceamento \
                    diagrama elementos finitos",

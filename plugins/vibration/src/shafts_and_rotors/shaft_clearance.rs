@@ -157,6 +157,7 @@ impl Analysis for ShaftClearance {
         title: "Shaft for a rotor with clearance",
         topic: "Shafts and rotors",
         summary: "All shaft diameters or stiffnesses, eccentricities or speeds for which an unbalanced rotor does not touch its stator.",
+        main: &["diameters", "stiffnesses", "eccentricities", "speeds"],
         keywords: "whirl critical speed Francis turbine rotor stator jeffcott eccentricity stiffness turbina eixo \
                    diâmetro rigidez excentricidade folga velocidade crítica 08/3",
         sources: &[&RAO, &BEER, &SHIGLEY, &LISTS],

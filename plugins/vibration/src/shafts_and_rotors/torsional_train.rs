@@ -136,6 +136,7 @@ impl Analysis for TorsionalTrain {
         title: "Torsional train",
         topic: "Shafts and rotors",
         summary: "Natural frequencies, shapes and nodes of discs on shafts, geared or branched, the Holzer table, and the motion under harmonic torques.",
+        main: &["frequency"],
         keywords: "torsional vibration Holzer rotor gear branched flywheel node crankshaft vibração torcional \
                    engrenagens volante nó eixo discos",
         sources: &[&BEVAN, &DEN_HARTOG, &RAO],

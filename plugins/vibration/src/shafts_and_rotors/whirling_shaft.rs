@@ -147,6 +147,7 @@ impl Analysis for WhirlingShaft {
         title: "Whirl of a rotor on a flexible shaft",
         topic: "Shafts and rotors",
         summary: "Critical speed, whirl amplitude and phase, bearing force and bending stress of an unbalanced rotor, and the speeds to avoid.",
+        main: &["critical_speed", "amplitude", "bearing_force"],
         keywords: "jeffcott laval rotor critical speed whirling unbalance shaft stress run-up forbidden band velocidade \
                    crítica rodopio turbilhonamento precessão eixo flexível rotor desbalanceado faixa proibida",
         sources: &[&RAO, &SARKAR],

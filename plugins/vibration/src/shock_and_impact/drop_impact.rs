@@ -71,6 +71,7 @@ impl Analysis for DropImpact {
         title: "Body dropped on a spring",
         topic: "Shock and impact",
         summary: "Maximum deflection, force and deceleration of a body that falls on a spring-mounted pan or on a cushion.",
+        main: &["deflection", "force", "deceleration"],
         keywords: "drop fall package cushion pan impact deceleration g shock queda pacote embalagem prato impacto \
                    choque amortecida bloco desaceleração",
         sources: &[&RAO, &THOMSON, &MERIAM],

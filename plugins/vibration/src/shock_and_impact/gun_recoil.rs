@@ -54,6 +54,7 @@ impl Analysis for GunRecoil {
         title: "Recoil and critically damped return",
         topic: "Shock and impact",
         summary: "Speed or distance of a recoil on a spring, the dashpot that returns it without oscillation, and the duration of both.",
+        main: &["distance", "total_time", "critical_damping"],
         keywords: "gun barrel dashpot critical damping return time cannon canhão recuo amortecimento crítico",
         sources: &[&RAO, &GROVER],
         cases: include_str!("../../cases/gun_recoil.toml"),

@@ -41,6 +41,7 @@ impl Analysis for RodImpact {
         title: "Rod striking a wall",
         topic: "Shock and impact",
         summary: "Maximum stress, maximum shortening and contact time of a rod that strikes a rigid wall end-on, by wave propagation.",
+        main: &["contact_time", "stress", "force"],
         keywords: "longitudinal impact wave stress collision bar choque impacto longitudinal barra onda tensão",
         sources: &[&TIMOSHENKO, &RAO],
         cases: include_str!("../../cases/rod_impact.toml"),

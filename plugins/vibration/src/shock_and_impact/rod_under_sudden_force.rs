@@ -48,6 +48,7 @@ impl Analysis for RodUnderSuddenForce {
         title: "Free rod under a sudden force",
         topic: "Shock and impact",
         summary: "Displacement of a free rod that a constant force suddenly pushes at one end, by wave propagation: velocity of the loaded end, return of the wave, stress, rigid-body motion.",
+        main: &["displacement", "stress"],
         keywords: "free bar suddenly loaded one end constant force step longitudinal wave rigid-body motion free-free \
                    modes barra livre carregada subitamente força constante onda longitudinal movimento de corpo rígido",
         sources: &[&TIMOSHENKO, &RAO],

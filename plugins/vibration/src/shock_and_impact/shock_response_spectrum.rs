@@ -105,6 +105,7 @@ impl Analysis for ShockResponseSpectrum {
         title: "Shock response spectrum",
         topic: "Shock and impact",
         summary: "Primary, residual and maximax spectrum of a pulse or a recorded shock, at given frequencies and over a range.",
+        main: &["maximax", "largest", "largest_amplification"],
         keywords: "srs shock spectrum primary residual maximax half sine sawtooth pulse drop test espectro de resposta \
                    ao choque meio seno dente de serra pulso primário residual",
         sources: &[&RAO, &HARRIS, &CHOPRA],

@@ -214,6 +214,7 @@ impl Analysis for TransientResponse {
         title: "Transient response",
         topic: "Shock and impact",
         summary: "Displacement time history, its maximum and the residual response, of one degree of freedom under a step, ramp, pulse, table, impulse or base acceleration.",
+        main: &["maximum", "time_of_maximum", "displacement"],
         keywords: "step ramp pulse impulse half-sine triangular rectangular shock Duhamel convolution dynamic load \
                    factor overshoot degrau rampa pulso impulso choque transitório resposta transiente convolução \
                    fator de amplificação dinâmica sobressinal",

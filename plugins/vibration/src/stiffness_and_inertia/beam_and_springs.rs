@@ -54,6 +54,7 @@ impl Analysis for BeamAndSprings {
         title: "Mass on beams and springs",
         topic: "Stiffness and inertia",
         summary: "Mass, damping and transmitted force of a mass on a network of beams and springs, from its free decay.",
+        main: &["mass", "stiffness", "damping", "natural_frequency", "amplitude"],
         keywords: "series parallel equivalent stiffness decrement transmissibility viga molas rigidez equivalente \
                    decremento transmissibilidade massa 08/4",
         sources: &[&RAO, &LISTS],

@@ -156,6 +156,7 @@ impl Analysis for EquivalentStiffness {
         title: "Equivalent stiffness",
         topic: "Stiffness and inertia",
         summary: "Equivalent spring of a network of springs, beams or shafts, the load on each of them, and the natural frequency of the mass on them.",
+        main: &["stiffness", "torsional_stiffness", "natural_frequency", "frequency"],
         keywords: "series parallel spring network natural frequency static deflection effective mass torsional pendulum \
                    rigidez equivalente molas série paralelo frequência natural deflexão estática pêndulo de torção",
         sources: &[&RAO],

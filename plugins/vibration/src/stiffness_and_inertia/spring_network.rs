@@ -102,6 +102,7 @@ impl Analysis for SpringNetwork {
         title: "Network of springs and dampers",
         topic: "Stiffness and inertia",
         summary: "Stiffness at a node of any network of springs and dampers, at rest or under harmonic forces, what each element carries, and how masses on it vibrate.",
+        main: &["displacement", "stiffness", "natural_frequency"],
         keywords: "graph node series parallel Kelvin-Voigt Maxwell dynamic stiffness bridge rubber felt pad rede de molas \
                    amortecedores nós rigidez dinâmica",
         sources: &[&RAO],

@@ -210,6 +210,7 @@ impl Analysis for SwingTest {
         title: "Moment of inertia from an oscillation test",
         topic: "Stiffness and inertia",
         summary: "Moment of inertia from the period on a knife edge, about two points, on wires, on a torsion wire, or rolling on rails.",
+        main: &["inertia", "centre"],
         keywords: "compound pendulum bifilar trifilar suspension torsion pendulum connecting rod radius of gyration \
                    momento de inércia ensaio de oscilação pêndulo composto bifilar trifilar pêndulo de torção biela",
         sources: &[&RAO, &THOMSON, &ABRAMOWITZ],

@@ -144,6 +144,7 @@ impl Analysis for BeamVibration {
         title: "Bending vibration of beams",
         topic: "Strings, beams and plates",
         summary: "Frequencies, mode shapes, nodes and buckling load of a uniform beam (Euler–Bernoulli or Timoshenko) on any supports, with masses, springs, masses on springs, axial force and elastic foundation.",
+        main: &["frequency"],
         keywords: "continuous beam natural frequencies mode shapes cantilever tip mass sprung mass oscillator spring-mass buckling viga frequências \
                    naturais modos engastada biapoiada flambagem contínuo fundação elástica",
         sources: &[&RAO, &BLEVINS, &TIMOSHENKO, &COWPER, &WITTRICK],

@@ -90,6 +90,7 @@ impl Analysis for BeamWithTipBody {
         title: "Cantilever with a rigid body at its tip",
         topic: "Strings, beams and plates",
         summary: "Frequencies and coupled motions (bending in two planes, axial, torsion) of a cantilever with masses on rigid arms at its tip.",
+        main: &["frequency"],
         keywords: "continuous coupled bending torsion off-centre mass NAFEMS FV4 viga em balanço massa excêntrica \
                    flexão torção acopladas corpo rígido",
         sources: &[&BLEVINS, &WITTRICK, &BEER, &COWPER],

@@ -85,6 +85,7 @@ impl Analysis for MultiSpanBeam {
         title: "Beam over several supports",
         topic: "Strings, beams and plates",
         summary: "Exact frequencies, mode shapes and nodes of a continuous beam of several spans, each with its section, axial force and foundation, on pinned, clamped and elastic supports, with masses at the joints; compared with finite elements.",
+        main: &["frequency"],
         keywords: "continuous beam multi span stepped supports bridge pipe shaft foundation finite elements viga \
                    contínua vários vãos apoios escalonada ponte tubulação fundação elástica elementos finitos",
         sources: &[&WITTRICK, &BLEVINS, &RAO, &BEER],

@@ -146,6 +146,7 @@ impl Analysis for PlaneFrame {
         title: "Plane frame",
         topic: "Strings, beams and plates",
         summary: "Exact natural frequencies and mode shapes of a plane frame of straight members in bending and axial vibration, with hinges, masses and supports at its joints; compared with finite elements.",
+        main: &["frequency"],
         keywords: "portal frame plane frame L-frame cross structure beams columns joints hinge finite elements dynamic stiffness \
                    NAFEMS FV2 SDLX01 pórtico plano quadro estrutura reticulada barras nós rótula elementos finitos rigidez \
                    dinâmica",

@@ -150,6 +150,7 @@ impl Analysis for PlateAndMembrane {
         title: "Vibration of plates and membranes",
         topic: "Strings, beams and plates",
         summary: "Exact frequencies and nodal lines of rectangular and circular membranes, circular plates, and rectangular plates with two opposite edges simply supported.",
+        main: &["frequency"],
         keywords: "membrane drum plate circular rectangular Navier Levy Bessel Chladni nodal lines membrana tambor \
                    placa circular retangular linhas nodais chapa",
         sources: &[&LEISSA, &RAO, &ABRAMOWITZ],

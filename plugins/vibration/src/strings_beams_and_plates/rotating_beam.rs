@@ -79,6 +79,7 @@ impl Analysis for RotatingBeam {
         title: "Rotating blade",
         topic: "Strings, beams and plates",
         summary: "Frequencies of a uniform blade on a rotating hub, flapwise or edgewise, with centrifugal stiffening, Southwell's coefficients and the Campbell diagram.",
+        main: &["frequency"],
         keywords: "turbine blade propeller helicopter rotor centrifugal stiffening Southwell Campbell flap lag pá \
                    palheta turbina hélice enrijecimento centrífugo",
         sources: &[&WRIGHT, &SOUTHWELL, &RAO],

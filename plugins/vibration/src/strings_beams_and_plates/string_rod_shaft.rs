@@ -244,6 +244,7 @@ impl Analysis for StringRodShaft {
         title: "Strings, rods, shafts and shear beams",
         topic: "Strings, beams and plates",
         summary: "Frequencies, mode shapes and nodes of a string under tension, a rod in axial vibration, a shaft in torsion or a shear beam, with fixed, free, sprung or mass-loaded ends.",
+        main: &["frequency"],
         keywords: "continuous wave equation cable guitar drill pipe longitudinal axial torsional corda cabo barra \
                    eixo torção onda contínuo cisalhamento",
         sources: &[&RAO, &BLEVINS, &COWPER],

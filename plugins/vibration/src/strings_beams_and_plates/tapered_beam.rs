@@ -156,6 +156,7 @@ impl Analysis for TaperedBeam {
         title: "Bending vibration of tapered beams",
         topic: "Strings, beams and plates",
         summary: "Frequencies and mode shapes of a beam whose width, height or diameter varies linearly, exponentially or by a table, wedges and cones included, by Rayleigh–Ritz with its convergence.",
+        main: &["frequency"],
         keywords: "variable section exponential taper table SDLL10 wedge cone triangular plate spring blade rayleigh ritz viga afilada variável \
                    cunha cone triangular pá lâmina",
         sources: &[&RAO, &TIMOSHENKO, &BEER],

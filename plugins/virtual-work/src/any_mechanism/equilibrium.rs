@@ -82,6 +82,7 @@ impl Analysis for Equilibrium {
         title: "Equilibrium of a mechanism",
         topic: "Any mechanism",
         summary: "All equilibrium positions of an arbitrary plane mechanism, from its potential energy, with their stability.",
+        main: &["coordinate", "stop_coordinate", "stiffness", "stop_force"],
         keywords: "equilíbrio estabilidade energia potencial virtual work trabalho virtual stable unstable neutral mola peso potential energy springs hessian",
         sources: &[&BEER, &HAUG],
         cases: include_str!("../../cases/equilibrium.toml"),

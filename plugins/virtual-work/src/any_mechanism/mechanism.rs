@@ -107,6 +107,7 @@ impl Analysis for Mechanism {
         title: "Plane mechanism",
         topic: "Any mechanism",
         summary: "Motion, driving forces and torques by virtual power, and reactions of an arbitrary plane mechanism: bodies, joints, drivers and loads.",
+        main: &["effort", "angular_velocity", "velocity", "angle", "position"],
         keywords: "cam gears rack came engrenagens cremalheira mecanismo plano barras manivela articulação virtual power potência virtual newton euler multibody linkage joints reactions \
                    six-bar gears cord slot spring geral build your own centro instantâneo instant centre kennedy diagrama polar \
                    hodógrafo hodograph shaking force trepidação ângulo de transmissão transmission angle",

@@ -143,6 +143,7 @@ impl Analysis for Motion {
         title: "Motion of a plane mechanism under its loads",
         topic: "Any mechanism",
         summary: "Free motion of a plane mechanism of any shape from a start: accelerations by virtual power, joint forces, energy, an animation.",
+        main: &["initial_acceleration", "angular_velocity", "velocity"],
         keywords: "movimento mecanismo plano dinâmica direta forward dynamics simulation multibody pendulum pêndulo linkage free motion \
                    energy andrews squeezer livre friction stick slip atrito",
         sources: &[&RIUL, &HAUG, &NIKRAVESH, &HAIRER, &PFEIFFER],

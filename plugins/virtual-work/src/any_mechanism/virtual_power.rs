@@ -147,6 +147,7 @@ impl Analysis for VirtualPower {
         title: "Virtual power",
         topic: "Any mechanism",
         summary: "Driving torque or force of a plane mechanism with known motion, from the powers of forces, couples, weights and inertia loads.",
+        main: &["torque", "force"],
         keywords: "virtual work trabalho virtual potência d'Alembert slider-crank biela manivela cursor torque linkage lever exemplo 1",
         sources: &[&RIUL, &SHIGLEY, &BEER],
         cases: include_str!("../../cases/virtual_power.toml"),

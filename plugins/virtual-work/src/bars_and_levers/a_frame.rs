@@ -71,6 +71,7 @@ impl Analysis for AFrame {
         title: "Step ladder",
         topic: "Bars and levers",
         summary: "Force at the feet or tension of the rope of two ladders leaning against each other, or the equilibrium angle for a given force.",
+        main: &["force", "friction", "angle"],
         keywords: "A-frame trestle step ladder rope tie escada dupla cavalete corda tirante força nos pés",
         sources: &[&BEER, &HIBBELER, &RIUL],
         cases: include_str!("../../cases/a_frame.toml"),

@@ -54,6 +54,7 @@ impl Analysis for BarAndCord {
         title: "Bar held by a cord over a pulley",
         topic: "Bars and levers",
         summary: "The hanging mass that holds a hinged bar at an angle, or all angles at which a mass holds it, and whether they are stable.",
+        main: &["hanging_weight", "mass", "stable_angle", "unstable_angle"],
         keywords: "drawbridge counterweight pulley cord potential energy stability ponte levadiça contrapeso polia corda \
                    barra energia potencial estabilidade",
         sources: &[&HIBBELER, &BEER, &RIUL],

@@ -109,6 +109,7 @@ impl Analysis for CompoundLever {
         title: "Chain of levers",
         topic: "Bars and levers",
         summary: "Force or couple that balances the loads on levers connected in series, from the ratios of their virtual displacements.",
+        main: &["force", "couple", "mechanical_advantage"],
         keywords: "pliers bolt cutter compound lever chain mechanical advantage alicate corta-vergalhão tesoura alavancas \
                    compostas vantagem mecânica",
         sources: &[&BEER, &HIBBELER, &RIUL],

@@ -99,6 +99,7 @@ impl Analysis for GuidedBar {
         title: "Bar in two guides",
         topic: "Bars and levers",
         summary: "Equilibria and stability of a bar whose ends slide in guides at right angles, or the force or stiffness for a given angle.",
+        main: &["force_b", "stable_angle", "unstable_angle", "stiffness"],
         keywords: "ladder sliding rod collars spring potential energy stability escada barra guias cursores mola energia \
                    potencial estabilidade",
         sources: &[&HIBBELER, &BEER, &RIUL],

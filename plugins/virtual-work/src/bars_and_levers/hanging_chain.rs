@@ -69,6 +69,7 @@ impl Analysis for HangingChain {
         title: "Hanging chain of bars",
         topic: "Bars and levers",
         summary: "Angles of a chain of hinged bars pulled at its free end, with the stability in each degree of freedom, or the force for a given angle.",
+        main: &["angle", "force"],
         keywords: "several degrees of freedom Hessian linked bars cadeia de barras articuladas vários graus de liberdade Hessiana \
                    estabilidade",
         sources: &[&BEER, &HIBBELER, &RIUL],

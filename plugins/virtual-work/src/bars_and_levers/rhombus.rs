@@ -67,6 +67,7 @@ impl Analysis for Rhombus {
         title: "Rhombus with a spring",
         topic: "Bars and levers",
         summary: "Equilibria and stability of a hanging rhombus of four bars with a spring across, or the load or stiffness for a given angle.",
+        main: &["load", "stable_angle", "stiffness"],
         keywords: "four bars diamond pantograph hanging frame spring losango pantógrafo quatro barras mola estabilidade",
         sources: &[&BEER, &HIBBELER, &RIUL],
         cases: include_str!("../../cases/rhombus.toml"),

@@ -52,6 +52,7 @@ impl Analysis for RobervalBalance {
         title: "Roberval balance",
         topic: "Bars and levers",
         summary: "Equilibrant couple of a Roberval balance, or the mass that balances it, and the effect of the mass offsets on its beams.",
+        main: &["holding_couple", "right_mass"],
         keywords: "parallelogram scale pans shop balance balança de Roberval paralelogramo pratos",
         sources: &[&BEER, &RIUL],
         cases: include_str!("../../cases/roberval_balance.toml"),

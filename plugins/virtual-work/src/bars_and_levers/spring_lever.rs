@@ -174,6 +174,15 @@ impl Analysis for SpringLever {
         title: "Arm with a spring",
         topic: "Bars and levers",
         summary: "All equilibria of a loaded arm restrained by a spring, with their stability; or the load or stiffness for a given angle.",
+        main: &[
+            "stable_angle",
+            "critical_stiffness",
+            "critical_mass",
+            "critical_force",
+            "stiffness",
+            "mass",
+            "holding_couple",
+        ],
         keywords: "lever torsion spring drum disc weight inverted pendulum potential energy stability equilibrium critical \
                    alavanca mola de torção tambor disco pêndulo invertido energia potencial estabilidade equilíbrio",
         sources: &[&BEER, &HIBBELER, &RIUL],

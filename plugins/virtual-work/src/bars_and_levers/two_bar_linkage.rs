@@ -81,6 +81,7 @@ impl Analysis for TwoBarLinkage {
         title: "Two bars with a sliding end",
         topic: "Bars and levers",
         summary: "Equilibria and stability of two equal hinged bars with a sliding end, or the force or stiffness for a given angle.",
+        main: &["stable_angle", "force_b", "force_c", "stiffness"],
         keywords: "two-member linkage hinged bars roller spring virtual displacement angle barras articuladas rolete mola \
                    deslocamento virtual ângulo",
         sources: &[&HIBBELER, &BEER, &RIUL],

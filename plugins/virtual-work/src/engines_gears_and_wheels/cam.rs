@@ -48,6 +48,15 @@ impl Analysis for Cam {
         title: "Cam and follower",
         topic: "Engines, gears and wheels",
         summary: "Lift, velocity, acceleration and jerk of a motion program, pressure angle, radius of curvature and profile of a disc cam with a knife-edge, roller, flat-faced or oscillating follower, and the force and torque.",
+        main: &[
+            "lift",
+            "base_radius",
+            "pressure_angle",
+            "rise_pressure_angle",
+            "rise_acceleration",
+            "rise_velocity",
+            "jump_speed",
+        ],
         keywords: "came seguidor ressalto cam follower SVAJ rise dwell return fall outstroke cycloidal simple harmonic parabolic 3-4-5 \
                    4-5-6-7 polynomial modified trapezoid modified sine pressure angle undercutting base circle prime \
                    circle flat-faced roller oscillating jerk ângulo de pressão cicloidal camo excêntrico",

@@ -167,6 +167,7 @@ impl Analysis for Engine {
         title: "Reciprocating engine",
         topic: "Engines, gears and wheels",
         summary: "Motion of the piston, forces in piston, rod, guide, crank pin and bearings, and turning moment of a single-cylinder engine, at one angle and over its cycle.",
+        main: &["turning_moment", "piston_force", "mean_moment", "velocity", "acceleration"],
         keywords: "motor alternativo pistão biela manivela slider-crank piston effort crank effort turning moment diagram gudgeon pin \
                    connecting rod thrust guide crosshead steam engine Otto Diesel ideal cycle compression ratio indicator diagram cut-off expansion inertia force torque motor \
                    esforço no êmbolo ponto morto diagrama de torque máquina a vapor força de inércia pino da manivela",

@@ -128,6 +128,7 @@ impl Analysis for EpicyclicTrain {
         title: "Epicyclic gear train",
         topic: "Engines, gears and wheels",
         summary: "Speeds of all members of an epicyclic train by Willis's formula, and driving, load and holding torques by virtual power.",
+        main: &["ratio", "driven_speed", "holding_torque"],
         keywords: "trem epicicloidal planetário engrenagem sol coroa braço satélite Willis redutor torque de reação \
                    planetary gear epicyclic sun ring annulus arm carrier ratio",
         sources: &[&BEVAN, &SHIGLEY, &NORTON],

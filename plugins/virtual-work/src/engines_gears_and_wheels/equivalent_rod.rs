@@ -82,6 +82,7 @@ impl Analysis for EquivalentRod {
         title: "Equivalent masses of a connecting rod",
         topic: "Engines, gears and wheels",
         summary: "Two masses dynamically equivalent to a connecting rod, the masses at its two pins, and the correction couple.",
+        main: &["first_mass", "second_mass", "second_distance"],
         keywords: "biela massas equivalentes sistema dinamicamente equivalente conjugado de correção raio de giração pêndulo \
                    dynamically equivalent two-mass system correction couple connecting rod radius of gyration swing period",
         sources: &[&BEVAN, &KHURMI],

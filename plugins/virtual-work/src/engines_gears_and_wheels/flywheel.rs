@@ -156,6 +156,7 @@ impl Analysis for Flywheel {
         title: "Flywheel",
         topic: "Engines, gears and wheels",
         summary: "Energy fluctuation of a turning moment against a constant or varying load, and flywheel inertia for a speed fluctuation, or the speed fluctuation for an inertia.",
+        main: &["inertia", "mass", "fluctuation", "energy_fluctuation"],
         keywords: "volante de inércia flutuação de energia coeficiente de flutuação de velocidade diagrama de torque \
                    flywheel fluctuation of energy coefficient of fluctuation of speed turning moment diagram steadiness",
         sources: &[&KHURMI, &BEVAN],

@@ -157,6 +157,7 @@ impl Analysis for GearedDrive {
         title: "Geared drive",
         topic: "Engines, gears and wheels",
         summary: "Acceleration of a shaft, hoist or vehicle that a motor drives through gears, or the motor torque for it, with the gear efficiency by the direction of power; gear ratio of the maximum acceleration.",
+        main: &["acceleration", "best_ratio", "torque", "power"],
         keywords: "geared system hoist winding drum vehicle efficiency of gears overrunning driving equivalent inertia reflected inertia \
                    acionamento redutor rendimento guincho veículo inércia equivalente relação de transmissão aceleração",
         sources: &[&KHURMI],

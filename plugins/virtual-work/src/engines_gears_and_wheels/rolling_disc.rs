@@ -132,6 +132,7 @@ impl Analysis for RollingDisc {
         title: "Rolling disc driven by a crank",
         topic: "Engines, gears and wheels",
         summary: "Torque on a crank that rolls a disc without slip against spring and damper, by virtual work; friction at the floor and the coefficient required.",
+        main: &["torque", "force", "acceleration"],
         keywords: "disco rolamento sem escorregamento manivela mola amortecedor atrito cilindro roda rolling without slip \
                    wheel cylinder friction slider-crank",
         sources: &[&RIUL, &SHIGLEY, &NORTON],

@@ -157,6 +157,7 @@ impl Analysis for FiveBar {
         title: "Five-bar linkage",
         topic: "Plane linkages",
         summary: "Holding torques of a five-bar linkage with two driven cranks, or geared to one degree of freedom, for a force at the common pin of its rods, by virtual work; or the force from the torques.",
+        main: &["first_torque", "second_torque", "first_rod_angle", "second_rod_angle"],
         keywords: "mecanismo de cinco barras dois graus de liberdade engrenado robô paralelo jacobiano five-bar geared \
                    parallel robot Jacobian two degrees of freedom",
         sources: &[&RIUL, &NORTON, &SHIGLEY],

@@ -147,6 +147,7 @@ impl Analysis for QuickReturn {
         title: "Quick-return mechanism",
         topic: "Plane linkages",
         summary: "Torque or force, motion with Coriolis acceleration, time ratio and reactions of crank and slotted lever, Whitworth and shaper.",
+        main: &["slider_velocity", "torque", "time_ratio", "lever_speed"],
         keywords: "retorno rápido plaina limadora manivela balancim ranhurado Whitworth Coriolis razão de tempos torno \
                    crank and slotted lever shaper quick return time ratio",
         sources: &[&RIUL, &SHIGLEY, &KHURMI, &NORTON],

@@ -91,6 +91,7 @@ impl Analysis for ScotchYoke {
         title: "Scotch yoke",
         topic: "Plane linkages",
         summary: "Torque on the crank or force on the yoke of a Scotch yoke, at rest or in motion, by virtual work; harmonic motion and reactions.",
+        main: &["torque", "force", "velocity"],
         keywords: "garfo escocês jugo escocês senoidal movimento harmônico manivela cursor ranhurado bomba compressor \
                    scotch yoke donkey crosshead harmonic motion",
         sources: &[&RIUL, &SHIGLEY, &NORTON],

@@ -203,6 +203,7 @@ impl Analysis for SixBar {
         title: "Six-bar linkage",
         topic: "Plane linkages",
         summary: "Torque or load of Watt and Stephenson six-bars with a slider or a second rocker, at rest or in motion with masses, by virtual work.",
+        main: &["torque", "slider_velocity", "slider_displacement"],
         keywords: "mecanismo de seis barras Watt Stephenson prensa cursor balancim quadrilátero díade press linkage dwell \
                    six-bar four-bar slider dyad",
         sources: &[&RIUL, &SHIGLEY, &NORTON],

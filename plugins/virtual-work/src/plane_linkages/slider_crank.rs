@@ -114,6 +114,7 @@ impl Analysis for SliderCrank {
         title: "Slider-crank",
         topic: "Plane linkages",
         summary: "Torque on the crank or force on the slider of a slider-crank, at rest or in motion with masses, by virtual work; motion, transmission angle and reactions.",
+        main: &["torque", "force", "slider_velocity", "slider_acceleration"],
         keywords: "cursor manivela biela pistão compressor motor prensa trabalho virtual torque força reações engine piston \
                    connecting rod crank pump compressor virtual work static dynamic offset ângulo de transmissão transmission angle",
         sources: &[&RIUL, &BEER, &SHIGLEY, &NORTON],

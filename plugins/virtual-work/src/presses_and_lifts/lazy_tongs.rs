@@ -67,6 +67,7 @@ impl Analysis for LazyTongs {
         title: "Lazy tongs",
         topic: "Presses and lifts",
         summary: "Reactions at the two supports of a row of crossed bars under vertical loads, each found by releasing its support.",
+        main: &["reaction_a_along", "reaction_b_along", "reaction_a_up", "reaction_b_up"],
         keywords: "pantograph crossed bars support reaction virtual displacement tesoura articulada pantógrafo barras cruzadas \
                    reação de apoio",
         sources: &[&BEER, &HIBBELER, &RIUL],

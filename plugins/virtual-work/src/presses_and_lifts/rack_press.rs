@@ -75,6 +75,7 @@ impl Analysis for RackPress {
         title: "Rack press",
         topic: "Presses and lifts",
         summary: "Ram force of a rack press from the force on its handle, or vice versa, with the stroke per revolution.",
+        main: &["ram", "mechanical_advantage"],
         keywords: "arbor press rack and pinion handle mechanical advantage prensa de cremalheira pinhão alavanca manual vantagem \
                    mecânica",
         sources: &[&BEER, &RIUL],

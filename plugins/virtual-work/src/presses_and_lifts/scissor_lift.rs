@@ -117,6 +117,7 @@ impl Analysis for ScissorLift {
         title: "Scissor lift",
         topic: "Presses and lifts",
         summary: "Force of the cylinder of a scissor lift of any number of stages, or the load that it lifts, with lifting speed and forces in the pins.",
+        main: &["cylinder_force", "load"],
         keywords: "hydraulic lift table platform cylinder stages plataforma pantográfica mesa elevadora tesoura cilindro \
                    hidráulico pistão",
         sources: &[&BEER, &HIBBELER, &RIUL],

@@ -129,6 +129,7 @@ impl Analysis for ScrewJack {
         title: "Screw jack",
         topic: "Presses and lifts",
         summary: "Axial force and torque of a screw jack, a rhombus jack or a scissor jack, with friction, efficiency and self-locking.",
+        main: &["raising_torque", "load", "axial_force", "efficiency"],
         keywords: "car jack scissor rhombus power screw lead thread friction self-locking efficiency macaco sanfona parafuso de \
                    potência passo rosca atrito autotravante rendimento",
         sources: &[&BEER, &HIBBELER, &RIUL],

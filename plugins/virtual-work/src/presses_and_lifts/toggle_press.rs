@@ -56,6 +56,7 @@ impl Analysis for TogglePress {
         title: "Toggle press",
         topic: "Presses and lifts",
         summary: "Thrust of a toggle press from the force on its knee, or vice versa, with the forces in its links.",
+        main: &["thrust", "mechanical_advantage"],
         keywords: "knuckle joint press clamp mechanical advantage prensa de joelho alavanca articulada vantagem mecânica grampo",
         sources: &[&BEER, &HIBBELER, &RIUL],
         cases: include_str!("../../cases/toggle_press.toml"),
