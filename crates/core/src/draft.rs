@@ -4,8 +4,10 @@
 //! and reports every error at once.
 
 mod references;
+mod repairs;
 
 pub(crate) use references::read_references;
+pub use repairs::repairs;
 
 use dalembert_units::{self as units, Style};
 
@@ -437,14 +439,18 @@ fn read(draft: &Draft, shape: &Shape, path: &str, faults: &mut Faults) -> Value 
 
 /// The refusal of a number below one, without a unit, where per cent is asked: books print fractions there, 0.05 for 5 %.
 fn fraction(text: &str, quantity: &units::Quantity, shape: &Shape) -> Option<Text> {
+    let [first, second] = per_cent(text, quantity, shape)?;
+    let why = Text::new("`{text}` without a unit can be read in two ways: write `{first}` or `{second}`");
+    Some(why.with("text", text.trim()).with("first", first).with("second", second))
+}
+
+/// The two readings of such a number: a fraction, and per cent.
+fn per_cent(text: &str, quantity: &units::Quantity, shape: &Shape) -> Option<[String; 2]> {
     if quantity.unit.text != "%" || quantity.si.abs() >= 0.01 || !is_bare(text, shape) {
         return None;
     }
     let style = Style { ascii: true, ..Style::default() };
-    let percent = |si: f64| units::write_quantity(si, &quantity.unit, style);
-    let why = Text::new("`{text}` without a unit can be read in two ways: write `{first}` or `{second}`");
-    let (first, second) = (percent(quantity.si * 100.0), percent(quantity.si));
-    Some(why.with("text", text.trim()).with("first", first).with("second", second))
+    Some([quantity.si * 100.0, quantity.si].map(|si| units::write_quantity(si, &quantity.unit, style)))
 }
 
 fn leaf(text: &str, shape: &Shape, path: &str, faults: &mut Faults) -> Value {

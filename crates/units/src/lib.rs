@@ -38,7 +38,7 @@ pub use crate::{
     kind::Kind,
     read::{
         Hint, ReadError, WrongKind, group_mark, is_invisible, meant_unit, quantity_of, read_any, read_count,
-        read_quantity, read_vector, thousands, unit, vulgar_fraction, with_point,
+        read_quantity, read_vector, thousands, unit, vulgar_fraction, with_comma, with_point,
     },
     system::UnitSystem,
     table::{Spelling, spellings, unit_of_two_words},

@@ -18,7 +18,7 @@ use scan::{Cursor, Literal, guard, is_product};
 
 pub use error::{Hint, ReadError, WrongKind};
 pub use kinds::meant_unit;
-pub use scan::{group_mark, is_invisible, thousands, vulgar_fraction, with_point};
+pub use scan::{group_mark, is_invisible, thousands, vulgar_fraction, with_comma, with_point};
 pub use units::unit;
 pub(crate) use value::compose;
 pub use vector::read_vector;

@@ -296,6 +296,21 @@ impl fmt::Display for Hint {
     }
 }
 
+impl Hint {
+    /// The texts that it shows.
+    fn repairs(&self) -> Vec<String> {
+        match self {
+            Self::WeightOf(kg) => vec![format!("9.81*{kg} N"), format!("{kg} kgf")],
+            Self::MassOf(newtons) => vec![format!("{newtons}/9.81 kg")],
+            Self::TorqueOf(number) => vec![format!("{number} N*m")],
+            Self::Namesake(_, text) | Self::Feet(text) | Self::Reciprocal(text) | Self::Meant(text) => {
+                vec![text.clone()]
+            }
+            Self::NoAmplitude | Self::Slope => Vec::new(),
+        }
+    }
+}
+
 impl ReadError {
     /// Names the units that an unknown one may have been meant as, those of the wanted dimension first: a search that
     /// only a message needs. Of these, and of the units that a symbol may stand for, up to three stay: those that `fits`
@@ -320,6 +335,21 @@ impl ReadError {
             meant.truncate(3);
         }
         self
+    }
+
+    /// Texts that the message offers in place of the [`span`](Self::span) at fault, or of the whole.
+    pub fn repairs(&self) -> Vec<String> {
+        match self {
+            Self::TwoMarks { readings, .. }
+            | Self::Gap { readings, .. }
+            | Self::Ambiguous { readings, .. } => readings.to_vec(),
+            Self::UnknownUnit { nearest: units, .. } | Self::SeveralUnits { meant: units, .. } => {
+                units.iter().map(|unit| (*unit).to_owned()).collect()
+            }
+            Self::Sum { repairs, .. } => repairs.clone(),
+            Self::WrongKind(wrong) => wrong.hint.as_ref().map_or_else(Vec::new, Hint::repairs),
+            _ => Vec::new(),
+        }
     }
 
     /// The bytes of the text typed that are at fault; `None` when it is the whole of it.

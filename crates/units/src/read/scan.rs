@@ -346,6 +346,18 @@ pub fn with_point(text: &str) -> Cow<'_, str> {
     pointed.into()
 }
 
+/// The text with a decimal comma in each of its numbers that has a decimal point: for readers whose language has commas. What
+/// it makes, [`with_point`] takes back.
+pub fn with_comma(text: &str) -> String {
+    let digit = |byte: Option<&u8>| byte.is_some_and(u8::is_ascii_digit);
+    let bytes = text.as_bytes();
+    let is_decimal = |at: usize| {
+        digit(bytes.get(at + 1))
+            && (at == 0 || digit(bytes.get(at - 1)) || !bytes[at - 1].is_ascii_alphanumeric())
+    };
+    text.char_indices().map(|(at, c)| if c == '.' && is_decimal(at) { ',' } else { c }).collect()
+}
+
 /// Returns true for the spaces with which printed numbers set groups of three digits apart (ISO 80000-1), and the ordinary
 /// one that is typed in their place.
 fn is_group_mark(c: char) -> bool {

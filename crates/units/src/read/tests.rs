@@ -716,3 +716,18 @@ fn feet_and_inches_and_a_letter_left_out_are_refused_with_what_to_write() {
     let error = read_quantity("3 kg", &metre, Kind::Length).unwrap_err().to_string();
     assert!(!error.contains("did you mean"), "{error}");
 }
+
+#[test]
+fn a_decimal_comma_is_taken_back() {
+    for (text, comma) in [
+        ("20.3 mm", "20,3 mm"),
+        ("1.3e-6 m^4", "1,3e-6 m^4"),
+        ("(0.5; -.25) m/s", "(0,5; -,25) m/s"),
+        ("2.5*pi*50 rad/s", "2,5*pi*50 rad/s"),
+        ("9/6", "9/6"),
+        ("2 .. 3 mm", "2 .. 3 mm"),
+    ] {
+        assert_eq!(with_comma(text), comma);
+        assert_eq!(with_point(comma), text);
+    }
+}
