@@ -2248,7 +2248,7 @@ disc-against-spring-and-damper-at-8-rad-s = Disco contra mola e amortecedor a 8 
 t-k-x-x-w-l-0-c-v-3-2-m-a-u-with-the-motion-of-a-slider-crank-virtual-power-and-the-newton-euler = T = −[−k (x − x_w − L_0) − c v − (3/2) m a] u com o movimento de um cursor-manivela; a potência virtual e as equações de Newton–Euler deram o mesmo
 crank-60-mm-at-50-rod-200-mm-disc-of-4-kg-and-150-mm-spring-of-800-n-m-from-a-wall-at-200-mm-free = Manivela de 60 mm a 50°, biela de 200 mm; disco de 4 kg e 150 mm; mola de 800 N/m a partir de uma parede em −200 mm, comprimento livre de 100 mm; amortecedor de 25 N·s/m. O torque não depende da gravidade.
 a-ring-accelerates-as-twice-its-mass = Um anel acelera como o dobro da sua massa
-i-m-r-t-2-m-a-u-at-90-with-l-2-r-u-r-a-r-sin-cos-r = I = m R²: T = 2 m a u; em 90° com l = √2 r: u = −r, a = r ω² (sen² θ)/cos³ φ… = r ω²
+i-m-r-t-2-m-a-u-at-90-with-l-2-r-u-r-a-r-l-r-r = I = m R²: T = 2 m a u; em 90° com l = √2 r: u = −r, a = r² ω²/√(l² − r²) = r ω²
 at-2-90-the-rod-has-tan-r-l-r-1-so-x-l-r-sin-r-cos-has-x-r-l-r-r = Em θ_2 = 90° a biela tem tan φ = r/√(l² − r²) = 1, portanto x = √(l² − r² sen² θ) + r cos θ tem x'' = r²/√(l² − r²) = r.
 spring-in-static-equilibrium = Mola em equilíbrio estático
 f-k-s-l-0-with-s-300-mm-200-mm-500-0-1-50-n-holds-the-disc-without-a-torque = F = k (s − L_0) com s = 300 mm + 200 mm: 500·0,1 = 50 N mantêm o disco sem torque
