@@ -41,3 +41,7 @@ no-answer-on-one-side-why = sem resposta de um lado: { $why }
 what-was-printed-is-covered = o que foi impresso está coberto
 published-values-hidden = valores publicados ocultos
 other-program = outro programa
+n-1-check-passed-difference-difference-key-shows-it = 1 verificação aprovada (diferença ≤ { $difference }); { $key } a mostra
+count-checks-passed-differences-difference-key-shows-them = { $count } verificações aprovadas (diferenças ≤ { $difference }); { $key } as mostra
+label-count-lists-key-shows-them = { $label }: { $count } listas; { $key } as mostra
+show-all-checks-and-lists-working-of-the-chosen-answer-alone-load-the-case = mostrar todas as verificações e listas; só a resolução da resposta escolhida; carregar o caso

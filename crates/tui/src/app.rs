@@ -197,9 +197,6 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
     if world.perform(&mut model, effects) {
         return Ok(());
     }
-    if analysis.is_some() && model.notice.is_none() {
-        model.say("Esc: list of analyses");
-    }
     if let Some(error) = trouble {
         update(&mut model, Msg::Trouble(error));
     }

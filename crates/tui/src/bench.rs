@@ -3,16 +3,16 @@
 use std::any::Any;
 
 use dalembert_core::{Locale, Text};
-use tui_input::Input;
 
 use crate::{
     glyphs::filter_untrusted,
     keys::KeyContext,
     layout::Focus,
-    pane::{Column, Pane, Tab},
+    pane::{Pane, Tab},
     panes,
     plot::Marker,
     problem::{Freshness, Problem},
+    text_entry::TextEntry,
 };
 
 /// A problem on the screen.
@@ -33,7 +33,7 @@ pub struct Bench {
     /// The marker that curves are drawn with.
     pub marker: Marker,
     /// The cell of the shown pane that is being typed in.
-    pub edit: Option<Input>,
+    pub edit: Option<TextEntry>,
     /// The part of the file that the panes were last turned to, by its name.
     pub turned_to: String,
     /// The number of the job that a pane waits for, and which.
@@ -86,11 +86,6 @@ impl Bench {
     /// The tabs of the panes that have something to show; the first and the last always do.
     pub fn tabs(&self) -> Vec<Tab> {
         self.all_tabs().filter(|tab| self.pane(*tab).is_useful(&self.problem)).collect()
-    }
-
-    /// The tabs of the panes that share or have a column, from top to bottom.
-    pub fn in_column(&self, column: Column) -> Vec<Tab> {
-        self.all_tabs().filter(|tab| self.pane(*tab).column() == column).collect()
     }
 
     /// The place where keys are typed.

@@ -9,13 +9,15 @@ use tui_input::Input;
 
 pub use names::Names;
 
-use crate::{files::Crashed, keys::KeyContext, look::Theme};
+use crate::{files::Crashed, keys::KeyContext, look::Theme, text_entry::TextEntry};
 
 /// Dialog over a screen.
 #[derive(Debug)]
 pub enum Dialog {
     /// Keyboard shortcuts.
     Help {
+        /// Words that keys are searched by.
+        search: Input,
         /// The first line that is shown.
         scroll: usize,
     },
@@ -39,10 +41,8 @@ pub enum Dialog {
     Prompt {
         /// Purpose of the text.
         purpose: Purpose,
-        /// Text field: typed or proposed.
-        input: Input,
-        /// True for a proposal: the first character typed replaces it.
-        proposed: bool,
+        /// Text that is typed; a proposal is selected.
+        input: TextEntry,
         /// Error of the last text.
         error: Option<Text>,
         /// The files that may be meant, where it is the path of one.
@@ -185,21 +185,26 @@ impl Dialog {
 
     /// A line of text is asked for; a proposal gives way to what is typed.
     pub fn prompt(purpose: Purpose, proposal: String) -> Self {
-        Self::prompt_with(purpose, !proposal.is_empty(), proposal, None)
+        Self::prompt_with(purpose, TextEntry::selected(proposal), None)
     }
 
     /// A line of text is asked for, and begun with.
     pub fn prompt_asking(purpose: Purpose, begun: &str) -> Self {
-        Self::prompt_with(purpose, false, begun.to_owned(), None)
+        Self::prompt_with(purpose, TextEntry::new(begun), None)
     }
 
     /// Prompt again, with an invalid text and its error.
     pub fn prompt_again(purpose: Purpose, typed: String, error: Text) -> Self {
-        Self::prompt_with(purpose, false, typed, Some(error))
+        Self::prompt_with(purpose, TextEntry::new(typed), Some(error))
     }
 
-    fn prompt_with(purpose: Purpose, proposed: bool, text: String, error: Option<Text>) -> Self {
-        Dialog::Prompt { purpose, input: text.into(), proposed, error, names: Names::default() }
+    fn prompt_with(purpose: Purpose, input: TextEntry, error: Option<Text>) -> Self {
+        Dialog::Prompt { purpose, input, error, names: Names::default() }
+    }
+
+    /// The help, from its first line.
+    pub fn help() -> Self {
+        Dialog::Help { search: Input::default(), scroll: 0 }
     }
 
     /// An empty palette.

@@ -16,7 +16,7 @@ use std::{
 };
 
 use dalembert_core::{Draft, Entry, Shape, Value, ascii, draft, gravity, linked, within_problem};
-use dalembert_units::{Decimal, Style, thousands, with_point, write_quantity, write_vector};
+use dalembert_units::{Decimal, Style, thousands, with_comma, with_point, write_quantity, write_vector};
 
 pub use edit::{Edit, Sign};
 pub use lines::{BETWEEN, FormLine, Role, lines};
@@ -621,7 +621,13 @@ pub fn echo(text: &str, shape: &Shape, style: Style) -> Option<String> {
     match (draft::read_leaf(text, shape, "").ok()?, shape) {
         (Value::Quantity(quantity), Shape::Quantity(measure)) => {
             let shown = write_quantity(quantity.si, &measure.of(&quantity.unit).own_unit(), style);
-            (squeezed(&shown) != squeezed(text) || point_of_thousands(text, style).is_some()).then_some(shown)
+            // The same number with its unit written in another way says nothing new.
+            let number = |text: &str| {
+                let end = text.find(|c: char| !(c.is_ascii_digit() || ".,-−".contains(c)));
+                text[..end.unwrap_or(text.len())].replace('-', "−").replace(',', ".")
+            };
+            let says_more = number(&shown) != number(text.trim_start());
+            (says_more || point_of_thousands(text, style).is_some()).then_some(shown)
         }
         (Value::Vector(vector), Shape::Vector(..)) => {
             let shown = write_vector(vector.si, &vector.unit, style);
@@ -637,6 +643,17 @@ pub fn point_of_thousands(text: &str, style: Style) -> Option<&str> {
     match style.decimal {
         Decimal::Point => None,
         Decimal::Comma => thousands(text, '.'),
+    }
+}
+
+/// A text of the draft as it is shown and edited in a language: numbers with its decimal mark. What is no quantity stays
+/// as it is.
+pub fn in_language(text: &str, shape: &Shape, decimal: Decimal) -> String {
+    let is_quantity = matches!(shape.present(), Shape::Quantity(_) | Shape::Vector(..));
+    if decimal == Decimal::Comma && is_quantity && draft::read_leaf(text, shape, "").is_ok() {
+        with_comma(text)
+    } else {
+        text.to_owned()
     }
 }
 

@@ -45,6 +45,8 @@ pub enum Action {
     Clear,
     /// Yes or no; in or out.
     Toggle,
+    /// The tab of a number.
+    Tab(usize),
     /// The next tab.
     NextTab,
     /// The tab before.
@@ -65,6 +67,8 @@ pub enum Action {
     NextMarker,
     /// To where a scene in space is usually seen from.
     UsualView,
+    /// The repair that an error offers, in place of the wrong text.
+    Repair,
     /// Less of the axis, larger.
     ZoomIn,
     /// More of the axis, smaller.
@@ -298,7 +302,12 @@ impl KeyContext {
     pub fn is_text(self) -> bool {
         matches!(
             self,
-            KeyContext::Filter | KeyContext::Edit | KeyContext::Prompt | KeyContext::Sheet | KeyContext::Cell
+            KeyContext::Filter
+                | KeyContext::Edit
+                | KeyContext::Prompt
+                | KeyContext::Sheet
+                | KeyContext::Help
+                | KeyContext::Cell
         )
     }
 

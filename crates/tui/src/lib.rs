@@ -25,6 +25,7 @@ pub mod replay;
 pub mod settings;
 pub mod solver;
 mod text;
+pub mod text_entry;
 pub mod typed;
 mod update;
 mod view;
@@ -35,6 +36,6 @@ pub use dalembert_terminal::{self as terminal, glyphs};
 pub use effect::Effect;
 pub use model::{Model, Msg};
 pub use update::{start, update};
-pub use view::{tempo, view};
+pub use view::{seen_panes, tempo, view};
 
 dalembert_core::messages!("../locales/pt-BR.ftl");

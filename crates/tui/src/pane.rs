@@ -8,7 +8,6 @@ use ratatui::{
     layout::{Position, Rect},
     text::Line,
 };
-use tui_input::Input;
 
 pub use crate::intent::Tab;
 use crate::{
@@ -19,6 +18,7 @@ use crate::{
     plot::Marker,
     problem::{OpenFile, Problem},
     text::draw_lines,
+    text_entry::TextEntry,
 };
 
 /// A pane in the registry of all.
@@ -43,15 +43,15 @@ macro_rules! register_pane {
 
 pub(crate) use register_pane;
 
-/// The part of a wide screen that a pane takes.
+/// Content of a pane, by which it is given room on the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Column {
-    /// The middle column, shared: the first such pane above the second.
-    Shared,
-    /// The middle column, alone.
-    Alone,
-    /// The right column, which is for pictures: the first such pane above the second.
-    Pictures,
+pub enum Content {
+    /// Text to read: as many rows as it has.
+    Text,
+    /// A picture: the more room the better.
+    Picture,
+    /// Cells to type in, and what comes of them: never seen beside another pane without being asked for.
+    Cells,
 }
 
 /// The lines of a pane, and at which of them its parts begin.
@@ -61,6 +61,8 @@ pub struct Page {
     pub lines: Vec<Line<'static>>,
     /// The first line of each step or case.
     pub starts: Vec<usize>,
+    /// So many of the first lines are seen whatever else is: the main answers.
+    pub head: usize,
 }
 
 /// The surroundings of a pane: the user's look, language and keys, and where the pane is seen.
@@ -79,7 +81,7 @@ pub struct Ui<'a> {
     /// True if the keys act on the pane.
     pub focused: bool,
     /// The text that is being typed in the cell under its cursor.
-    pub edit: Option<&'a Input>,
+    pub edit: Option<&'a TextEntry>,
     /// True if it waits for what takes time.
     pub waits: bool,
     /// The inside of the pane.
@@ -111,9 +113,9 @@ pub trait Pane: Any + Debug {
         KeyContext::Pane
     }
 
-    /// The part of a wide screen that it takes.
-    fn column(&self) -> Column {
-        Column::Alone
+    /// The content, by which the pane is given room.
+    fn content(&self) -> Content {
+        if self.place().has_cells() { Content::Cells } else { Content::Text }
     }
 
     /// True if it has something to show.
@@ -297,7 +299,7 @@ impl Page {
 
     /// Lines without parts.
     pub fn of(lines: Vec<Line<'static>>) -> Self {
-        Self { lines, starts: Vec::new() }
+        Self { lines, ..Self::default() }
     }
 
     /// Draws the lines from one on.
@@ -309,7 +311,8 @@ impl Page {
     #[must_use]
     pub fn behind(self, lines: Vec<Line<'static>>) -> Self {
         let more = lines.len() - self.lines.len();
-        Self { lines, starts: self.starts.into_iter().map(|start| start + more).collect() }
+        let head = if self.head > 0 { self.head + more } else { 0 };
+        Self { lines, starts: self.starts.into_iter().map(|start| start + more).collect(), head }
     }
 }
 

@@ -6,6 +6,7 @@ use dalembert_core::{
     Axis, Draft, Entry, Exhibit, FieldError, LinkedProblem, Plot, ProblemSteps, Record, Solution, SolveError,
     TableExhibit, Text, UnitSetting,
     cases::Case,
+    draft,
     file::{self, LinkedFile},
     linked,
     vary::{self, VariedInput},
@@ -16,10 +17,13 @@ use dalembert_report::show_answers_in;
 use crate::{
     ask::StudyResult,
     files::{Fingerprint, LinkedTexts},
-    form::Form,
+    form::{Form, FormLine, Role},
     solver::{CheckedCase, JobFailure},
     typed::Typed,
 };
+
+/// A problem with so many other texts than a published case is a variation of it still.
+const MOST_OF_A_CASE: usize = 3;
 
 /// A problem that is worked on.
 #[derive(Debug)]
@@ -292,12 +296,16 @@ impl Problem {
         vary::inputs(record)
     }
 
-    /// The name of the problem: its title, or the case it began as, which it is no more once an input was changed.
+    /// The name of the problem: its title, or the case it began as, which it is no more once an input was changed, and of
+    /// which nothing is said once several were.
     pub fn name(&self) -> Text {
         match &self.document.origin {
             _ if !self.document.title.is_empty() => Text::verbatim(&self.document.title),
             Some(case) if case.draft == self.inputs.form.draft => case.title(),
-            Some(case) => Text::new("{title} (changed)").with_text("title", case.title()),
+            Some(case) if case.draft.apart(&self.inputs.form.draft) <= MOST_OF_A_CASE => {
+                Text::new("{title} (changed)").with_text("title", case.title())
+            }
+            Some(_) => Text::from("own data"),
             None => Text::from(""),
         }
     }
@@ -305,6 +313,17 @@ impl Problem {
     /// Errors of what is written; an input that is still empty is [needed](Self::needed), not wrong.
     pub fn wrong(&self) -> impl Iterator<Item = &FieldError> {
         self.inputs.wrong.iter()
+    }
+
+    /// Texts that the error of the field under the cursor offers in place of what is written there.
+    pub fn repairs(&self) -> Vec<String> {
+        let Some(FormLine { path, role: Role::Leaf { shape, text }, .. }) = self.inputs.form.line() else {
+            return Vec::new();
+        };
+        if self.wrong().all(|error| error.path != path) {
+            return Vec::new();
+        }
+        draft::repairs(&text, &shape)
     }
 
     /// Errors of inputs that are still to be filled in.

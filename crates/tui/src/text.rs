@@ -83,22 +83,6 @@ pub(crate) fn shortened(mut lines: Vec<String>, most: usize, room: usize, look: 
     lines
 }
 
-/// The longest last word that tells labels apart: `A`, `x₁`, `2nd`.
-const SHORT: usize = 3;
-
-/// A label in at most `room` cells: a short last word is kept, since labels differ by it: `Position of… A`.
-pub(crate) fn fit_label(text: &str, room: usize, look: &Appearance) -> String {
-    match text.rsplit_once(' ') {
-        Some((start, last)) if width(text) > room && width(last) <= SHORT && room > 2 * SHORT => {
-            format!(
-                "{} {last}",
-                fit(&format!("{start}{}", look.glyph(Glyph::Ellipsis)), room - width(last) - 1, look)
-            )
-        }
-        _ => fit(text, room, look),
-    }
-}
-
 /// Break of a word: at least one character is kept.
 fn broken_at(word: &str, room: usize) -> usize {
     let mut cells = 0;
@@ -131,9 +115,6 @@ mod tests {
         assert_eq!(fit("amplitude", 0, &look), "");
         assert_eq!(padded("X", 3, &look), "X  ");
         assert_eq!(fit("梁梁梁", 5, &look), "梁梁…");
-        assert_eq!(fit_label("Position of the plane A", 14, &look), "Position of… A");
-        assert_eq!(fit_label("Position A", 14, &look), "Position A");
-        assert_eq!(fit_label("Maximum amplitude", 12, &look), "Maximum amp…");
         let lines = || vec!["one".to_owned(), "two".to_owned(), "three".to_owned()];
         assert_eq!(shortened(lines(), 2, 5, &look), ["one", "two …"]);
         assert_eq!(shortened(lines(), 3, 5, &look), lines());

@@ -35,12 +35,14 @@ use crate::{
     pane::{Pane, Tab, Ui},
     problem::{Freshness, Problem},
     solver::{Job, JobFailure, JobOutcome, Work},
+    text_entry::TextEntry,
     view,
 };
 
 /// The first effects: a file or an analysis to begin with, if there is one.
 pub fn start(model: &mut Model, file: Option<PathBuf>, analysis: Option<&'static Entry>) -> Vec<Effect> {
     picker::begin(model);
+    model.picker.typing = true;
     let first = match (file, analysis) {
         (Some(path), _) => Intent::Do(Effect::Open(path)),
         (None, Some(entry)) => Intent::OpenCase(entry, 0),
@@ -288,7 +290,7 @@ fn everywhere(model: &mut Model, action: Action) -> Option<Vec<Intent>> {
         }
         Action::Suspend => vec![Intent::Do(Effect::Suspend)],
         Action::Redraw => vec![Intent::Do(Effect::Redraw)],
-        Action::Help if model.dialog.is_none() => vec![Intent::Show(Dialog::Help { scroll: 0 })],
+        Action::Help if model.dialog.is_none() => vec![Intent::Show(Dialog::help())],
         Action::Palette => vec![Intent::Show(Dialog::palette())],
         Action::Language => {
             model.set_language(match model.locale.language {
@@ -444,27 +446,24 @@ fn paste(model: &mut Model, text: &str) -> Vec<Intent> {
 /// Types in the text that has the keys.
 fn type_in(model: &mut Model, requests: &[InputRequest]) -> Vec<Intent> {
     let handle = |input: &mut Input| {
-        let mut changed = false;
-        for request in requests {
-            changed |= input.handle(*request).is_some_and(|state| state.value);
-        }
-        changed
+        requests.iter().fold(false, |changed, request| {
+            input.handle(*request).is_some_and(|state| state.value) || changed
+        })
     };
-    let has_room = |input: &Input| {
-        input.value().len() < inputs::LONGEST || !matches!(requests, [InputRequest::InsertChar(_)])
+    let enter = |entry: &mut TextEntry| {
+        let is_full =
+            entry.value().len() >= inputs::LONGEST && matches!(requests, [InputRequest::InsertChar(_)]);
+        !is_full && requests.iter().fold(false, |changed, request| entry.handle(*request) || changed)
     };
     match &mut model.dialog {
-        Some(Dialog::Palette { input, chosen }) => {
+        Some(Dialog::Palette { input, chosen: first } | Dialog::Help { search: input, scroll: first }) => {
             if handle(input) {
-                *chosen = 0;
+                *first = 0;
             }
             return Vec::new();
         }
-        Some(Dialog::Prompt { input, proposed, error, names, .. }) => {
-            if std::mem::take(proposed) && matches!(requests, [InputRequest::InsertChar(_), ..]) {
-                input.reset();
-            }
-            if handle(input) {
+        Some(Dialog::Prompt { input, error, names, .. }) => {
+            if enter(input) {
                 names.typed();
                 *error = None;
             }
@@ -474,18 +473,21 @@ fn type_in(model: &mut Model, requests: &[InputRequest]) -> Vec<Intent> {
         None => {}
     }
     if model.screen == Screen::Picker {
-        if !handle(&mut model.picker.filter) {
+        let filter = &mut model.picker.filter;
+        // Where a search is begun anyway, its key is no part of it.
+        let begins = filter.value().is_empty() && matches!(requests, [InputRequest::InsertChar('/')]);
+        if begins || !handle(filter) {
             return Vec::new();
         }
         (model.picker.chosen, model.picker.case) = (0, None);
         return vec![Intent::Preview];
     }
     let Some(bench) = &mut model.bench else { return Vec::new() };
-    if let Some(input) = &mut bench.edit {
-        return if has_room(input) && handle(input) { cells::typed(model) } else { Vec::new() };
+    if let Some(entry) = &mut bench.edit {
+        return if enter(entry) { cells::typed(model) } else { Vec::new() };
     }
     let form = &mut bench.problem.inputs.form;
-    if !form.edit.as_mut().is_some_and(|edit| has_room(&edit.input) && handle(&mut edit.input)) {
+    if !form.edit.as_mut().is_some_and(|edit| enter(&mut edit.input)) {
         return Vec::new();
     }
     form.typed(model.locale.style.decimal);

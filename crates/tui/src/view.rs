@@ -1,8 +1,10 @@
 //! The screens, drawn from the model alone.
 
+mod arrangement;
 mod bars;
 mod dialog;
 mod form;
+mod help;
 mod picker;
 mod tabs;
 mod target;
@@ -14,23 +16,50 @@ use ratatui::{
     Frame,
     buffer::Buffer,
     layout::{Position, Rect},
-    style::Modifier,
+    style::{Modifier, Style},
     text::Line,
     widgets::{Block, BorderType, Widget},
 };
+use tui_input::Input;
 
+use self::arrangement::{Arrangement, PlacedPane};
 pub(crate) use self::{
-    dialog::longest_scroll_of_help,
+    help::longest_scroll as longest_scroll_of_help,
     target::{HitTarget, spot},
 };
 use crate::{
     bench::Bench,
-    layout::{self, Areas, Focus},
+    glyphs::filter_untrusted,
+    layout::{self, Focus},
     look::{Appearance, Glyph},
     model::Model,
-    pane::{Column, Page, Tab, Ui},
-    text::{self, draw_lines},
+    pane::{Content, Page, Tab, Ui},
+    text::{draw_lines, width},
 };
+
+/// The parts of the screen of a problem.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Areas {
+    /// The line at the top.
+    pub(crate) title: Rect,
+    /// The tabs of problems and configurations; empty where there is one problem alone.
+    pub(crate) parts: Rect,
+    /// The inputs, where they are seen.
+    pub(crate) form: Option<Rect>,
+    /// The panes that are seen.
+    pub(crate) panes: Vec<PlacedPane>,
+    /// The line about the field under the cursor; empty where there is no room.
+    pub(crate) help: Rect,
+    /// The line of keys.
+    pub(crate) footer: Rect,
+}
+
+impl Areas {
+    /// The area of a pane, where it is seen.
+    pub(crate) fn area_of(&self, tab: Tab) -> Option<Rect> {
+        self.panes.iter().find(|placed| placed.tab == tab && !placed.is_next).map(|placed| placed.area)
+    }
+}
 
 /// The least screen that shows more than a name.
 const LEAST: (u16, u16) = (16, 4);
@@ -83,17 +112,24 @@ pub fn view(model: &Model, frame: &mut Frame<'_>) {
 
 /// Draws every pane of what was found.
 fn draw_panes(model: &Model, bench: &Bench, areas: &Areas, buffer: &mut Buffer) {
-    for (tab, area, named) in panes(model, bench, areas) {
-        let title = match named {
-            Some(named) => tabs::bar(model, bench, &named, area.width).line,
-            None => tabs::title(model, bench, tab),
-        };
+    for placed in &areas.panes {
+        let (tab, area) = (placed.tab, placed.area);
         let ui = surroundings(model, bench, tab, area);
+        let pane = bench.pane(tab);
+        if placed.is_next {
+            boxed(&tabs::place_of_next(model, bench, tab), false, ui.look, area, buffer);
+            pane.draw_next(&bench.problem, &ui, ui.area, buffer);
+            continue;
+        }
+        let title = if placed.has_tabs {
+            tabs::bar(model, bench, area.width).line
+        } else {
+            tabs::title(model, bench, tab)
+        };
         boxed(&title, ui.focused, ui.look, area, buffer);
         if ui.area.is_empty() {
             continue;
         }
-        let pane = bench.pane(tab);
         let page = pane.page(&bench.problem, &ui, ui.area.width);
         let (lines, height) = (page.lines.len(), usize::from(ui.area.height));
         let first = ui.scroll.min(lines.saturating_sub(height));
@@ -103,15 +139,6 @@ fn draw_panes(model: &Model, bench: &Bench, areas: &Areas, buffer: &mut Buffer) 
         let used = (lines + usize::from(lines > 0)).min(height) as u16;
         let room = Rect { y: ui.area.y + used, height: ui.area.height - used, ..ui.area };
         pane.draw(&bench.problem, &ui, room, buffer);
-    }
-    let pictures = bench.in_column(Column::Pictures);
-    let next = areas.pane.and(areas.picture).map(|picture| pictures_in(bench, &pictures, picture)[1]);
-    if let (Some(area), Some(first)) = (next.filter(|area| !area.is_empty()), pictures.first()) {
-        let (at, of) = bench.place_of_shown(*first).unwrap_or((1, 1));
-        let place = format!(" {}/{of} ", at % of + 1);
-        boxed(&Line::styled(place, model.look.dim()), false, &model.look, area, buffer);
-        let ui = surroundings(model, bench, *first, area);
-        bench.pane(*first).draw_next(&bench.problem, &ui, ui.area, buffer);
     }
 }
 
@@ -133,52 +160,19 @@ pub(crate) fn areas_of(model: &Model, bench: &Bench, focus: Focus) -> Areas {
 
 fn areas_in(screen: Rect, model: &Model, bench: &Bench, focus: Focus) -> Areas {
     let has_parts = bench.problem.inputs.form.parts().len() > 1;
-    layout::bench(screen, focus, bench.expanded || model.look.basic, has_parts)
-}
-
-/// The panes that are seen: what each shows, where, and the tabs that are named above it.
-fn panes(model: &Model, bench: &Bench, areas: &Areas) -> Vec<(Tab, Rect, Option<Vec<Tab>>)> {
-    let Some(pane) = areas.pane else { return Vec::new() };
-    let Some(picture) = areas.picture else {
-        return vec![(bench.tab, pane, Some(bench.tabs()))];
-    };
-    // Pictures have a column of their own.
-    let pictures = bench.in_column(Column::Pictures);
-    let named = Some(bench.tabs().into_iter().filter(|tab| !pictures.contains(tab)).collect());
-    let mut panes = if bench.shown().column() == Column::Alone {
-        vec![(bench.tab, pane, named)]
-    } else {
-        let shared = bench.in_column(Column::Shared).into_iter();
-        let titles = [named, None];
-        let areas = shared_in(model, bench, pane);
-        shared.zip(areas).zip(titles).map(|((tab, area), named)| (tab, area, named)).collect()
-    };
-    let [upper, _, lower] = pictures_in(bench, &pictures, picture);
-    let places = [Some(upper), Some(lower).filter(|lower| !lower.is_empty())];
-    panes.extend(pictures.into_iter().zip(places).filter_map(|(tab, area)| Some((tab, area?, None))));
-    panes
-}
-
-/// The areas of the two panes that share the middle column: the first is as high as its lines.
-fn shared_in(model: &Model, bench: &Bench, pane: Rect) -> [Rect; 2] {
-    let lines = page(model, bench, Tab::default(), layout::inside(pane).width).lines.len();
-    layout::stack(pane, lines)
-}
-
-/// The areas of the first pane of pictures, of its next picture, and of the second pane.
-fn pictures_in(bench: &Bench, panes: &[Tab], picture: Rect) -> [Rect; 3] {
-    let count = |at: usize| panes.get(at).map_or(0, |tab| bench.pane(*tab).pictures(&bench.problem));
-    layout::pictures(picture, count(0), count(1) > 0)
+    let [title, parts, body, help, footer] = layout::bench(screen, has_parts);
+    let Arrangement { form, panes } = arrangement::arrange(model, bench, focus, body);
+    Areas { title, parts, form, panes, help, footer }
 }
 
 /// The pane at a place of the screen, its inside, and the tab whose name stands just there.
 fn pane_at(model: &Model, bench: &Bench, areas: &Areas, at: Position) -> Option<(Tab, Rect, Option<Tab>)> {
-    let (tab, area, named) = panes(model, bench, areas).into_iter().find(|(_, area, _)| area.contains(at))?;
-    let title = title_of(area);
-    let named = named
-        .filter(|_| title.contains(at))
-        .and_then(|named| tabs::bar(model, bench, &named, area.width).at(usize::from(at.x - title.x)));
-    Some((tab, layout::inside(area), named))
+    let placed = areas.panes.iter().find(|placed| !placed.is_next && placed.area.contains(at))?;
+    let title = title_of(placed.area);
+    let named = (placed.has_tabs && title.contains(at))
+        .then(|| tabs::bar(model, bench, placed.area.width).at(usize::from(at.x - title.x)))
+        .flatten();
+    Some((placed.tab, layout::inside(placed.area), named))
 }
 
 /// The line of the page of a pane that stands at a place of its inside.
@@ -189,29 +183,34 @@ fn line_at(model: &Model, bench: &Bench, tab: Tab, inside: Rect, at: Position) -
     (inside.contains(at) && line < lines).then_some(line)
 }
 
+/// The form and the panes on the screen of a problem: name, content and area of each, frame included.
+pub fn seen_panes(model: &Model) -> Vec<(&'static str, Content, Rect)> {
+    let Some(bench) = model.shown_bench() else { return Vec::new() };
+    let areas = areas_of(model, bench, bench.focus);
+    let form = areas.form.map(|area| ("Inputs", Content::Cells, area));
+    let pane = |placed: &PlacedPane| {
+        let pane = bench.pane(placed.tab);
+        (pane.name(), pane.content(), placed.area)
+    };
+    form.into_iter().chain(areas.panes.iter().map(pane)).collect()
+}
+
 /// The inside of the pane that is shown, were the keys to act on it.
 pub(crate) fn area_of_shown(model: &Model) -> Option<Rect> {
+    area_of_pane(model, model.bench.as_ref()?.tab)
+}
+
+/// The inside of a pane where it is seen; of the one that is shown, were the keys to act on it.
+pub(crate) fn area_of_pane(model: &Model, tab: Tab) -> Option<Rect> {
     let bench = model.bench.as_ref()?;
-    let areas = areas_of(model, bench, Focus::Pane);
-    let pane = areas.pane?;
-    let in_column = |column| bench.in_column(column).iter().position(|tab| *tab == bench.tab);
-    let area = match (areas.picture, bench.shown().column()) {
-        (None, _) | (_, Column::Alone) => pane,
-        (Some(_), Column::Shared) => shared_in(model, bench, pane)[in_column(Column::Shared)?.min(1)],
-        (Some(picture), Column::Pictures) => {
-            let pictures = bench.in_column(Column::Pictures);
-            pictures_in(bench, &pictures, picture)[if in_column(Column::Pictures)? == 0 { 0 } else { 2 }]
-        }
-    };
-    Some(layout::inside(area))
+    let seen = |focus| areas_of(model, bench, focus).area_of(tab);
+    let area = if tab == bench.tab { seen(Focus::Pane) } else { seen(bench.focus).or(seen(Focus::Pane)) };
+    area.map(layout::inside)
 }
 
 /// True if a pane of the problem is on the screen.
 pub(crate) fn shows(model: &Model, tab: Tab) -> bool {
-    model.shown_bench().is_some_and(|bench| {
-        let areas = areas_of(model, bench, bench.focus);
-        panes(model, bench, &areas).iter().any(|(shown, _, _)| *shown == tab)
-    })
+    model.shown_bench().is_some_and(|bench| areas_of(model, bench, bench.focus).area_of(tab).is_some())
 }
 
 /// Duration of each frame of an animation; `None` while none plays on the screen.
@@ -224,8 +223,7 @@ pub fn tempo(model: &Model) -> Option<Duration> {
 pub(crate) fn animation(model: &Model) -> Option<(Tab, usize, f64)> {
     let bench = model.shown_bench().filter(|bench| !bench.problem.is_stale())?;
     let tab = bench.animated()?;
-    let areas = areas_of(model, bench, bench.focus);
-    let is_seen = areas.picture.is_some() || (areas.pane.is_some() && bench.tab == tab);
+    let is_seen = areas_of(model, bench, bench.focus).area_of(tab).is_some();
     let (frames, period) = bench.pane(tab).frames(&bench.problem);
     is_seen.then_some((tab, frames, period))
 }
@@ -265,7 +263,7 @@ fn scroll_mark(first: usize, shown: usize, of: usize, look: &Appearance, area: R
     let up = if first > 0 { look.glyph(Glyph::Up) } else { " " };
     let down = if first + shown < of { look.glyph(Glyph::Down) } else { " " };
     let mark = format!(" {}–{}/{of} {up}{down} ", first + 1, (first + shown).min(of));
-    let width = text::width(&mark) as u16;
+    let width = width(&mark) as u16;
     if width + 4 <= area.width {
         buffer.set_string(area.right() - width - 2, area.bottom() - 1, mark, look.dim());
     }
@@ -274,4 +272,28 @@ fn scroll_mark(first: usize, shown: usize, of: usize, look: &Appearance, area: R
 /// A word of the interface in the user's language.
 fn word(english: &'static str, model: &Model) -> String {
     Text::from(english).render(&model.locale)
+}
+
+/// A line of text with its cursor.
+fn draw_input(
+    model: &Model,
+    input: &Input,
+    before: &str,
+    style: Style,
+    area: Rect,
+    buffer: &mut Buffer,
+) -> Option<Position> {
+    if area.is_empty() {
+        return None;
+    }
+    let offset = width(before);
+    let room = usize::from(area.width).saturating_sub(offset + 1);
+    let scroll = input.visual_scroll(room);
+    let text: String = input.value().chars().skip(scroll).take(room).collect();
+    buffer.set_stringn(area.x, area.y, before, area.width.into(), model.look.key());
+    buffer.set_stringn(area.x + offset as u16, area.y, filter_untrusted(&text), room, style);
+    Some(Position::new(
+        area.x + (offset + input.visual_cursor().saturating_sub(scroll).min(room)) as u16,
+        area.y,
+    ))
 }

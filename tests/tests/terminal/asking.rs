@@ -246,7 +246,7 @@ fn a_random_answer_is_no_slip() {
 /// Types the user's answers into the tab of checks.
 fn checks(mut person: Person) -> Person {
     person
-        .types("]]]]<tab>")
+        .types("]]]]")
         .types("<down>106,2<enter>")
         .types("<down><down>0.707 <enter><down><down>1.743<enter><down>-127.5<enter>");
     person
@@ -263,7 +263,7 @@ fn answers_of_ones_own_are_checked_as_they_are_typed() {
 #[test]
 fn ours_stays_covered_until_it_is_asked_for() {
     let mut person = Person::at(110, 40).opens(FAN);
-    person.types("t]]]]<tab>");
+    person.types("t]]]]");
     for _ in 0..2 {
         let screen = person.sees();
         assert!(!screen.contains("19.456") && !screen.contains("106.23"), "{screen}");
@@ -355,7 +355,7 @@ fn a_display_is_read_as_it_is_written() {
 #[test]
 fn the_verdict_on_the_last_answer_is_seen() {
     let mut person = Person::at(80, 24).opens(FAN);
-    person.types("]]]]<tab>");
+    person.types("]]]]");
     for _ in 0..30 {
         person.types("7<enter><down>");
     }

@@ -4,7 +4,7 @@ use std::{collections::HashSet, fs, path::Path};
 
 use dalembert_core::{Entry, registry};
 use dalembert_tests::person::Person;
-use dalembert_tui::{keys::KeyContext, pane::Column, panes};
+use dalembert_tui::{keys::KeyContext, pane::Content, panes};
 use insta::assert_snapshot;
 use itertools::Itertools as _;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -37,13 +37,13 @@ fn every_pane_of_the_fan_at_every_size() {
     for (name, keys) in [
         ("results", ""),
         ("results_compared", "<end>c<s-up><tab>"),
-        ("working", "]<tab><right>"),
-        ("plot", "]]<tab><home><right>"),
-        ("drawing", "]]]<tab>"),
-        ("check", "]]]]<tab><down>106,2<enter>"),
-        ("sensitivity", "]]]]]<tab>"),
-        ("study", "]]]]]]<tab>"),
-        ("sources", "[<tab>"),
+        ("working", "]<right>"),
+        ("plot", "]]<home><right>"),
+        ("drawing", "]]]"),
+        ("check", "]]]]<down>106,2<enter>"),
+        ("sensitivity", "]]]]]"),
+        ("study", "]]]]]]"),
+        ("sources", "["),
         ("field_wrong", "<end><del>12 kg<enter>"),
         ("choices", "<down><down><enter>"),
         ("question", "<end>+q"),
@@ -59,11 +59,11 @@ fn every_pane_of_the_fan_at_every_size() {
 #[test]
 fn every_other_pane_at_every_size() {
     for (name, id, keys) in [
-        ("table", "vibration/modal-analysis", "]]]]<tab>"),
+        ("table", "vibration/modal-analysis", "]]]]"),
         ("rows", "vibration/rotor-dynamics", "<down><down><down><enter>"),
-        ("scene", "rigid-body/free-triaxial", "]]]<tab>i<right>"),
-        ("animation", "virtual-work/engine", "]]]<tab> ."),
-        ("polar", "balancing/two-plane", "]]<tab>"),
+        ("scene", "rigid-body/free-triaxial", "]]]i<right>"),
+        ("animation", "virtual-work/engine", "]]] ."),
+        ("polar", "balancing/two-plane", "]]"),
         ("field_job", "balancing/field", "<tab>"),
     ] {
         assert_snapshot!(format!("other_{name}"), everywhere(|person| person.opens(id), keys));
@@ -109,8 +109,8 @@ fn texts(entry: &Entry, columns: u16, rows: u16) -> Vec<(&'static str, String)> 
     loop {
         let bench = person.model.bench.as_ref().expect("a problem is open");
         let (pane, last) = (bench.shown(), bench.tabs().last() == Some(&bench.tab));
-        let (name, column) = (pane.name(), pane.column());
-        if column != Column::Pictures {
+        let (name, column) = (pane.name(), pane.content());
+        if column != Content::Picture {
             shown.push((name, person.sees()));
         }
         if last {
@@ -137,7 +137,7 @@ fn keys_reach_every_tab_plot_and_drawing() {
         let mut person = Person::at(80, 24).opens(entry.about.id);
         let shown = |person: &Person| {
             let bench = person.model.bench.as_ref().expect("a problem is open");
-            (bench.tab, bench.shown().name(), bench.shown().column(), bench.shown().shown())
+            (bench.tab, bench.shown().name(), bench.shown().content(), bench.shown().shown())
         };
         let problem = person.model.bench.as_ref().expect("a problem is open");
         let tabs = problem.tabs();
@@ -146,8 +146,7 @@ fn keys_reach_every_tab_plot_and_drawing() {
         for _ in 0..tabs.len() {
             let (tab, name, column, _) = shown(&person);
             seen.push(tab);
-            if column == Column::Pictures {
-                person.types("<tab>");
+            if column == Content::Picture {
                 for _ in 0..plots.max(drawings) {
                     let (.., at) = shown(&person);
                     if name == "Plot" {
@@ -157,7 +156,6 @@ fn keys_reach_every_tab_plot_and_drawing() {
                     };
                     person.types("n");
                 }
-                person.types("<tab>");
             }
             person.types("]");
         }
@@ -203,18 +201,7 @@ fn no_key_is_unreported() {
         }
     }
     let mut places = HashSet::new();
-    for typed in [
-        "",
-        "<tab>",
-        "]<tab>",
-        "]]<tab>",
-        "]]]<tab>",
-        "]]]]<tab>",
-        "[<tab>",
-        "<down><down><enter>",
-        "?",
-        "<esc>",
-    ] {
+    for typed in ["", "<tab>", "]", "]]", "]]]", "]]]]", "[", "<down><down><enter>", "?", "<esc>"] {
         let mut person = Person::at(100, 30).opens(FAN);
         let before = person.types(typed).sees();
         let place = person.model.place();

@@ -115,7 +115,7 @@ fn a_wide_screen_has_room_for_the_names_of_materials() {
     for entry in registry().iter().filter(|entry| entry.about.cases.contains("young")) {
         let cases = dalembert_core::cases::cases(entry).expect("the cases of an analysis can be read");
         let mut person = Person::at(160, 50).opens(entry.about.id);
-        person.types("[<tab>");
+        person.types("[");
         for (at, case) in cases.iter().enumerate() {
             person.types(if at == 0 { "<enter><tab>" } else { "<tab><down><enter><tab>" });
             let form = &person.model.bench.as_ref().expect("a problem is open").problem.inputs.form;
@@ -190,7 +190,7 @@ fn a_key_changes_amplitude_working_and_plot_at_once() {
     assert!(screen.contains("accept"), "still typing:\n{screen}");
     assert!(after(&screen, "Amplitude at this speed").starts_with(&wanted), "{wanted}:\n{screen}");
     assert!(!person.sees_dim("Amplitude at this speed"));
-    person.types("<enter>]<tab><end>");
+    person.types("<enter>]<end>");
     assert!(person.sees().contains(&wanted), "{}", person.sees());
     person.types("]<right>");
     assert!(person.sees().contains("1500 rpm"), "{}", person.sees());
@@ -239,7 +239,7 @@ fn an_animation_is_stepped_frame_by_frame() {
     let mut person = Person::at(80, 24).opens("vibration/large-pendulum");
     assert!(!person.sees().contains("animation"), "{}", person.sees());
     assert!(person.types("p").sees().contains("no animation on the screen"));
-    person.types("]]]<tab>");
+    person.types("]]]");
     let screen = person.sees();
     assert!(screen.contains("Space animation") && screen.contains(", . frame"), "{screen}");
     let first = person.sees();
@@ -256,7 +256,7 @@ fn an_animation_is_stepped_frame_by_frame() {
 #[test]
 fn an_animation_in_ascii_and_in_portuguese_on_a_wide_screen() {
     let mut ascii = Person::in_ascii(80, 24).opens("vibration/large-pendulum");
-    let screen = ascii.types("]]]<tab>.").sees();
+    let screen = ascii.types("]]].").sees();
     assert!(screen.is_ascii());
     assert_snapshot!("animation_ascii", screen);
     let mut wide = Person::in_portuguese(160, 50).opens("vibration/large-pendulum");
@@ -281,8 +281,8 @@ fn a_pane_takes_the_whole_screen_and_returns_it() {
         }
         assert!(person.types("<esc>").sees().contains("Inputs"), "escape brings the others back");
     }
-    assert_snapshot!("expanded_working", fan(160, 50).types("]<tab>e").sees());
-    assert_snapshot!("expanded_plot", fan(80, 24).types("]]<tab>e").sees());
+    assert_snapshot!("expanded_working", fan(160, 50).types("]e").sees());
+    assert_snapshot!("expanded_plot", fan(80, 24).types("]]e").sees());
 }
 
 #[test]
@@ -561,7 +561,7 @@ fn no_text_is_cut_without_a_mark() {
 #[test]
 fn cases_are_loaded_from_the_sources() {
     let mut person = fan(80, 24);
-    person.types("<end><del>1500 rpm<enter>[<tab><enter>");
+    person.types("<end><del>1500 rpm<enter>[<enter>");
     let screen = person.sees();
     assert!(screen.contains("1000 rpm") && screen.contains("loaded;"), "{screen}");
     assert!(person.types("<tab>z").sees().contains("1500 rpm"));
@@ -570,7 +570,7 @@ fn cases_are_loaded_from_the_sources() {
 #[test]
 fn the_plot_has_a_cursor_that_reads_values() {
     let mut person = fan(80, 24);
-    person.types("]]<tab>");
+    person.types("]]");
     let without = person.sees();
     person.types("<right>");
     assert_ne!(person.sees(), without);
@@ -583,7 +583,7 @@ fn the_plot_has_a_cursor_that_reads_values() {
 #[test]
 fn a_plot_is_zoomed_and_panned() {
     let mut person = fan(80, 24);
-    let whole = person.types("]]<tab>").sees();
+    let whole = person.types("]]").sees();
     assert!(!whole.contains("< > move"), "{whole}");
     assert!(person.types(">").sees().contains("full range is shown"));
     let near = person.types("++").sees();
@@ -612,7 +612,7 @@ fn a_plot_is_zoomed_and_panned() {
 #[test]
 fn the_values_of_a_plot_are_spread_as_they_allow() {
     let mut person = fan(160, 50);
-    let linear = person.types("]]<tab>").sees();
+    let linear = person.types("]]").sees();
     let logarithmic = person.types("a").sees();
     assert_ne!(logarithmic, linear);
     let decibels = person.types("a<right>").sees();
@@ -621,14 +621,11 @@ fn the_values_of_a_plot_are_spread_as_they_allow() {
     assert_eq!(person.types("<esc>a").sees(), linear);
     // What goes below zero has no logarithm, and that is said.
     let mut swing = Person::in_portuguese(80, 24).opens("vibration/free-vibration");
-    let before = swing.types("]]<tab>").sees();
+    let before = swing.types("]]").sees();
     assert!(swing.types("a").sees().contains("valores negativos não têm logaritmo"), "{}", swing.sees());
     swing.types("<esc><tab>");
     assert_eq!(swing.sees(), before);
-    assert_snapshot!(
-        "ascii_plot_in_decibels",
-        Person::in_ascii(80, 24).opens(FAN).types("]]<tab>aa+").sees()
-    );
+    assert_snapshot!("ascii_plot_in_decibels", Person::in_ascii(80, 24).opens(FAN).types("]]aa+").sees());
 }
 
 #[test]
@@ -670,19 +667,19 @@ fn the_working_is_revealed_step_by_step() {
     assert!(person.sees().contains("Space in Working"), "{}", person.sees());
     person.types("<home>");
     assert_snapshot!("covered_results", person.sees());
-    person.types("]<tab>");
+    person.types("]");
     assert_snapshot!("covered_working", person.types("  ").sees());
     assert!(person.types("]").sees().contains("hidden until every step"), "{}", person.sees());
     person.types("y");
     assert_eq!(person.clipboard, "", "what is covered is not copied");
     person.types("[").types(&" ".repeat(steps - 2));
     assert!(person.sees().contains("every step is revealed"), "{}", person.sees());
-    person.types("[<tab>").types("<home>");
+    person.types("[").types("<home>");
     assert_eq!(person.sees(), shown.clone());
     person.types("tt<home>");
     assert_eq!(person.sees(), shown, "the same key uncovers everything");
     let mut wide = Person::in_portuguese(160, 50).opens(FAN);
-    assert_snapshot!("covered_wide", wide.types("t]<tab>   <left>").sees());
+    assert_snapshot!("covered_wide", wide.types("t]   <left>").sees());
 }
 
 #[test]
@@ -703,7 +700,7 @@ fn a_covered_problem_keeps_its_sketch_and_gives_nothing_away() {
 fn a_symbol_leads_to_the_step_that_made_it_and_back() {
     let mut person = fan(80, 24);
     let place = |person: &Person| person.model.bench.as_ref()?.find::<Working>()?.symbol();
-    person.types("]<tab>");
+    person.types("]");
     let whole = person.types("<right>").sees();
     assert!(whole.contains("depends on"), "{whole}");
     assert_snapshot!("symbols", whole);
@@ -729,7 +726,7 @@ fn a_symbol_leads_to_the_step_that_made_it_and_back() {
     assert_eq!(place(&person), None);
     // A symbol that is an input leads to its field.
     let mut person = fan(80, 24);
-    person.types("]<tab><right><enter>");
+    person.types("]<right><enter>");
     assert_eq!(person.model.place(), KeyContext::Form);
     person.types("<esc>");
     assert_eq!((person.model.place().id(), place(&person).is_some()), ("working", true), "escape comes back");
@@ -779,7 +776,7 @@ fn quitting_with_unsaved_changes_asks() {
 fn tables_are_edited_and_pasted() {
     let mut person = Person::at(100, 30).opens("vibration/frequency-response-identification");
     // The case with a table of points.
-    person.types("[<tab>");
+    person.types("[");
     let at = person
         .model
         .bench

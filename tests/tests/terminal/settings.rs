@@ -67,7 +67,7 @@ fn sentences_name_the_keys_that_hold() {
         assert!(screen.contains(said), "{typed}: {said}\n{screen}");
     }
     let mut person = Person::in_portuguese(100, 30).opens(FAN);
-    person.types("t]<tab>");
+    person.types("t]");
     assert!(person.sees().contains("Espaço nesta aba revela"), "{}", person.sees());
     assert!(person.sees().lines().last().unwrap_or_default().contains("Espaço "), "{}", person.sees());
 }

@@ -78,7 +78,7 @@ fn a_narrow_screen_says_the_unit_of_a_field_whatever_else_it_cuts() {
 #[test]
 fn the_line_below_speaks_of_the_cell_that_is_typed_in() {
     let mut person = fan();
-    person.types("]]]]<tab><home>");
+    person.types("]]]]<home>");
     let screen = person.types("4").sees();
     assert!(screen.contains("default unit kN/m · Stiffness of the support"), "{screen}");
     let screen = person.types("<esc>]]<home><down><down>5").sees();

@@ -2,14 +2,15 @@
 
 use dalembert_core::{Draft, Shape};
 use dalembert_units::{Decimal, Unit};
-use tui_input::{Input, InputRequest};
+use tui_input::InputRequest;
 
 use super::{
-    Change, Form, FormLine, Role, Snapshot,
+    Change, Form, FormLine, Role, Snapshot, in_language,
     parts::Target,
     settled,
     units::{own_unit, with_unit, written_unit},
 };
+use crate::text_entry::TextEntry;
 
 /// A field that is being typed in.
 #[derive(Clone, Debug)]
@@ -17,7 +18,7 @@ pub struct Edit {
     /// Path of the field.
     pub path: String,
     /// The text and the cursor in it.
-    pub input: Input,
+    pub input: TextEntry,
     /// Place of the text.
     target: Target,
     /// Everything as it was before.
@@ -36,14 +37,15 @@ pub struct Sign {
 }
 
 impl Form {
-    /// Begins to type in the field under the cursor, in its text or in an empty one.
-    pub fn begin(&mut self, text: Option<String>) -> bool {
+    /// Begins to type in the field under the cursor, in its text, with the decimal mark of the language, or in another one.
+    pub fn begin(&mut self, text: Option<String>, decimal: Decimal) -> bool {
         let Some(FormLine { path, role: Role::Leaf { text: old, shape }, .. }) = self.line() else {
             return false;
         };
         let replaced = text.is_some();
         let unit = written_unit(&old, &shape).or_else(|| own_unit(&shape));
-        let input = Input::new(text.unwrap_or(old));
+        let input =
+            text.map_or_else(|| TextEntry::selected(in_language(&old, &shape, decimal)), TextEntry::new);
         let target = self.target(&path);
         self.edit = Some(Edit { path, input, target, before: self.draft.clone(), unit });
         if replaced {
@@ -64,7 +66,7 @@ impl Form {
             _ => return false,
         }
         let sign = sign.and_then(|sign| self.take_back(sign));
-        self.begin(Some(String::new()));
+        self.begin(Some(String::new()), decimal);
         let Some(edit) = &mut self.edit else { return false };
         for character in sign.into_iter().chain([character]) {
             edit.input.handle(InputRequest::InsertChar(character));

@@ -26,7 +26,7 @@ pub(crate) const ENDS: &[Binding] =
 pub(super) const PICKER: BindingTable = &[
     &[
         bind(Action::Enter, ENTER, "open; expand or collapse a heading", "open"),
-        bind(Action::Filter, &[typed('/')], "filter", "filter"),
+        bind(Action::Filter, &[typed('/')], "search", "search"),
     ],
     LINES,
     &[
@@ -48,11 +48,15 @@ pub(super) const PICKER: BindingTable = &[
 
 /// Keys of the filter of the list.
 pub(super) const FILTER: BindingTable = &[&[
-    bind(Action::Enter, ENTER, "open", "open"),
-    bind(Action::Back, ESC, "clear the filter", "clear the filter"),
+    bind(Action::Enter, ENTER, "open; expand or collapse a heading", "open"),
+    bind(Action::Back, ESC, "clear the search and leave its line", "leave the search"),
     bind(Action::Up, &[plain(KeyCode::Up)], "line up", ""),
     bind(Action::Down, &[plain(KeyCode::Down)], "line down", ""),
-    bind(Action::NextPane, TAB, "to the list", "to the list"),
+    bind(Action::Right, &[plain(KeyCode::Right)], "expand the heading, or to the published cases", ""),
+    bind(Action::Left, &[plain(KeyCode::Left)], "collapse the heading, or back to it", ""),
+    bind(Action::PageUp, &[plain(KeyCode::PageUp)], "page up", ""),
+    bind(Action::PageDown, &[plain(KeyCode::PageDown)], "page down", ""),
+    bind(Action::NextPane, TAB, "to the published cases, and back", "see cases"),
     bind(Action::Blank, BLANK, "blank problem: every input empty", ""),
 ]];
 
@@ -63,6 +67,7 @@ pub(super) const FORM: BindingTable = &[
         bind(Action::Clear, &[plain(KeyCode::Delete), plain(KeyCode::Backspace)], "clear and edit", ""),
         bind(Action::NextPane, TAB, "to the results", "see results"),
         bind(Action::PreviousPane, BACK_TAB, "to the results (reverse)", ""),
+        bind(Action::Repair, &[typed('r'), ctrl('r')], "write what the error suggests", "repair"),
         bind(Action::NextUnit, &[typed('u')], "next unit", "unit"),
         bind(Action::Nudge(10), &[typed('+'), typed('=')], "increase the last (or selected) digit", "adjust"),
         bind(Action::Nudge(-10), &[typed('-')], "decrease the last (or selected) digit", ""),
@@ -104,8 +109,9 @@ pub(super) const FORM: BindingTable = &[
 
 /// Keys while a field is typed in.
 pub(super) const EDIT: BindingTable = &[&[
-    bind(Action::Enter, ENTER, "accept", "accept"),
+    bind(Action::Enter, ENTER, "accept", "keep"),
     bind(Action::Back, ESC, "cancel", "cancel"),
+    bind(Action::Repair, &[ctrl('r')], "write what the error suggests", "repair"),
     bind(
         Action::Down,
         &[plain(KeyCode::Down), plain(KeyCode::Tab)],
@@ -123,7 +129,12 @@ pub(super) const EDIT: BindingTable = &[&[
 /// Keys of a pane that has no table of its own.
 pub(super) const RESULTS: BindingTable = &[
     &[
-        bind(Action::Enter, ENTER, "working of the chosen answer alone; load the case", ""),
+        bind(
+            Action::Enter,
+            ENTER,
+            "show all checks and lists; working of the chosen answer alone; load the case",
+            "",
+        ),
         bind(Action::NextDisplayUnit, &[typed('v')], "change the unit of an answer", ""),
         bind(Action::NextDigits, &[typed('D')], "change the digits of an answer", ""),
         bind(Action::UsualQuestions, &[typed('a')], "ask a usual question, or one of your own", ""),
@@ -190,8 +201,8 @@ pub(super) const PLAN: BindingTable = &[
 
 /// Keys while a cell is typed in.
 pub(super) const CELL: BindingTable = &[&[
-    bind(Action::Enter, ENTER, "accept", "accept"),
-    bind(Action::Back, ESC, "accept", ""),
+    bind(Action::Enter, ENTER, "accept", "keep"),
+    bind(Action::Back, ESC, "cancel", "cancel"),
     bind(Action::Down, &[plain(KeyCode::Down), plain(KeyCode::Tab)], "accept, next cell", "next cell"),
     bind(Action::Up, &[plain(KeyCode::Up), plain(KeyCode::BackTab)], "accept, previous cell", ""),
 ]];
@@ -208,6 +219,15 @@ pub const PANES: &[Binding] = &[
 pub const PROBLEM: &[Binding] = &[
     bind(Action::NextTab, &[typed(']')], "next tab", "tabs"),
     bind(Action::PreviousTab, &[typed('[')], "previous tab", ""),
+    bind(Action::Tab(1), &[alt(KeyCode::Char('1'))], "to tab 1; likewise with 2 to 9", ""),
+    bind(Action::Tab(2), &[alt(KeyCode::Char('2'))], "to tab 2", ""),
+    bind(Action::Tab(3), &[alt(KeyCode::Char('3'))], "to tab 3", ""),
+    bind(Action::Tab(4), &[alt(KeyCode::Char('4'))], "to tab 4", ""),
+    bind(Action::Tab(5), &[alt(KeyCode::Char('5'))], "to tab 5", ""),
+    bind(Action::Tab(6), &[alt(KeyCode::Char('6'))], "to tab 6", ""),
+    bind(Action::Tab(7), &[alt(KeyCode::Char('7'))], "to tab 7", ""),
+    bind(Action::Tab(8), &[alt(KeyCode::Char('8'))], "to tab 8", ""),
+    bind(Action::Tab(9), &[alt(KeyCode::Char('9'))], "to tab 9", ""),
     bind(Action::NextFilePart, &[typed('}')], "next problem or configuration of the file", "problems"),
     bind(Action::PreviousFilePart, &[typed('{')], "previous problem or configuration of the file", ""),
     bind(Action::BeginProblem, &[], "link another problem: problem NAME ANALYSIS", ""),
@@ -263,23 +283,21 @@ pub(super) const SHEET: BindingTable = &[&[
     bind(Action::GiveUp, &[ctrl('g')], "close without changes", "cancel"),
 ]];
 
-/// Keys of the help.
-pub(super) const HELP: BindingTable = &[
-    &[bind(
-        Action::Back,
-        &[plain(KeyCode::Esc), plain(KeyCode::Enter), typed('q'), typed('?')],
-        "close",
-        "close",
-    )],
-    LINES,
-    PAGES_BY_SPACE,
-    ENDS,
-];
+/// Keys of the help, where characters search.
+pub(super) const HELP: BindingTable = &[&[
+    bind(Action::Back, &[plain(KeyCode::Esc), plain(KeyCode::Enter)], "close", "close"),
+    bind(Action::Up, &[plain(KeyCode::Up)], "line up", ""),
+    bind(Action::Down, &[plain(KeyCode::Down)], "line down", ""),
+    bind(Action::PageUp, &[plain(KeyCode::PageUp)], "page up", ""),
+    bind(Action::PageDown, &[plain(KeyCode::PageDown)], "page down", ""),
+    bind(Action::First, &[plain(KeyCode::Home)], "to the first line", ""),
+    bind(Action::Last, &[plain(KeyCode::End)], "to the last line", ""),
+]];
 
 /// Keys of every place where characters are no text.
 pub const COMMON: &[Binding] = &[
-    bind(Action::Help, &[typed('?')], "help", "help"),
     bind(Action::Palette, &[typed(':')], "command palette", "actions"),
+    bind(Action::Help, &[typed('?')], "help", "help"),
     bind(Action::Open, &[typed('o')], "open a problem file", ""),
     bind(Action::Language, &[typed('L')], "em português", ""),
     bind(Action::Theme, &[], "theme", ""),

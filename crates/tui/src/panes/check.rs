@@ -10,7 +10,6 @@ use ratatui::{
     style::Style,
     text::{Line, Span},
 };
-use tui_input::Input;
 use unicode_width::UnicodeWidthStr;
 
 use super::{
@@ -27,6 +26,7 @@ use crate::{
     pane::{Page, Pane, Ui, register_pane},
     problem::Problem,
     remembered::Progress,
+    text_entry::TextEntry,
     typed::Typed,
 };
 
@@ -289,7 +289,7 @@ struct One<'a> {
     answer: &'a Answer,
     label: &'a str,
     text: &'a str,
-    edit: Option<&'a Input>,
+    edit: Option<&'a TextEntry>,
     focused: bool,
     verdict: Option<Verdict>,
 }

@@ -4,10 +4,9 @@ use ratatui::{
     style::{Modifier, Style},
     text::Span,
 };
-use tui_input::Input;
 use unicode_width::UnicodeWidthStr;
 
-use crate::glyphs::filter_untrusted;
+use crate::{glyphs::filter_untrusted, text_entry::TextEntry};
 
 /// A quantity as it is written, in the three parts that stand under one another.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -50,7 +49,14 @@ pub(super) fn padded(text: &str, width: usize) -> String {
 }
 
 /// The text of a cell while it is typed in, with the cursor in it.
-pub(super) fn typed_in(input: &Input, cells: usize) -> [Span<'static>; 3] {
+pub(super) fn typed_in(entry: &TextEntry, cells: usize) -> [Span<'static>; 3] {
+    let input = entry.input();
+    if entry.is_selected() {
+        let selected = Style::new().add_modifier(Modifier::REVERSED);
+        let text: String = filter_untrusted(entry.value()).chars().take(cells).collect();
+        let rest = " ".repeat(cells.saturating_sub(text.width()));
+        return [Span::styled(text, selected), Span::raw(rest), Span::raw("")];
+    }
     let scroll = input.visual_scroll(cells.saturating_sub(1));
     let text = filter_untrusted(input.value()).into_owned();
     let seen: Vec<char> = text.chars().chain([' ']).skip(scroll).take(cells).collect();

@@ -20,7 +20,7 @@ use crate::{
         turned,
     },
     look::Glyph,
-    pane::{Column, Pane, Ui, register_pane},
+    pane::{Content, Pane, Ui, register_pane},
     problem::Problem,
     text::width,
 };
@@ -67,8 +67,8 @@ impl Pane for Drawing {
         KeyContext::Own(&KEYS)
     }
 
-    fn column(&self) -> Column {
-        Column::Pictures
+    fn content(&self) -> Content {
+        Content::Picture
     }
 
     fn is_useful(&self, problem: &Problem) -> bool {

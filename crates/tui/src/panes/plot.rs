@@ -19,7 +19,7 @@ use crate::{
         tables::{FIRST, LAST, LEFT, PAGE_DOWN_OR_SPACE, PAGE_UP, RIGHT, bind, shift, typed},
         turned,
     },
-    pane::{Column, Gesture, Pane, Ui, register_pane},
+    pane::{Content, Gesture, Pane, Ui, register_pane},
     plot::{self, PlotState},
     problem::Problem,
 };
@@ -80,8 +80,8 @@ impl Pane for Plot {
         KeyContext::Own(&KEYS)
     }
 
-    fn column(&self) -> Column {
-        Column::Pictures
+    fn content(&self) -> Content {
+        Content::Picture
     }
 
     fn is_useful(&self, problem: &Problem) -> bool {

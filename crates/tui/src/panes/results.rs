@@ -1,9 +1,10 @@
 //! The answers, how they were checked, and what is doubtful about them.
 
+mod answer_list;
 mod difference;
 mod questions;
 
-use dalembert_core::{AnswerValue, Check, Display, Locale, Number, Solution, Text};
+use dalembert_core::{Check, Display, Locale, Solution, Text};
 use dalembert_report::show_answer_in;
 use dalembert_units::{self as unit, Kind, Style as Digits, write_number};
 use ratatui::{
@@ -13,16 +14,15 @@ use ratatui::{
 use unicode_width::UnicodeWidthStr;
 
 use super::{
-    columns::{Aligned, number, padded, widths},
     reasons::{self, marked, stale},
-    steps, wrap,
+    wrap,
 };
 use crate::{
     glyphs::filter_untrusted,
     intent::Intent,
     keys::{Action, KeyContext},
     look::{Appearance, Glyph},
-    pane::{Column, Page, Pane, Ui, register_pane},
+    pane::{Page, Pane, Ui, register_pane},
     problem::Problem,
 };
 
@@ -34,6 +34,8 @@ const DIGITS: (u8, u8) = (3, 12);
 pub struct Results {
     /// The answer whose unit and digits are chosen, by its place.
     chosen: Option<usize>,
+    /// True if long lists and every check are shown.
+    opened: bool,
 }
 
 register_pane!(Results, 10);
@@ -41,10 +43,6 @@ register_pane!(Results, 10);
 impl Pane for Results {
     fn name(&self) -> &'static str {
         "Results"
-    }
-
-    fn column(&self) -> Column {
-        Column::Shared
     }
 
     fn page(&self, problem: &Problem, ui: &Ui<'_>, width: u16) -> Page {
@@ -62,7 +60,10 @@ impl Pane for Results {
             lines.push(Line::default());
         }
         let (found, pinned) = (&problem.found, problem.found.pinned.as_ref());
-        let page = page(solution, (found.revealed, self.chosen), pinned, ui.look, ui.locale, width);
+        let key = ui.key(KeyContext::Pane, Action::Enter);
+        let opened_by = (!self.opened).then_some(key.as_str());
+        let reading = Reading { revealed: found.revealed, chosen: self.chosen, opened_by, pinned };
+        let page = page(solution, &reading, ui.look, ui.locale, width);
         let own = page.lines.clone();
         lines.extend(if problem.is_stale() { stale(own, ui.look, ui.locale, width) } else { own });
         page.behind(lines)
@@ -96,6 +97,10 @@ impl Pane for Results {
                 let answer = found.solution.as_ref()?.answers.get(at)?;
                 found.working_of = Some(answer.name.to_string());
                 Some(vec![Intent::TurnTo("Working")])
+            }
+            (Action::Enter, None) => {
+                self.opened = !self.opened;
+                Some(Vec::new())
             }
             (Action::UsualQuestions, _) => Some(vec![Intent::Show(questions::dialog(problem, ui))]),
             (Action::NextDisplayUnit | Action::NextDigits | Action::Give, _) => {
@@ -211,18 +216,24 @@ pub fn read(
     locale: &Locale,
     width: u16,
 ) -> Vec<Line<'static>> {
-    page(solution, (revealed, None), pinned, look, locale, width).lines
+    let reading = Reading { revealed, pinned, chosen: None, opened_by: None };
+    page(solution, &reading, look, locale, width).lines
+}
+
+/// Choices of the user for reading a solution.
+struct Reading<'a> {
+    /// So many steps of the worked solution are revealed; `None`: all.
+    revealed: Option<usize>,
+    /// The answer that is chosen.
+    chosen: Option<usize>,
+    /// The key that shows long lists and every check; `None` where they are shown.
+    opened_by: Option<&'a str>,
+    /// The solution that it is compared with.
+    pinned: Option<&'a Solution>,
 }
 
 /// The same; the page starts at each answer, of which one may be chosen.
-fn page(
-    solution: &Solution,
-    reading: (Option<usize>, Option<usize>),
-    pinned: Option<&Solution>,
-    look: &Appearance,
-    locale: &Locale,
-    width: u16,
-) -> Page {
+fn page(solution: &Solution, reading: &Reading<'_>, look: &Appearance, locale: &Locale, width: u16) -> Page {
     let width = usize::from(width).max(1);
     let locale = &locale.ascii(look.ascii);
     let mut lines = Vec::new();
@@ -234,7 +245,7 @@ fn page(
         }
         lines.push(Line::default());
     }
-    if pinned.is_some() {
+    if reading.pinned.is_some() {
         let note = Text::new("with the difference from the pinned result").render(locale);
         lines.extend(wrap::words(&note, width).into_iter().map(|line| Line::styled(line, look.dim())));
     }
@@ -243,8 +254,9 @@ fn page(
         lines.extend(wrap::words(&line, width).into_iter().map(|line| Line::styled(line, look.dim())));
     }
     let before = lines.len();
-    let answers = answers(solution, reading, pinned, look, locale, width);
+    let answers = answer_list::page(solution, reading, look, locale, width);
     let starts = answers.starts.into_iter().map(|start| start + before).collect();
+    let head = before + answers.head;
     lines.extend(answers.lines);
     if !solution.warnings.is_empty() {
         lines.push(Line::default());
@@ -257,131 +269,28 @@ fn page(
         lines.push(Line::default());
         // What failed comes first.
         let (passed, failed): (Vec<_>, Vec<_>) = solution.checks.iter().partition(|check| check.passed);
-        for one in failed.into_iter().chain(passed) {
-            lines.extend(check(one, look, locale, width));
+        lines.extend(failed.into_iter().flat_map(|one| check(one, look, locale, width)));
+        match reading.opened_by {
+            None => lines.extend(passed.into_iter().flat_map(|one| check(one, look, locale, width))),
+            Some(_) if passed.is_empty() => {}
+            Some(key) => {
+                let words = passed_checks(&passed, key, locale).render(locale);
+                lines.extend(marked(look, Glyph::Good, look.good(), &words, look.dim(), width));
+            }
         }
     }
-    Page { lines, starts }
+    Page { lines, starts, head }
 }
 
-/// The widest column of labels: longer ones go on below.
-const WIDEST_LABELS: usize = 40;
-
-/// The narrowest column of labels that is worth having: where there is less room, there are no columns.
-const NARROWEST_LABELS: usize = 24;
-
-/// Labels at the left, numbers with their decimal marks in one column, units in another. In a narrow pane each answer
-/// stands beside its label, at the right edge, where both fit, and below it where they do not.
-fn answers(
-    solution: &Solution,
-    (revealed, chosen): (Option<usize>, Option<usize>),
-    pinned: Option<&Solution>,
-    look: &Appearance,
-    locale: &Locale,
-    width: usize,
-) -> Page {
-    let answers = &solution.answers;
-    let covered: Vec<bool> = answers.iter().map(|answer| steps::covers(revealed, solution, answer)).collect();
-    let shown: Vec<String> = answers
-        .iter()
-        .zip(&covered)
-        .map(|(answer, covered)| if *covered { "?".into() } else { answer.shown(locale) })
-        .collect();
-    let labels: Vec<String> = answers.iter().map(|answer| answer.title_within().render(locale)).collect();
-    let aligned: Vec<Option<Aligned>> = answers
-        .iter()
-        .zip(&shown)
-        .map(|(answer, shown)| match answer.value {
-            AnswerValue::Number(Number::Scalar(_), _) => Some(Aligned::of(shown)),
-            _ => None,
-        })
-        .collect();
-    let number_widths = widths(aligned.iter().flatten());
-    let values = aligned
-        .iter()
-        .flatten()
-        .map(|one| number_widths.0 + number_widths.1 + unit_column(one).width())
-        .max()
-        .unwrap_or(0);
-    let longest = labels.iter().map(|label| label.width()).max().unwrap_or(0);
-    let room = width.saturating_sub(2 + values.max(16));
-    let columns = room >= longest.min(NARROWEST_LABELS);
-    let label_width = longest.min(room).min(WIDEST_LABELS);
-    let (mut lines, mut starts): (Vec<Line<'static>>, _) = (Vec::new(), Vec::new());
-    for (n, (((answer, label), aligned), (shown, covered))) in
-        answers.iter().zip(&labels).zip(aligned).zip(shown.into_iter().zip(covered)).enumerate()
-    {
-        let problem = (n == 0 || answers[n - 1].problem != answer.problem)
-            .then(|| steps::heading(n == 0, answer.problem, look, locale))
-            .flatten();
-        lines.extend(problem);
-        let first = lines.len();
-        starts.push(first);
-        match aligned {
-            Some(aligned) if columns => {
-                let number = number(&aligned, number_widths);
-                let unit = unit_column(&aligned);
-                // A pure number leaves nothing behind it.
-                let number = if unit.is_empty() { number.trim_end().to_owned() } else { number };
-                let mut label = wrap::words(label, label_width);
-                let last = label.pop().unwrap_or_default();
-                lines.extend(label.into_iter().map(Line::from));
-                lines.push(Line::from(vec![
-                    Span::raw(format!("{}  ", padded(&last, label_width))),
-                    Span::styled(number, look.answer()),
-                    Span::raw(unit),
-                ]));
-            }
-            // What is no single number stands in the column of the numbers where it fits whole, else below its label.
-            _ if columns && label.width() <= label_width && label_width + 2 + shown.width() <= width => {
-                lines.push(Line::from(vec![
-                    Span::raw(format!("{}  ", padded(label, label_width))),
-                    Span::styled(shown, look.answer()),
-                ]));
-            }
-            _ if columns => {
-                lines.extend(wrap::words(label, width).into_iter().map(Line::from));
-                lines.extend(wrap::hanging(vec![Span::raw("  ")], &shown, look.answer(), width));
-            }
-            _ if label.width() + 2 + shown.width() <= width => {
-                let gap = width - label.width() - shown.width();
-                let label = Span::raw(format!("{label}{}", " ".repeat(gap)));
-                lines.push(Line::from(vec![label, Span::styled(shown, look.answer())]));
-            }
-            _ => {
-                lines.extend(wrap::words(label, width).into_iter().map(Line::from));
-                lines.extend(wrap::hanging(vec![Span::raw("  ")], &shown, look.answer(), width));
-            }
-        }
-        if chosen == Some(n) {
-            for line in lines.iter_mut().skip(first) {
-                line.style = look.focus();
-            }
-        }
-        if covered {
-            continue;
-        }
-        if let Some(difference) = pinned.and_then(|pinned| difference::of(answer, pinned, locale)) {
-            difference::add(&difference, look, width, &mut lines);
-        }
-        if let AnswerValue::Set(_, limits) = &answer.value {
-            for limit in limits {
-                let head =
-                    vec![Span::raw("    "), Span::styled(look.glyph(Glyph::Dot), look.dim()), Span::raw(" ")];
-                lines.extend(wrap::hanging(head, &limit.render(locale), look.dim(), width));
-            }
-        }
-    }
-    Page { lines, starts }
-}
-
-/// The unit with the space before it that every unit of a column has, `°` too.
-fn unit_column(one: &Aligned) -> String {
-    match one.unit.as_str() {
-        "" => String::new(),
-        unit if unit.starts_with(' ') => unit.to_owned(),
-        unit => format!(" {unit}"),
-    }
+/// All checks that passed in one line.
+fn passed_checks(passed: &[&Check], key: &str, locale: &Locale) -> Text {
+    let most = passed.iter().map(|check| check.residual).fold(ROUNDING, f64::max);
+    let text = match passed.len() {
+        1 => Text::new("1 check passed (difference ≤ {difference}); {key} shows it"),
+        count => Text::new("{count} checks passed (differences ≤ {difference}); {key} shows them")
+            .with("count", count),
+    };
+    text.with("difference", write_number(most, Digits { digits: 1, ..locale.style })).with("key", key)
 }
 
 /// A relative difference below this is not shown: its digits are rounding and differ from processor to processor.

@@ -10,7 +10,6 @@ use ratatui::{
     style::Style,
     text::{Line, Span},
 };
-use tui_input::Input;
 use unicode_width::UnicodeWidthStr;
 
 use super::{
@@ -26,6 +25,7 @@ use crate::{
     look::{Appearance, Glyph},
     pane::{Page, Pane, Ui, register_pane},
     problem::Problem,
+    text_entry::TextEntry,
 };
 
 /// Cells of a tolerance.
@@ -210,7 +210,7 @@ impl Sensitivity {
         let sorted = self.sorted();
         let label = sorted.iter().map(|one| one.input.label.render(locale).width()).max().unwrap_or(0);
         let room = cells.saturating_sub(CHANGE + TOLERANCE + 6);
-        let label = label.min((cells * 2 / 5).min(room.saturating_sub(BAR)).max(8));
+        let label = label.min((cells / 2).min(room.saturating_sub(BAR)).max(8));
         let bar = room.saturating_sub(label);
         let columns = Columns { label, bar, cells };
         // What is changed by degrees is distinguished from what is changed by shares.
@@ -239,7 +239,7 @@ impl Sensitivity {
                 edit: ui.edit,
                 typed: problem.inputs.tolerances.text(one.input.path.as_str()),
             };
-            page.lines.push(row.line(&columns, look, locale));
+            page.lines.extend(row.lines(&columns, look, locale));
             if ui.focused && under_cursor {
                 row.details(&answer.unit, &columns, look, locale, &mut page.lines);
             }
@@ -282,19 +282,38 @@ struct Row<'a> {
     most: f64,
     under_cursor: bool,
     /// The text that is typed under the cursor.
-    edit: Option<&'a Input>,
+    edit: Option<&'a TextEntry>,
     /// The tolerance that was typed.
     typed: &'a str,
 }
 
 impl Row<'_> {
-    fn line(&self, columns: &Columns, look: &Appearance, locale: &Locale) -> Line<'static> {
-        let pointer = if self.under_cursor { look.glyph(Glyph::Pointer) } else { " " };
-        let label = look.shortened(&self.one.input.label.render(locale), columns.label);
+    fn lines(&self, columns: &Columns, look: &Appearance, locale: &Locale) -> Vec<Line<'static>> {
+        let style = if self.under_cursor { look.title() } else { Style::new() };
+        let label = wrap::words(&self.one.input.label.render(locale), columns.label);
+        let mut lines: Vec<Line<'static>> = label
+            .iter()
+            .enumerate()
+            .map(|(n, label)| {
+                let pointer = if self.under_cursor && n == 0 { look.glyph(Glyph::Pointer) } else { " " };
+                Line::from(vec![
+                    Span::styled(format!("{pointer} "), look.border(self.under_cursor)),
+                    Span::styled(padded(label, columns.label), style),
+                ])
+            })
+            .collect();
+        if let Some(last) = lines.last_mut() {
+            last.spans.extend(self.effect(columns, look, locale));
+        }
+        lines
+    }
+
+    /// Bar, change and tolerance.
+    fn effect(&self, columns: &Columns, look: &Appearance, locale: &Locale) -> Vec<Span<'static>> {
         let change = self.one.change(self.found.value);
         let relative = change / self.found.value.abs();
         let shown = if self.found.value == 0.0 || !relative.is_finite() {
-            look.glyph(Glyph::Ellipsis).to_owned()
+            look.glyph(Glyph::Rule).to_owned()
         } else {
             let sign = if relative > 0.0 { "+" } else { "" };
             format!("{sign}{} %", write_number(100.0 * relative, locale.digits(2).style))
@@ -308,28 +327,23 @@ impl Row<'_> {
             (false, false) => "█",
         };
         let style = if change < 0.0 { look.series(1) } else { look.series(0) };
-        let mut line = Line::from(vec![
-            Span::styled(format!("{pointer} "), look.border(self.under_cursor)),
-            Span::styled(
-                padded(&label, columns.label),
-                if self.under_cursor { look.title() } else { Style::new() },
-            ),
+        let mut spans = vec![
             Span::raw("  "),
             Span::styled(padded(&glyph.repeat(full), columns.bar), style),
             Span::raw(format!("{}{shown}  ", " ".repeat(CHANGE.saturating_sub(shown.width())))),
-        ]);
+        ];
         match self.edit.filter(|_| self.under_cursor) {
-            Some(input) => line.extend(typed_in(input, TOLERANCE)),
+            Some(input) => spans.extend(typed_in(input, TOLERANCE)),
             None => {
                 let (text, style) = match self.typed.trim() {
                     "" => (self.one.input.step_text().to_owned(), look.dim()),
                     typed => (filter_untrusted(typed).into_owned(), Style::new()),
                 };
                 let style = if self.under_cursor { look.focus() } else { style };
-                line.push_span(Span::styled(padded(&look.shortened(&text, TOLERANCE), TOLERANCE), style));
+                spans.push(Span::styled(padded(&look.shortened(&text, TOLERANCE), TOLERANCE), style));
             }
         }
-        line
+        spans
     }
 
     /// Details of the input under the cursor.
@@ -362,7 +376,7 @@ impl Row<'_> {
             if x.is_finite() {
                 write_quantity(x, answer, locale.style)
             } else {
-                look.glyph(Glyph::Ellipsis).to_owned()
+                look.glyph(Glyph::Rule).to_owned()
             }
         };
         let sides = Text::new("with −{step}: {less}; with +{step}: {more}")

@@ -62,8 +62,7 @@ const GAP: usize = 2;
 const NAMES: usize = 12;
 
 /// The table: its columns side by side as far as the width goes; the others below, after the first column again.
-/// Where the names of the rows and a column do not fit side by side, the heading goes on below, and the names are
-/// shortened.
+/// Where the names of the rows and a column do not fit side by side, heading and names go on below.
 pub fn lines(table: &TableExhibit, look: &Appearance, locale: &Locale, width: u16) -> Vec<Line<'static>> {
     let width = usize::from(width).max(1);
     let locale = &locale.ascii(look.ascii);
@@ -90,8 +89,9 @@ pub fn lines(table: &TableExhibit, look: &Appearance, locale: &Locale, width: u1
 struct Written {
     heading: Vec<String>,
     unit: String,
-    cells: Vec<String>,
-    foot: Option<String>,
+    /// The lines of each cell: a text may need several.
+    cells: Vec<Vec<String>>,
+    foot: Option<Vec<String>>,
     width: usize,
 }
 
@@ -129,12 +129,12 @@ impl Written {
             // Headings stand over their numbers, at the right.
             if has_numbers { format!("{gap}{text}") } else { format!("{text}{gap}") }
         };
-        let mut cells: Vec<String> = rows
+        let mut cells: Vec<Vec<String>> = rows
             .iter()
             .zip(&numbers)
             .map(|((text, _), aligned)| match aligned {
-                Some(aligned) => set(&number(aligned, number_widths)),
-                None => padded(&look.shortened(text, width), width),
+                Some(aligned) => vec![set(&number(aligned, number_widths))],
+                None => wrap::words(text, width).iter().map(|line| padded(line, width)).collect(),
             })
             .collect();
         let foot = cells.pop().filter(|_| !table.foot.is_empty());
@@ -167,21 +167,25 @@ fn written(block: &[&Written], rows: usize, look: &Appearance) -> Vec<Line<'stat
     };
     let width = block.iter().map(|column| column.width).sum::<usize>() + GAP * block.len().saturating_sub(1);
     let rule = || Line::styled(look.glyph(Glyph::Rule).repeat(width), look.dim());
-    // Headings end in the same row.
-    let high = block.iter().map(|column| column.heading.len()).max().unwrap_or(0);
-    let heading = |column: &Written, n: usize| {
-        let line = (n + column.heading.len()).checked_sub(high).and_then(|n| column.heading.get(n));
-        line.cloned().unwrap_or_else(|| " ".repeat(column.width))
+    // Headings and cells of several lines end in the same row.
+    let level = |cell: &dyn Fn(&Written) -> &[String], style: Style| {
+        let high = block.iter().map(|column| cell(column).len()).max().unwrap_or(0);
+        let line = move |column: &Written, n: usize, cell: &dyn Fn(&Written) -> &[String]| {
+            let own = cell(column);
+            let line = (n + own.len()).checked_sub(high).and_then(|n| own.get(n));
+            line.cloned().unwrap_or_else(|| " ".repeat(column.width))
+        };
+        (0..high).map(|n| row(&|column| line(column, n, cell), style)).collect::<Vec<Line>>()
     };
-    let mut lines: Vec<Line> = (0..high).map(|n| row(&|column| heading(column, n), look.title())).collect();
+    let mut lines = level(&|column| &column.heading, look.title());
     if block.iter().any(|column| !column.unit.trim().is_empty()) {
         lines.push(row(&|column| column.unit.clone(), look.dim()));
     }
     lines.push(rule());
-    lines.extend((0..rows).map(|n| row(&|column| column.cells[n].clone(), Style::new())));
+    lines.extend((0..rows).flat_map(|n| level(&|column| &column.cells[n], Style::new())));
     if block.iter().any(|column| column.foot.is_some()) {
         lines.push(rule());
-        lines.push(row(&|column| column.foot.clone().unwrap_or_default(), look.answer()));
+        lines.extend(level(&|column| column.foot.as_deref().unwrap_or_default(), look.answer()));
     }
     lines
 }

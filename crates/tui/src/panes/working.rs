@@ -26,7 +26,7 @@ use crate::{
         tables::{ENDS, ENTER, LEFT, LINES, PAGES, RIGHT, bind, typed},
     },
     look::Appearance,
-    pane::{Column, Page, Pane, Ui, register_pane},
+    pane::{Page, Pane, Ui, register_pane},
     problem::Problem,
 };
 
@@ -73,10 +73,6 @@ impl Pane for Working {
 
     fn place(&self) -> KeyContext {
         KeyContext::Own(&KEYS)
-    }
-
-    fn column(&self) -> Column {
-        Column::Shared
     }
 
     fn page(&self, problem: &Problem, ui: &Ui<'_>, width: u16) -> Page {

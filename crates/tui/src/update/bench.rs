@@ -37,6 +37,13 @@ pub(super) fn act(model: &mut Model, place: KeyContext, action: Action) -> Optio
             vec![Intent::Show(Dialog::prompt_asking(Purpose::Configuration, ""))]
         }
         Action::RemovePart => parts::remove(model),
+        Action::Tab(number) => {
+            let tab = bench.tabs().into_iter().find(|tab| tab.0 + 1 == number);
+            match tab {
+                Some(tab) => vec![Intent::Turn(tab)],
+                None => Intent::say(Text::new("there is no tab {number} now").with("number", number)),
+            }
+        }
         Action::NextTab => turn(model, 1),
         Action::PreviousTab => turn(model, -1),
         Action::Play | Action::PreviousFrame | Action::NextFrame => animate(model, action),
@@ -195,13 +202,8 @@ pub(super) fn show_named(model: &mut Model, name: &str) -> Vec<Intent> {
 /// Shows a pane, and asks what it needs to be found out first.
 pub(super) fn show_tab(model: &mut Model, tab: Tab) -> Vec<Intent> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
-    bench.tab = tab;
-    let is_seen =
-        model.bench.as_ref().is_some_and(|bench| view::areas_of(model, bench, bench.focus).pane.is_some());
-    let Some(bench) = &mut model.bench else { return Vec::new() };
-    if !is_seen {
-        bench.focus = Focus::Pane;
-    }
+    // The keys go where the eye is.
+    (bench.tab, bench.focus) = (tab, Focus::Pane);
     let pane = &mut bench.panes[tab.0];
     let mut intents = pane.turned_to(&mut bench.problem);
     if !pane.is_answered(&bench.problem) && !bench.waits(tab) {

@@ -1,7 +1,7 @@
 //! Keys of the cells of a pane, and the jobs that take time there.
 
 use dalembert_units::{Decimal, with_point};
-use tui_input::{Input, InputRequest};
+use tui_input::InputRequest;
 
 use super::{plans, with_shown};
 use crate::{
@@ -15,6 +15,7 @@ use crate::{
     layout::Focus,
     model::Model,
     solver::{Job, JobOutcome, Work},
+    text_entry::TextEntry,
 };
 
 /// A key on the cells of a pane.
@@ -44,7 +45,8 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
 /// A key while a cell is typed in.
 pub(super) fn act_in_cell(model: &mut Model, action: Action) -> Vec<Intent> {
     match action {
-        Action::Enter | Action::Back => end_edit(model),
+        Action::Enter => end_edit(model),
+        Action::Back => give_up(model),
         Action::Down | Action::Up => {
             let mut intents = end_edit(model);
             intents.extend(step(model, if action == Action::Down { 1 } else { -1 }));
@@ -59,6 +61,16 @@ pub(super) fn end_edit(model: &mut Model) -> Vec<Intent> {
     let edit = model.bench.as_mut().and_then(|bench| bench.edit.take());
     let kept = edit.and_then(|_| with_shown(model, |pane, problem, _| pane.kept(problem)));
     kept.unwrap_or_default()
+}
+
+/// Ends what is typed in a cell, which has the text again that it had before.
+fn give_up(model: &mut Model) -> Vec<Intent> {
+    let Some(edit) = model.bench.as_mut().and_then(|bench| bench.edit.take()) else { return Vec::new() };
+    if edit.value() == edit.original() {
+        return Vec::new();
+    }
+    with_shown(model, |pane, problem, _| pane.typed(problem, edit.original().to_owned()));
+    vec![Intent::Ask]
 }
 
 /// A digit on a cell begins a new text.
@@ -139,7 +151,11 @@ fn own(model: &mut Model, action: Action) -> Vec<Intent> {
 fn begin(model: &mut Model, text: Option<String>) -> bool {
     let Some(bench) = &mut model.bench else { return false };
     let Some(old) = bench.shown().cell(&bench.problem) else { return false };
-    bench.edit = Some(Input::new(text.unwrap_or(old).chars().take(LONGEST).collect()));
+    let cut = |text: String| text.chars().take(LONGEST).collect::<String>();
+    bench.edit = Some(match text {
+        Some(text) => TextEntry::new(cut(text)).begun_from(old),
+        None => TextEntry::selected(cut(old)),
+    });
     true
 }
 

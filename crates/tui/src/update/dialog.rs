@@ -32,7 +32,7 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
             Vec::new()
         }
         (Action::Enter, _) => enter(model),
-        (_, Some(Dialog::Help { scroll })) => {
+        (_, Some(Dialog::Help { scroll, .. })) => {
             let last = longest;
             *scroll = match action {
                 Action::Up => scroll.saturating_sub(1),
@@ -45,10 +45,10 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
             };
             Vec::new()
         }
-        (Action::Up | Action::Down, Some(Dialog::Prompt { input, proposed, error, names, .. })) => {
+        (Action::Up | Action::Down, Some(Dialog::Prompt { input, error, names, .. })) => {
             if let Some(text) = names.next(input.value(), action == Action::Down) {
-                *input = text.into();
-                (*proposed, *error) = (false, None);
+                input.replace(text);
+                *error = None;
             }
             Vec::new()
         }

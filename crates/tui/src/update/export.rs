@@ -13,7 +13,7 @@ use crate::{
     glyphs::filter_untrusted,
     intent::Intent,
     model::Model,
-    pane::{Column, Tab},
+    pane::Tab,
     problem::{Freshness, Problem},
     view,
 };
@@ -122,10 +122,10 @@ fn hindrance(model: &Model, purpose: Purpose) -> Option<Text> {
 /// The pane of the picture that is seen: the chosen one, or the first beside it.
 fn picture(model: &Model) -> Option<Tab> {
     let bench = model.bench.as_ref()?;
-    let beside = view::areas_of(model, bench, bench.focus).picture.is_some();
-    let mut all = bench.in_column(Column::Pictures);
-    all.retain(|tab| bench.pane(*tab).pictures(&bench.problem) > 0);
-    all.iter().find(|tab| bench.tab == **tab).or(all.first().filter(|_| beside)).copied()
+    let areas = view::areas_of(model, bench, bench.focus);
+    let has_picture = |tab: &Tab| bench.pane(*tab).pictures(&bench.problem) > 0;
+    let is_seen = |tab: &Tab| areas.area_of(*tab).is_some();
+    [bench.tab].into_iter().chain(bench.all_tabs().filter(is_seen)).find(has_picture)
 }
 
 fn files(

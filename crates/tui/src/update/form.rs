@@ -25,6 +25,7 @@ const NO_ALTERNATIVE: &str = "no options here";
 /// A key on the inputs.
 pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
     let page = isize::try_from(model.size.1.saturating_sub(6).max(1)).unwrap_or(1);
+    let locale = model.locale;
     let Some(bench) = &mut model.bench else { return Vec::new() };
     if let Some(intents) = in_part(&bench.problem, action) {
         return intents;
@@ -41,7 +42,9 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
         Action::First => form.step(isize::MIN),
         Action::Last => form.step(isize::MAX),
         Action::Enter => return enter(model),
-        Action::Clear if form.begin(Some(String::new())) => return vec![Intent::Changed],
+        Action::Clear if form.begin(Some(String::new()), locale.style.decimal) => {
+            return vec![Intent::Changed];
+        }
         Action::Left | Action::Right if form.aim(action == Action::Left) => {}
         Action::Clear => model.say("no text to replace here"),
         Action::Left => return after(model, |form| form.cycle(-1), NO_ALTERNATIVE),
@@ -52,6 +55,7 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
         Action::Nudge(tenths) => {
             return after(model, |form| form.nudge(tenths), "+ and - change numbers only");
         }
+        Action::Repair => return repair(model),
         Action::NextUnit => {
             return after(model, Form::next_unit, "no other unit available");
         }
@@ -101,6 +105,7 @@ fn in_part(problem: &Problem, action: Action) -> Option<Vec<Intent>> {
             | Action::NextUnit
             | Action::Toggle
             | Action::Import
+            | Action::Repair
             | Action::Unknown
             | Action::AddRow
             | Action::DuplicateRow
@@ -128,6 +133,28 @@ fn in_part(problem: &Problem, action: Action) -> Option<Vec<Intent>> {
     }
 }
 
+/// Writes what the error of the field under the cursor offers; of several texts one is chosen.
+fn repair(model: &mut Model) -> Vec<Intent> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let repairs = bench.problem.repairs();
+    let form = &mut bench.problem.inputs.form;
+    form.keep();
+    let Some(FormLine { path, .. }) = form.line() else { return Vec::new() };
+    match &repairs[..] {
+        [] => Intent::say("no repair is suggested for this field"),
+        [one] => {
+            form.set(&path, one.clone(), Decimal::Point);
+            vec![Intent::Changed]
+        }
+        _ => {
+            let choice =
+                |text: String| Choice { label: text.clone(), help: String::new(), value: Chosen::Text(text) };
+            let options = repairs.into_iter().map(choice).collect();
+            vec![Intent::Show(Dialog::Choice { path, options, chosen: 0 })]
+        }
+    }
+}
+
 fn enter(model: &mut Model) -> Vec<Intent> {
     let locale = model.locale;
     let Some(bench) = &mut model.bench else { return Vec::new() };
@@ -147,12 +174,12 @@ fn enter(model: &mut Model) -> Vec<Intent> {
                 })
                 .collect();
             if options.is_empty() {
-                bench.problem.inputs.form.begin(None);
+                bench.problem.inputs.form.begin(None, locale.style.decimal);
             } else {
                 model.dialog = Some(Dialog::Choice { path, options, chosen });
             }
         }
-        Role::Leaf { .. } => _ = bench.problem.inputs.form.begin(None),
+        Role::Leaf { .. } => _ = bench.problem.inputs.form.begin(None, locale.style.decimal),
         Role::Table { .. } => {
             let text = match bench.problem.inputs.form.draft.at(&bench.problem.entry().shape(), &path) {
                 Ok((Draft::Leaf(text), _)) => text.clone(),
@@ -195,6 +222,7 @@ pub(super) fn act_in_field(model: &mut Model, action: Action) -> Vec<Intent> {
             bench.problem.inputs.form.drop_edit();
             return vec![Intent::Changed];
         }
+        Action::Repair => return repair(model),
         Action::Down | Action::Up => {
             bench.problem.inputs.form.keep();
             bench.problem.inputs.form.step(if action == Action::Down { 1 } else { -1 });

@@ -15,7 +15,7 @@ use crate::{
     keys::{Action, KeyContext},
     layout::Focus,
     model::Model,
-    pane::{Column, Gesture, Pane, Tab},
+    pane::{Content, Gesture, Pane, Tab},
     view::{self, HitTarget},
 };
 
@@ -80,6 +80,7 @@ fn click(model: &mut Model, spot: HitTarget, at: Position) -> Vec<Intent> {
         HitTarget::Case(case) => {
             let again = model.picker.case.is_some() && model.picker.case == case;
             model.picker.case = case.or(model.picker.case);
+            model.picker.typing = false;
             vec![if again { Intent::Press(place, Action::Enter) } else { Intent::Preview }]
         }
     }
@@ -183,7 +184,7 @@ fn turn(model: &mut Model, at: Position, up: bool) -> Vec<Intent> {
             }
             // A picture that has no other use for the wheel may move.
             let picture = model.bench.as_ref().map(|bench| bench.pane(tab));
-            let picture = picture.filter(|pane| pane.column() == Column::Pictures).map(Pane::place);
+            let picture = picture.filter(|pane| pane.content() == Content::Picture).map(Pane::place);
             vec![match picture {
                 Some(place) => {
                     Intent::Press(place, if up { Action::PreviousFrame } else { Action::NextFrame })

@@ -45,20 +45,14 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
 
 /// Scrolls a pane.
 pub(super) fn scroll(model: &mut Model, tab: Tab, by: isize) -> Vec<Intent> {
-    let Some(shown) = model.bench.as_mut().map(|bench| std::mem::replace(&mut bench.tab, tab)) else {
-        return Vec::new();
-    };
-    let seen = view::area_of_shown(model).zip(model.bench.as_ref());
+    let seen = view::area_of_pane(model, tab).zip(model.bench.as_ref());
     let last = seen.map(|(area, bench)| {
         let lines = view::page(model, bench, tab, area.width).lines.len();
         lines.saturating_sub(usize::from(area.height))
     });
-    if let Some(bench) = &mut model.bench {
-        bench.tab = shown;
-        if let Some(last) = last {
-            let first = &mut bench.scroll[tab.0];
-            *first = (*first).min(last).saturating_add_signed(by).min(last);
-        }
+    if let Some((bench, last)) = model.bench.as_mut().zip(last) {
+        let first = &mut bench.scroll[tab.0];
+        *first = (*first).min(last).saturating_add_signed(by).min(last);
     }
     Vec::new()
 }

@@ -8,7 +8,6 @@ use crate::{
     keys::{Action, KeyContext},
     layout::Focus,
     model::Model,
-    pane::Column,
     picker::Listing,
     view,
 };
@@ -41,25 +40,21 @@ pub(super) fn show(model: &mut Model, at: usize) -> Vec<Intent> {
 /// Shows what the panes have of the part that is shown; results and working are scrolled to it.
 pub(super) fn bring_results(model: &mut Model) -> Vec<Intent> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
-    let (shown, name) = (bench.tab, bench.problem.inputs.form.part().name);
+    let name = bench.problem.inputs.form.part().name;
     bench.turned_to.clone_from(&name);
     for pane in &mut bench.panes {
         pane.turn_to(&bench.problem, &name);
     }
-    for tab in bench.in_column(Column::Shared) {
+    for tab in bench.all_tabs() {
         let Some(bench) = &mut model.bench else { break };
         let Some(part) = bench.pane(tab).first_part_of(&bench.problem, &name) else { continue };
-        bench.tab = tab;
-        let Some((area, bench)) = view::area_of_shown(model).zip(model.bench.as_ref()) else { continue };
+        let Some((area, bench)) = view::area_of_pane(model, tab).zip(model.bench.as_ref()) else { continue };
         let page = view::page(model, bench, tab, area.width);
         // The name of the problem stands before its first line.
         let begin = page.starts.get(part).map_or(0, |start| start.saturating_sub(1));
         if let Some(bench) = &mut model.bench {
             bench.scroll[tab.0] = if part == 0 { 0 } else { begin };
         }
-    }
-    if let Some(bench) = &mut model.bench {
-        bench.tab = shown;
     }
     Vec::new()
 }

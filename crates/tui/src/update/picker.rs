@@ -27,10 +27,6 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
             model.picker.case = None;
             Vec::new()
         }
-        Action::NextPane if model.picker.typing => {
-            model.picker.typing = false;
-            Vec::new()
-        }
         Action::NextPane if model.picker.case.is_some() => to_list(model),
         Action::NextPane => to_cases(model),
         Action::PreviousPane => to_list(model),
@@ -62,6 +58,8 @@ fn step(model: &mut Model, by: isize) -> Vec<Intent> {
 /// To the cases of the chosen analysis, where it has some.
 fn to_cases(model: &mut Model) -> Vec<Intent> {
     model.go_to_cases();
+    // Letters are keys there.
+    model.picker.typing &= model.picker.case.is_none();
     preview(model)
 }
 
@@ -241,6 +239,7 @@ pub(super) fn begin(model: &mut Model) {
 /// Back to the list, to the analysis of the problem that is left, where it is shown.
 pub(super) fn return_to_list(model: &mut Model) -> Vec<Intent> {
     model.screen = Screen::Picker;
+    model.picker.typing = true;
     let left = model.bench.as_ref().map(|bench| bench.problem.entry().about.id);
     let is_left = |leaf: Leaf| Some(model.listings[leaf.listing].entry.about.id) == left;
     if !chosen_leaf(model).is_some_and(is_left) {

@@ -16,7 +16,7 @@ use crate::{
     keys::{Action, Bound, KeyContext},
     look::Glyph,
     model::{Model, Notice},
-    pane::Column,
+    pane::Content,
     panes::about_number,
     problem::Freshness,
     text::{fit, shortened, width, wrapped},
@@ -51,9 +51,17 @@ pub(super) fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
     let room = usize::from(area.width);
     let right_room = width(&right).min(room / 2);
     let right = fit(&right, right_room, look);
-    let left: String = spans.iter().map(|span| span.content.as_ref()).collect();
     let left_room = room.saturating_sub(right_room + 2);
-    if width(&left) > left_room {
+    // Where there is no room for everything, the name of the program goes first, then that of the problem.
+    let cells = |spans: &[Span<'_>]| spans.iter().map(Span::width).sum::<usize>();
+    if cells(&spans) > left_room && spans.len() > 2 {
+        spans.splice(..2, [Span::raw(" ")]);
+    }
+    if cells(&spans) > left_room && spans.len() > 2 {
+        spans.truncate(2);
+    }
+    if cells(&spans) > left_room {
+        let left: String = spans.iter().map(|span| span.content.as_ref()).collect();
         spans = vec![Span::styled(fit(&left, left_room, look), look.title())];
     }
     buffer.set_line(area.x, area.y, &Line::from(spans), area.width);
@@ -171,16 +179,21 @@ fn hints(model: &Model, place: KeyContext, room: usize) -> Vec<Hint> {
             }
             None => bound.keys.first().map_or_else(String::new, |key| key.name(&model.locale)),
         };
-        Hint { action: binding.action, pair, keys, name: word(binding.hint, model) }
+        let hint = match (place, binding.action) {
+            (KeyContext::Form, Action::Back) => "list",
+            _ => binding.hint,
+        };
+        Hint { action: binding.action, pair, keys, name: word(hint, model) }
     };
     let cells = |hint: &Hint| width(&hint.keys) + 1 + width(&hint.name);
     let has_animation = animation(model).is_some();
     let shown = model.shown_bench();
-    let in_picture = shown.is_some_and(|bench| bench.shown().column() == Column::Pictures);
+    let in_picture = shown.is_some_and(|bench| bench.shown().content() == Content::Picture);
     let serves = |bound: &&Bound| match bound.binding.action {
         Action::Play | Action::PreviousFrame => has_animation,
         Action::ExportSeen => in_picture,
         Action::Copy | Action::Export => !in_picture,
+        Action::Repair => shown.is_some_and(|bench| !bench.problem.repairs().is_empty()),
         Action::NextFilePart => shown.is_some_and(|bench| bench.problem.inputs.form.parts().len() > 1),
         Action::Toggle if place == KeyContext::Picker => model.chosen_exercise().is_some(),
         action if place.is_pane() => shown.is_none_or(|bench| bench.shown().serves(&bench.problem, action)),
@@ -195,18 +208,28 @@ fn hints(model: &Model, place: KeyContext, room: usize) -> Vec<Hint> {
         }
     }
     let mut left = room + GAP;
-    let has_help = all.iter().any(|bound| bound.binding.action == Action::Help);
-    let always = if has_help { Action::Help } else { Action::Back };
+    // The ways on and out are always seen, at the end.
+    let is_way_out = |bound: &&Bound| match bound.binding.action {
+        Action::Back | Action::Help | Action::Quit => true,
+        Action::Enter => place.is_text(),
+        _ => false,
+    };
+    let rank = |bound: &&Bound| match bound.binding.action {
+        _ if is_way_out(bound) => 2,
+        Action::Enter | Action::Repair | Action::NextPane | Action::NextTab => 0,
+        _ => 1,
+    };
+    all.sort_by_key(rank);
     left -= all
         .iter()
-        .filter(|bound| bound.binding.action == always)
+        .filter(|bound| is_way_out(bound))
         .map(|bound| cells(&written(bound)) + GAP)
         .sum::<usize>()
         .min(left);
     let mut shown = Vec::new();
     for bound in all {
         let hint = written(bound);
-        if bound.binding.action != always {
+        if !is_way_out(&bound) {
             if cells(&hint) + GAP > left {
                 continue;
             }
@@ -250,6 +273,10 @@ fn about_field(model: &Model, bench: &Bench) -> String {
         let text = if text.trim().is_empty() { say("empty") } else { filter_untrusted(&text).into_owned() };
         let before = Text::new("{text} in the problem itself, {key} returns to it");
         parts.push(before.with("text", text).with("key", key(Action::DeleteRow)).render(&model.locale));
+    }
+    if let [repair, ..] = &bench.problem.repairs()[..] {
+        let said = Text::new("{key} writes {text}").with("text", repair);
+        parts.push(said.with("key", model.key(bench.place(), Action::Repair)).render(&model.locale));
     }
     let label = say(line.field.label);
     match &line.role {
@@ -312,8 +339,8 @@ fn about_field(model: &Model, bench: &Bench) -> String {
             let ui = model.ui(bench, bench.tab, Rect::ZERO);
             let unit =
                 bench.problem.inputs.form.unit_of_number(&line).and_then(|unit| about_number(&unit, &ui));
-            parts.extend(unit.map(|unit| unit.render(&model.locale)));
             parts.push(label);
+            parts.extend(unit.map(|unit| unit.render(&model.locale)));
             parts.push(say(line.field.help));
         }
     }

@@ -10,17 +10,16 @@ use ratatui::{
 };
 use tui_input::Input;
 
-use super::{HitTarget, bars, boxed, draw_lines, scroll_mark, word};
+use super::{HitTarget, bars, boxed, draw_input, draw_lines, help, scroll_mark, word};
 use crate::{
     dialog::{Answer, Choice, Dialog, DialogContent, Names, Purpose},
     glyphs::filter_untrusted,
-    keys::{ALWAYS, Action, Binding, COMMON, KeyContext, PANES, PROBLEM},
     layout,
     look::Glyph,
-    model::{Model, Screen},
+    model::Model,
     palette::matching_actions,
     panes,
-    text::{fit, padded, shortened, width, wrapped},
+    text::{fit, shortened, width, wrapped},
 };
 
 /// So many actions are offered at once: few, for the sake of slow lines, and always as many rows; more on a screen of so
@@ -29,16 +28,6 @@ const OFFERED: usize = 4;
 const OFFERED_ON_A_TALL_SCREEN: (u16, usize) = (36, 10);
 /// So many files are shown that may be meant.
 const NAMES: usize = 6;
-/// Cells for the keys of an action in the help: three of them, with modifiers.
-const KEYS: usize = 20;
-/// Meanings of the marks of the list.
-const MARKS: [(Glyph, &str); 5] = [
-    (Glyph::Hollow, "analysis open; exercise opened"),
-    (Glyph::Full, "open with unsaved changes"),
-    (Glyph::Good, "exercise done; case: all published values agree"),
-    (Glyph::Unequal, "a published value is disputed: see Sources"),
-    (Glyph::Bad, "a published value disagrees"),
-];
 /// A table of so many bytes is read while it is typed.
 const READ_AT_ONCE: usize = 100_000;
 /// The widest box.
@@ -48,14 +37,9 @@ const WIDEST: u16 = 76;
 pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Buffer) -> Option<Position> {
     let [_, _, _, footer] = layout::frame(screen);
     match dialog {
-        Dialog::Help { scroll } => {
-            let lines = help_lines(model, layout::inside(screen).width.into());
-            Clear.render(screen, buffer);
-            framed(model, &word("Keyboard shortcuts", model), screen, buffer);
-            let inner = layout::inside(screen);
-            draw_lines(&lines, *scroll, inner, buffer);
-            scroll_mark(*scroll, inner.height.into(), lines.len(), &model.look, screen, buffer);
-            None
+        Dialog::Help { search, scroll } => {
+            bars::footer(model, footer, buffer);
+            help::draw(model, search, *scroll, screen, buffer)
         }
         Dialog::Palette { input, chosen } => draw_palette(model, input, *chosen, screen, footer, buffer),
         Dialog::Choice { options, chosen, .. } => {
@@ -64,7 +48,7 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
             bars::footer(model, footer, buffer);
             None
         }
-        Dialog::Prompt { purpose, input, proposed, error, names } => {
+        Dialog::Prompt { purpose, input, error, names } => {
             let title = match purpose {
                 Purpose::SaveAs => "Save as",
                 Purpose::Export => "Worked solution (.html, .tex, .typ, .md, .txt)",
@@ -105,8 +89,8 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
                 buffer,
             );
             bars::footer(model, footer, buffer);
-            let style = if *proposed { model.look.focus() } else { Style::new() };
-            draw_input(model, input, "", style, Rect { height: inner.height.min(1), ..inner }, buffer)
+            let style = if input.is_selected() { model.look.focus() } else { Style::new() };
+            draw_input(model, input.input(), "", style, Rect { height: inner.height.min(1), ..inner }, buffer)
         }
         Dialog::Ask { question, answers, chosen } => {
             let laid = lay_question(model, &question.render(&model.locale), answers, *chosen, screen);
@@ -165,88 +149,6 @@ pub(super) fn spot(model: &Model, dialog: &Dialog, screen: Rect, at: Position) -
         _ if laid.area.contains(at) => HitTarget::Over,
         _ => HitTarget::Below,
     }
-}
-
-/// The most that the help can be scrolled.
-pub(crate) fn longest_scroll_of_help(model: &Model) -> usize {
-    let inner = layout::inside(Rect::new(0, 0, model.size.0, model.size.1));
-    help_lines(model, inner.width.into()).len().saturating_sub(inner.height.into())
-}
-
-/// Lines of the help: every key, place by place. A key that a user moved in one place alone stands with that place.
-fn help_lines(model: &Model, room: usize) -> Vec<Line<'static>> {
-    let (screen, look, locale) = (model.screen, &model.look, &model.locale);
-    let places: Vec<KeyContext> = match screen {
-        Screen::Picker => vec![KeyContext::Picker, KeyContext::Filter, KeyContext::Prompt],
-        Screen::Bench => {
-            let own = model.keys.places().filter(|place| matches!(place, KeyContext::Own(_)));
-            let before = [KeyContext::Form, KeyContext::Edit, KeyContext::Pane].into_iter();
-            before
-                .chain(own)
-                .chain([KeyContext::Cells, KeyContext::Plan, KeyContext::Cell, KeyContext::Sheet])
-                .collect()
-        }
-    };
-    let say = |text: &'static str| Text::from(text).render(locale);
-    let mut lines = Vec::new();
-    let mut section = |name: &'static str,
-                       place: KeyContext,
-                       bindings: &mut dyn Iterator<Item = &'static Binding>| {
-        if !lines.is_empty() {
-            lines.push(Line::default());
-        }
-        lines.push(Line::styled(say(name), look.title()));
-        for binding in bindings {
-            let keys = model.keys.keys_of(place, binding);
-            // What has no key is found by its name.
-            let keys = match keys {
-                [] => model.key(place, Action::Palette),
-                keys => keys.iter().map(|key| key.name(&model.locale)).collect::<Vec<_>>().join("  "),
-            };
-            let keys = padded(&keys, KEYS.min(room / 2), look);
-            let left = room.saturating_sub(width(&keys) + 3);
-            for (n, text) in wrapped(&say(binding.name), left).into_iter().enumerate() {
-                let keys = if n == 0 { keys.clone() } else { " ".repeat(width(&keys)) };
-                lines.push(Line::from(vec![Span::styled(format!("  {keys} "), look.key()), Span::raw(text)]));
-            }
-        }
-    };
-    // Keys that several places share are shown once, as they hold in one of them.
-    let home = |binding: &Binding| match screen {
-        Screen::Picker => KeyContext::Picker,
-        Screen::Bench if PANES.contains(binding) => KeyContext::Pane,
-        Screen::Bench => KeyContext::Form,
-    };
-    for place in places {
-        let differs = |binding: &&Binding| {
-            let keys = model.keys.keys_of(place, binding);
-            keys != model.keys.keys_of(home(binding), binding)
-        };
-        let own = || place.table().iter().copied().flatten();
-        let shared = place.bindings().skip(own().count()).filter(differs);
-        section(place.name(), place, &mut own().chain(shared));
-    }
-    if screen == Screen::Bench {
-        section("In every tab", KeyContext::Pane, &mut PANES.iter());
-        section("In a problem", KeyContext::Form, &mut PROBLEM.iter());
-    }
-    let first = home(&COMMON[0]);
-    section("Everywhere", first, &mut COMMON.iter().chain(ALWAYS));
-    lines.push(Line::default());
-    if screen == Screen::Picker {
-        for (glyph, text) in MARKS {
-            let text = format!("{} {}", look.glyph(glyph), say(text));
-            lines.extend(wrapped(&text, room).into_iter().map(|text| Line::styled(text, look.dim())));
-        }
-        lines.push(Line::default());
-    }
-    for text in [
-        "A quantity is a number and a unit: 20.3 mm, 1000 rpm, 200 kN/mm^2, 5 kg*mm, 2*pi*50 rad/s, 1/2 in. Comma and point are both decimal marks. A vector: (300; 200) m/s.",
-        "Typing a digit on a field replaces its value; the solution follows as you type. a adds a row, also on the heading of a list.",
-    ] {
-        lines.extend(wrapped(&say(text), room).into_iter().map(|text| Line::styled(text, look.dim())));
-    }
-    lines
 }
 
 /// The typed line at the foot of the screen, and what it may mean above it.
@@ -316,30 +218,6 @@ fn found_names(model: &Model, names: &Names, typed: &str, room: usize) -> Vec<Li
     lines
 }
 
-/// A line of text with its cursor.
-fn draw_input(
-    model: &Model,
-    input: &Input,
-    before: &str,
-    style: Style,
-    area: Rect,
-    buffer: &mut Buffer,
-) -> Option<Position> {
-    if area.is_empty() {
-        return None;
-    }
-    let offset = width(before);
-    let room = usize::from(area.width).saturating_sub(offset + 1);
-    let scroll = input.visual_scroll(room);
-    let text: String = input.value().chars().skip(scroll).take(room).collect();
-    buffer.set_stringn(area.x, area.y, before, area.width.into(), model.look.key());
-    buffer.set_stringn(area.x + offset as u16, area.y, filter_untrusted(&text), room, style);
-    Some(Position::new(
-        area.x + (offset + input.visual_cursor().saturating_sub(scroll).min(room)) as u16,
-        area.y,
-    ))
-}
-
 /// Lines with what may be chosen among them, as they are drawn.
 struct Laid {
     lines: Vec<Line<'static>>,
@@ -382,7 +260,10 @@ fn lay_question(
     let shown: Vec<Line<'static>> = answers
         .iter()
         .enumerate()
-        .map(|(n, (name, _))| option(model, &word(name, model), n == chosen, room))
+        .map(|(n, (name, _))| {
+            let name = fit(&word(name, model), room.saturating_sub(4), &model.look);
+            option_line(model, &name, n == chosen, true)
+        })
         .collect();
     let asked = wrapped(&question, room);
     let gap = usize::from(framed && asked.len() + 1 + answers.len() <= rows);
@@ -414,11 +295,17 @@ fn lay_choice(model: &Model, options: &[Choice], chosen: usize, screen: Rect) ->
         .map(|text| Line::styled(text, look.dim()))
         .collect();
     let most = usize::from(screen.height.saturating_sub(4)).saturating_sub(help.len() + 1).max(1);
-    let first = (chosen + 1).saturating_sub(most);
-    let seen = options.iter().enumerate().skip(first).take(most);
-    let owners = seen.clone().map(|(n, _)| Some(n)).collect();
-    let mut lines: Vec<Line<'static>> =
-        seen.map(|(n, choice)| option(model, &choice.label, n == chosen, room)).collect();
+    let all: Vec<(Option<usize>, Line<'static>)> = options
+        .iter()
+        .enumerate()
+        .flat_map(|(n, choice)| {
+            option(model, &choice.label, n == chosen, room).into_iter().map(move |line| (Some(n), line))
+        })
+        .collect();
+    // The last line of the chosen one is seen.
+    let end = all.iter().rposition(|(n, _)| *n == Some(chosen)).map_or(0, |at| at + 1);
+    let (owners, mut lines): (Vec<Option<usize>>, Vec<Line<'static>>) =
+        all.into_iter().skip(end.saturating_sub(most)).take(most).unzip();
     if !help.is_empty() {
         lines.push(Line::default());
         lines.extend(help);
@@ -523,13 +410,19 @@ fn unit_of(measure: &Measure, ascii: bool) -> String {
     measure.units_of_kinds(ascii)
 }
 
-fn option(model: &Model, name: &str, chosen: bool, room: usize) -> Line<'static> {
+/// An option in as many lines as it needs.
+fn option(model: &Model, name: &str, chosen: bool, room: usize) -> Vec<Line<'static>> {
+    let lines = wrapped(name, room.saturating_sub(4)).into_iter().enumerate();
+    lines.map(|(n, text)| option_line(model, &text, chosen, n == 0)).collect()
+}
+
+fn option_line(model: &Model, text: &str, chosen: bool, is_first: bool) -> Line<'static> {
     let look = &model.look;
-    let pointer = if chosen { look.glyph(Glyph::Pointer) } else { " " };
+    let pointer = if chosen && is_first { look.glyph(Glyph::Pointer) } else { " " };
     let style = if chosen { look.focus() } else { Style::new() };
     Line::from(vec![
         Span::styled(format!("{pointer} "), look.border(true)),
-        Span::styled(format!(" {} ", fit(name, room.saturating_sub(4), look)), style),
+        Span::styled(format!(" {text} "), style),
     ])
 }
 

@@ -51,7 +51,7 @@ fn draw_list(model: &Model, area: Rect, buffer: &mut Buffer) -> Option<Position>
     let filtered = is_filtered(model);
     let focused = picker.case.is_none();
     let mut title = format!(" {} ", word("List of analyses", model));
-    if filtered {
+    if !picker.filter.value().is_empty() {
         title += &format!("{}/{} ", visible.len(), model.listings.len());
     }
     boxed(&Line::styled(title, look.border(focused).patch(look.title())), focused, look, area, buffer);
@@ -63,6 +63,10 @@ fn draw_list(model: &Model, area: Rect, buffer: &mut Buffer) -> Option<Position>
         let text: String = picker.filter.value().chars().skip(scroll).collect();
         buffer.set_stringn(inner.x, inner.y, "/ ", inner.width.into(), look.key());
         let text = filter_untrusted(&text).chars().take(room).collect::<String>();
+        if text.is_empty() {
+            let hint = word("type to search", model);
+            buffer.set_stringn(inner.x + 2, inner.y, hint, room, look.dim());
+        }
         buffer.set_stringn(inner.x + 2, inner.y, text, room, look.title());
         if picker.typing {
             cursor = Some(Position::new(

@@ -71,21 +71,42 @@ impl<T: Copy> Bar<T> {
     }
 }
 
-/// The names of these tabs of panes, the chosen one marked.
-pub(super) fn bar(model: &Model, bench: &Bench, tabs: &[Tab], columns: u16) -> Bar<Tab> {
-    let name = |tab: &Tab| match place_of_shown(bench, *tab).filter(|_| *tab == bench.tab) {
-        Some(place) => format!("{} {place}", word(bench.pane(*tab).name(), model)),
-        None => word(bench.pane(*tab).name(), model),
-    };
-    let names: Vec<(Tab, String)> = tabs.iter().map(|tab| (*tab, name(tab))).collect();
-    let chosen = tabs.iter().position(|tab| *tab == bench.tab);
+/// The tabs of the panes with their numbers, the chosen one marked. Where not all names fit, the far ones are numbers
+/// alone: none is out of sight.
+pub(super) fn bar(model: &Model, bench: &Bench, columns: u16) -> Bar<Tab> {
     let look = &model.look;
+    let tabs = bench.tabs();
+    let room = usize::from(columns).saturating_sub(4);
+    let chosen = tabs.iter().position(|tab| *tab == bench.tab).unwrap_or(0);
+    let mut names: Vec<(String, String)> = tabs
+        .iter()
+        .map(|tab| {
+            let name = word(bench.pane(*tab).name(), model);
+            let place = place_of_shown(bench, *tab).filter(|_| *tab == bench.tab);
+            (number_of(*tab, look), place.map_or(name.clone(), |place| format!("{name} {place}")))
+        })
+        .collect();
+    let cells = |names: &[(String, String)]| {
+        names.iter().map(|(number, name)| width(number) + width(name) + 1).sum::<usize>() + 1
+    };
+    while cells(&names) > room {
+        let far = (0..names.len()).filter(|at| *at != chosen && !names[*at].1.is_empty());
+        let Some(far) = far.max_by_key(|at| at.abs_diff(chosen)) else { break };
+        names[far].1.clear();
+    }
     let style = if bench.focus == Focus::Pane {
         look.border(true).patch(look.title()).add_modifier(Modifier::REVERSED)
     } else {
         look.title().add_modifier(Modifier::UNDERLINED)
     };
-    Bar::of(&names, chosen, style, look, usize::from(columns).saturating_sub(4))
+    let mut bar = Bar { line: Line::default(), cells: Vec::new() };
+    bar.push(None, " ".into(), Style::new());
+    for (n, (tab, (number, name))) in tabs.into_iter().zip(names).enumerate() {
+        bar.push(Some(tab), number, look.key());
+        bar.push(Some(tab), name, if n == chosen { style } else { look.dim() });
+        bar.push(None, " ".into(), Style::new());
+    }
+    bar
 }
 
 /// The names of the problems and configurations of a file, by their places; those with an error are marked.
@@ -118,6 +139,20 @@ pub(super) fn title(model: &Model, bench: &Bench, tab: Tab) -> Line<'static> {
         Span::raw(" "),
         Span::styled(place, look.dim()),
     ])
+}
+
+/// The number of a tab, by which a key leads there; raised, so that it is no part of the name.
+fn number_of(tab: Tab, look: &Appearance) -> String {
+    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let digit = |digit: char| digit.to_digit(10).map_or(digit, |digit| RAISED[digit as usize]);
+    let number = (tab.0 + 1).to_string();
+    if look.ascii { number } else { number.chars().map(digit).collect() }
+}
+
+/// The place of the picture after the one that a pane shows: ` 2/2 `.
+pub(super) fn place_of_next(model: &Model, bench: &Bench, tab: Tab) -> Line<'static> {
+    let (at, of) = bench.place_of_shown(tab).unwrap_or((1, 1));
+    Line::styled(format!(" {}/{of} ", at % of + 1), model.look.dim())
 }
 
 /// The place of the picture that a pane shows among several: `1/2`.

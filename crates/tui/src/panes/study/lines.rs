@@ -26,7 +26,7 @@ use crate::{
 };
 
 /// Cells of a label beside a long text.
-const SHORTEST: usize = 8;
+const SHORTEST: usize = 16;
 
 impl Study {
     /// The cells and what was found; the page starts at each cell.
@@ -52,22 +52,36 @@ impl Study {
             let own = label.min((room + label).saturating_sub(wanted)).max(label.min(SHORTEST));
             let room = room + label - own;
             let pointer = if is_under { look.glyph(Glyph::Pointer) } else { " " };
-            let name = look.shortened(&filter_untrusted(name), own);
-            let mut line = Line::from(vec![
-                Span::styled(format!("{pointer} "), look.border(is_under)),
-                Span::styled(padded(&name, own), if is_under { look.title() } else { Style::new() }),
-                Span::raw("  "),
-            ]);
+            let style = if is_under { look.title() } else { Style::new() };
+            let mut name: Vec<Line<'static>> = wrap::words(&filter_untrusted(name), own)
+                .into_iter()
+                .enumerate()
+                .map(|(n, name)| {
+                    let pointer = if n == 0 { pointer } else { " " };
+                    Line::from(vec![
+                        Span::styled(format!("{pointer} "), look.border(is_under)),
+                        Span::styled(padded(&name, own), style),
+                    ])
+                })
+                .collect();
+            let mut line = name.pop().unwrap_or_default();
+            page.lines.extend(name);
+            line.push_span("  ");
             match edit {
                 Some(input) => line.extend(typed_in(input, room)),
                 None => {
-                    let shown = look.shortened(&shown, room);
+                    let mut shown = wrap::words(&shown, room).into_iter();
                     let style = match (is_under, self.plan.is_usual(*cell, of)) {
                         (true, _) => look.focus(),
                         (false, false) => Style::new(),
                         (false, true) => look.dim(),
                     };
-                    line.push_span(Span::styled(shown, style));
+                    line.push_span(Span::styled(shown.next().unwrap_or_default(), style));
+                    for rest in shown {
+                        page.lines.push(line);
+                        let before = " ".repeat(own + 4);
+                        line = Line::from(vec![Span::raw(before), Span::styled(rest, style)]);
+                    }
                     if cell.is_choice() {
                         line.push_span(Span::styled(format!(" {}", look.glyph(Glyph::Open)), look.dim()));
                     }

@@ -21,11 +21,8 @@ use crate::{
     pane::Page,
     picker::{Heading, Leaf, Listing, Row},
     solver::CheckedCase,
-    view::{
-        boxed, draw_lines, scroll_mark,
-        text::{fit, width, wrapped},
-        word,
-    },
+    text::{fit, width, wrapped},
+    view::{boxed, draw_lines, scroll_mark, word},
 };
 
 /// The fewest lines in which a drawing can be recognised.

@@ -1,0 +1,367 @@
+//! The form and the panes on a screen: which are seen, and where.
+//!
+//! One rule for every size. Below [`TWO_COLUMNS`] one column has what the keys act on, and a strip with the main answers;
+//! from there on the form stands beside the shown pane, and from [`THREE_COLUMNS`] on pictures have a column of their
+//! own. The rows that a column leaves over go to panes that would otherwise wait behind their tabs.
+
+use std::{
+    cell::RefCell,
+    collections::{HashMap, VecDeque},
+};
+
+use ratatui::layout::Rect;
+
+use super::{form, page};
+use crate::{
+    bench::Bench,
+    layout::{self, Focus},
+    model::Model,
+    pane::{Content, Tab},
+};
+
+/// From so many columns on inputs and results stand side by side.
+const TWO_COLUMNS: u16 = 100;
+/// From so many columns on there is a third column.
+const THREE_COLUMNS: u16 = 160;
+/// Columns of the narrowest and of the widest form beside a pane.
+const FORM: (u16, u16) = (40, 66);
+/// Rows of the lowest picture, frame included, and of the lowest one of two above each other.
+const PICTURE: (u16, u16) = (10, 18);
+/// Rows of the lowest text that is worth a frame of its own.
+const TEXT: u16 = 6;
+/// Rows of the strip of main answers at most.
+const STRIP: u16 = 7;
+
+/// A pane on the screen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct PlacedPane {
+    pub(crate) tab: Tab,
+    pub(crate) area: Rect,
+    /// True of the second picture of a pane that has several: the keys act on the first.
+    pub(crate) is_next: bool,
+    /// True if the names of all tabs stand above it.
+    pub(crate) has_tabs: bool,
+}
+
+/// The parts of the screen of a problem.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Arrangement {
+    pub(crate) form: Option<Rect>,
+    pub(crate) panes: Vec<PlacedPane>,
+}
+
+/// Arranges form and panes in the body of the screen.
+pub(super) fn arrange(model: &Model, bench: &Bench, focus: Focus, body: Rect) -> Arrangement {
+    let screen = Screen { model, bench, pages: RefCell::default() };
+    if bench.expanded || model.look.basic {
+        return match focus {
+            Focus::Form => Arrangement { form: Some(body), panes: Vec::new() },
+            Focus::Pane => Arrangement { form: None, panes: vec![placed(bench.tab, body, true)] },
+        };
+    }
+    if body.width < TWO_COLUMNS {
+        return screen.one_column(focus, body);
+    }
+    // A pane that is seen beside the results is not brought in their place.
+    let usual = screen.columns(Tab::default(), body);
+    if usual.panes.iter().any(|placed| placed.tab == bench.tab) {
+        usual
+    } else {
+        screen.columns(bench.tab, body)
+    }
+}
+
+fn placed(tab: Tab, area: Rect, has_tabs: bool) -> PlacedPane {
+    PlacedPane { tab, area, is_next: false, has_tabs }
+}
+
+/// Content of a part of a column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Slot {
+    Form,
+    Pane(Tab),
+}
+
+/// A part of a column and the rows that it needs.
+#[derive(Clone, Copy, Debug)]
+struct Part {
+    slot: Slot,
+    least: u16,
+    /// Rows that show all of it; of a picture, as many as there are.
+    wanted: u16,
+}
+
+impl Part {
+    fn grows(&self) -> bool {
+        self.wanted == u16::MAX
+    }
+}
+
+/// The problem that is arranged.
+struct Screen<'a> {
+    model: &'a Model,
+    bench: &'a Bench,
+    /// Lines of a page, and those of its head, by tab and width: the ways to arrange it ask for the same ones.
+    pages: RefCell<HashMap<(usize, u16), (usize, usize)>>,
+}
+
+/// Ways to share a wide screen out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Sharing {
+    /// A third column has all pictures.
+    Pictures,
+    /// A third column has a picture, the form another one below it.
+    PictureBelowForm,
+    /// The form beside everything else.
+    TwoColumns,
+}
+
+impl Screen<'_> {
+    /// Form or shown pane, with a strip of the main answers and what there is room for.
+    fn one_column(&self, focus: Focus, body: Rect) -> Arrangement {
+        let (results, shown) = (Tab::default(), self.bench.tab);
+        let mut waiting = self.waiting(shown);
+        let first = match focus {
+            Focus::Form => self.form(body.width),
+            Focus::Pane => self.pane(shown, body.width),
+        };
+        let mut parts = vec![first];
+        if focus == Focus::Form || shown != results {
+            parts.push(self.strip(body.width));
+        }
+        if shown != results && focus == Focus::Form {
+            waiting.push_front(shown);
+        }
+        self.fill(&mut parts, body, &mut waiting);
+        let mut arrangement = Arrangement::default();
+        self.place(&parts, body, &mut arrangement);
+        name_tabs(&mut arrangement.panes);
+        arrangement
+    }
+
+    /// The form beside a pane, and pictures beside both where there is room: of the ways to share the screen out the first
+    /// that leaves no third of a column blank, or the one that leaves least.
+    fn columns(&self, main: Tab, body: Rect) -> Arrangement {
+        let all = [Sharing::Pictures, Sharing::PictureBelowForm, Sharing::TwoColumns];
+        let pictures = self.pictures(&self.waiting(main));
+        let serves = |sharing: &Sharing| match sharing {
+            Sharing::Pictures => body.width >= THREE_COLUMNS && pictures > 0,
+            Sharing::PictureBelowForm => body.width >= THREE_COLUMNS && pictures > 1,
+            Sharing::TwoColumns => true,
+        };
+        let mut best: Option<(u16, Arrangement)> = None;
+        for sharing in all.into_iter().filter(serves) {
+            let (blank, arrangement) = self.shared(sharing, main, body);
+            if 4 * blank <= body.height {
+                return arrangement;
+            }
+            if best.as_ref().is_none_or(|(least, _)| blank < *least) {
+                best = Some((blank, arrangement));
+            }
+        }
+        best.map(|(_, arrangement)| arrangement).unwrap_or_default()
+    }
+
+    /// The screen shared out in one way, and the most rows that a column of it leaves blank.
+    fn shared(&self, sharing: Sharing, main: Tab, body: Rect) -> (u16, Arrangement) {
+        let mut waiting = self.waiting(main);
+        let has_three = sharing != Sharing::TwoColumns;
+        let share = if has_three { body.width * 3 / 8 } else { body.width * 9 / 20 };
+        let wanted = form::columns_wanted(self.model, self.bench);
+        let [left, rest] = split(body, wanted.clamp(FORM.0, FORM.1.min(share)));
+        let [middle, right] = if has_three { split(rest, rest.width / 2) } else { [rest, Rect::ZERO] };
+        let mut of_left = vec![self.form(left.width)];
+        if sharing == Sharing::PictureBelowForm && waiting.len() > 1 {
+            of_left.extend(waiting.remove(1).map(|tab| self.pane(tab, left.width)));
+        }
+        let mut of_right = Vec::new();
+        if has_three {
+            self.fill(&mut of_right, right, &mut waiting);
+        }
+        let mut of_middle = vec![self.pane(main, middle.width)];
+        if main != Tab::default() {
+            of_middle.push(self.strip(middle.width));
+        }
+        self.fill(&mut of_middle, middle, &mut waiting);
+        self.fill(&mut of_left, left, &mut waiting);
+        let mut arrangement = Arrangement::default();
+        self.place(&of_middle, middle, &mut arrangement);
+        name_tabs(&mut arrangement.panes);
+        self.place(&of_right, right, &mut arrangement);
+        self.place(&of_left, left, &mut arrangement);
+        let blank = [of_left, of_middle, of_right].iter().map(|parts| blank(parts, body.height)).max();
+        (blank.unwrap_or(0), arrangement)
+    }
+
+    /// The panes that are worth seeing beside the results and another one: pictures, then text.
+    fn waiting(&self, main: Tab) -> VecDeque<Tab> {
+        let is_other = |tab: &Tab| *tab != Tab::default() && *tab != main;
+        let useful = self.bench.tabs().into_iter().filter(is_other);
+        let content = |tab: &Tab| self.bench.pane(*tab).content();
+        let (pictures, others): (Vec<Tab>, Vec<Tab>) =
+            useful.partition(|tab| content(tab) == Content::Picture);
+        pictures.into_iter().chain(others.into_iter().filter(|tab| content(tab) == Content::Text)).collect()
+    }
+
+    fn pictures(&self, tabs: &VecDeque<Tab>) -> usize {
+        tabs.iter().filter(|tab| self.bench.pane(**tab).content() == Content::Picture).count()
+    }
+
+    fn form(&self, width: u16) -> Part {
+        let rows = form::rows_wanted(self.model, self.bench, width);
+        Part { slot: Slot::Form, least: TEXT.min(rows), wanted: rows }
+    }
+
+    fn pane(&self, tab: Tab, width: u16) -> Part {
+        let slot = Slot::Pane(tab);
+        match self.bench.pane(tab).content() {
+            Content::Picture => Part { slot, least: PICTURE.0, wanted: u16::MAX },
+            Content::Cells => Part { slot, least: TEXT, wanted: u16::MAX },
+            Content::Text => {
+                let (lines, head) = self.lines(tab, width);
+                let rows = framed(lines);
+                Part { slot, least: framed(head).max(TEXT).min(rows), wanted: rows }
+            }
+        }
+    }
+
+    /// The results, as far as the main answers go.
+    fn strip(&self, width: u16) -> Part {
+        let (lines, head) = self.lines(Tab::default(), width);
+        let rows = framed(lines);
+        Part {
+            slot: Slot::Pane(Tab::default()),
+            least: framed(head.max(1)).min(STRIP).min(rows),
+            wanted: rows,
+        }
+    }
+
+    /// Lines of the page of a pane in so many columns, and those of its head.
+    fn lines(&self, tab: Tab, width: u16) -> (usize, usize) {
+        *self.pages.borrow_mut().entry((tab.0, width)).or_insert_with(|| {
+            let page = page(self.model, self.bench, tab, inner(width));
+            (page.lines.len(), page.head)
+        })
+    }
+
+    /// Adds panes that wait while more than a third of the rows, or enough for a picture, are left over.
+    fn fill(&self, parts: &mut Vec<Part>, area: Rect, waiting: &mut VecDeque<Tab>) {
+        while !parts.iter().any(Part::grows) {
+            let used: u16 = parts.iter().map(|part| part.wanted).fold(0, u16::saturating_add);
+            let left = area.height.saturating_sub(used);
+            if left < TEXT.max(area.height / 4) {
+                break;
+            }
+            let fits = |tab: &Tab| self.pane(*tab, area.width).least <= left;
+            let Some(at) = waiting.iter().position(fits) else { break };
+            parts.extend(waiting.remove(at).map(|tab| self.pane(tab, area.width)));
+        }
+        // Two pictures share a column that has room for both.
+        let mut pictures = parts.iter().filter(|part| part.grows()).count();
+        while let Some(tab) = waiting.front().filter(|_| pictures > 0 && pictures < 2)
+            && self.bench.pane(*tab).content() == Content::Picture
+        {
+            let others = parts.iter().filter(|part| !part.grows()).map(|part| part.wanted);
+            let used: u16 = others.fold(0, u16::saturating_add);
+            if area.height.saturating_sub(used) < 2 * PICTURE.1 {
+                break;
+            }
+            let part = self.pane(*tab, area.width);
+            waiting.pop_front();
+            parts.push(part);
+            pictures += 1;
+        }
+    }
+
+    fn place(&self, parts: &[Part], area: Rect, arrangement: &mut Arrangement) {
+        let mut y = area.y;
+        for (part, height) in parts.iter().zip(heights(parts, area.height)) {
+            let area = Rect { y, height, ..area };
+            y += height;
+            match part.slot {
+                _ if height == 0 => {}
+                Slot::Form => arrangement.form = Some(area),
+                Slot::Pane(tab) => {
+                    let pictures = self.bench.pane(tab).pictures(&self.bench.problem);
+                    let rows = if pictures > 1 && height >= 2 * PICTURE.1 { height / 2 } else { height };
+                    arrangement.panes.push(placed(tab, Rect { height: rows, ..area }, false));
+                    if rows < height {
+                        let area = Rect { y: area.y + rows, height: height - rows, ..area };
+                        arrangement.panes.push(PlacedPane { is_next: true, ..placed(tab, area, false) });
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Two columns, the left one so wide.
+fn split(area: Rect, width: u16) -> [Rect; 2] {
+    let width = width.min(area.width);
+    [Rect { width, ..area }, Rect { x: area.x + width, width: area.width - width, ..area }]
+}
+
+/// Columns inside a frame.
+fn inner(width: u16) -> u16 {
+    layout::inside(Rect::new(0, 0, width, 3)).width
+}
+
+/// Rows of lines in a frame.
+fn framed(lines: usize) -> u16 {
+    u16::try_from(lines).unwrap_or(u16::MAX - 3).saturating_add(2).min(u16::MAX - 1)
+}
+
+/// The names of all tabs stand above the first pane.
+fn name_tabs(panes: &mut [PlacedPane]) {
+    if let Some(pane) = panes.first_mut() {
+        pane.has_tabs = true;
+    }
+}
+
+/// The rows of each part: the least of each, the first ones before later ones, then what each wants in their order, at
+/// most half of what is left to a text above a picture; the rest to pictures, and without one to the last part.
+fn heights(parts: &[Part], height: u16) -> Vec<u16> {
+    let mut left = height;
+    let mut heights: Vec<u16> = vec![0; parts.len()];
+    // The strip below a form that is too long keeps its place.
+    let later: u16 = parts.iter().skip(1).map(|part| part.least).sum();
+    for (n, (part, rows)) in parts.iter().zip(&mut heights).enumerate() {
+        let most = if n == 0 { left.saturating_sub(later).max(part.least.min(left)) } else { left };
+        *rows = part.least.min(most);
+        left -= *rows;
+    }
+    let growing = parts.iter().filter(|part| part.grows()).count() as u16;
+    for (part, rows) in parts.iter().zip(&mut heights).filter(|(part, _)| !part.grows()) {
+        let most = if growing > 0 && part.slot != Slot::Form { left / 2 } else { left };
+        let more = part.wanted.saturating_sub(*rows).min(most);
+        *rows += more;
+        left -= more;
+    }
+    let mut share = parts.iter().zip(&mut heights).filter(|(part, _)| part.grows());
+    for n in (1..=growing).rev() {
+        if let Some((_, rows)) = share.next() {
+            let more = left / n;
+            *rows += more;
+            left -= more;
+        }
+    }
+    // What nobody wants is shared out by height.
+    let used = (height - left).max(1);
+    for rows in heights.iter_mut().rev() {
+        let more = (u32::from(*rows) * u32::from(height - used) / u32::from(used)) as u16;
+        *rows += more.min(left);
+        left -= more.min(left);
+    }
+    if let Some(rows) = heights.last_mut() {
+        *rows += left;
+    }
+    heights
+}
+
+/// Rows that the parts of a column leave blank.
+fn blank(parts: &[Part], height: u16) -> u16 {
+    if parts.is_empty() || parts.iter().any(Part::grows) {
+        return 0;
+    }
+    height.saturating_sub(parts.iter().map(|part| part.wanted).fold(0, u16::saturating_add))
+}
