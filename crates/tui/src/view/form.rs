@@ -12,7 +12,7 @@ use ratatui::{
     text::{Line as Shown, Span},
 };
 
-use self::line::{LineRows, columns, draw_line, inset};
+use self::line::{LineRows, columns, draw_line, margin};
 use super::{boxed, scroll_mark, word};
 use crate::{
     bench::Bench,
@@ -205,7 +205,7 @@ fn draw_errors(
 ) -> Vec<Shown<'static>> {
     let look = &model.look;
     let most = if under_cursor { LONG_ERROR } else { SHORT_ERROR };
-    let before = (inset(line) + POINTER).min(room / 4);
+    let before = (margin(line) + POINTER).min(room / 4);
     let mut shown = Vec::new();
     let path = line.changed.as_deref().unwrap_or(&line.path);
     for error in faults.wrong.get(path).into_iter().flatten() {

@@ -67,7 +67,7 @@ impl Columns {
                 let value = chosen.and_then(|at| variants.get(at));
                 let value =
                     value.map_or(0, |variant| width(&Text::from(variant.label).render(&model.locale)));
-                inset(line) + width(&label(model, line)) + value + 4
+                margin(line) + width(&label(model, line)) + value + 4
             }
             _ => 0,
         };
@@ -84,7 +84,7 @@ impl Columns {
 pub(super) fn columns(model: &Model, lines: &[FormLine], room: usize) -> Columns {
     let room = room.saturating_sub(POINTER);
     let leaves = || lines.iter().filter(|line| matches!(line.role, Role::Leaf { .. } | Role::Table { .. }));
-    let cells = |line: &FormLine| inset(line) + width(&label(model, line));
+    let cells = |line: &FormLine| margin(line) + width(&label(model, line));
     // Where nothing is typed yet, choices have the whole of it.
     let all = || lines.iter().map(cells).max().unwrap_or(0);
     let label = leaves().map(cells).max().unwrap_or_else(all);
@@ -110,7 +110,7 @@ fn usual_value(lines: &[FormLine]) -> usize {
     values.get(values.len() * USUAL.0 / USUAL.1).or(values.last()).copied().unwrap_or(0).max(LEAST_VALUE)
 }
 
-pub(super) fn inset(line: &FormLine) -> usize {
+pub(super) fn margin(line: &FormLine) -> usize {
     usize::from(line.depth.min(8)) * 2
 }
 
@@ -337,7 +337,7 @@ impl LineView<'_> {
     /// A value that has no room beside its label, in the rows below it.
     fn below(&self, value: &ShownValue) -> Vec<Shown<'static>> {
         let look = &self.model.look;
-        let before = inset(self.line) + BELOW;
+        let before = margin(self.line) + BELOW;
         let room = self.columns.before_value() + self.columns.value;
         let room = room.saturating_sub(before + width(&value.mark));
         let texts = shortened(wrapped(value.text.trim(), room), MOST_ROWS, room, look);
@@ -353,7 +353,7 @@ impl LineView<'_> {
 
     /// The label in lines of so many cells.
     fn label_rows(&self, cells: usize) -> Vec<String> {
-        let before = inset(self.line).min(cells / 2);
+        let before = margin(self.line).min(cells / 2);
         let label = filter_untrusted(&label(self.model, self.line)).into_owned();
         let lines = wrapped(&label, cells.saturating_sub(before));
         lines.into_iter().map(|line| format!("{}{line}", " ".repeat(before))).collect()
