@@ -346,6 +346,7 @@ fn numbers(shape: &DrawnShape) -> (&'static str, Vec<f64>) {
         DrawnShape::Spring(a, b, _) => ("spring", two(a, b)),
         DrawnShape::Damper(a, b) => ("damper", two(a, b)),
         DrawnShape::Arrow(a, b, _) => ("arrow", two(a, b)),
+        DrawnShape::Measure(a, b) => ("measure", two(a, b)),
         DrawnShape::Label(at, ..) => ("label", vec![at.0, at.1]),
         DrawnShape::Extent(a, b) => ("extent", two(a, b)),
     }

@@ -583,4 +583,4 @@ as-in-1-9-5-1-3-or-normal-2 = como em 1..9:5, 1; 3 ou normal(2 %)
 as-in-amplitude-0-2-mm = como em amplitude > 0.2 mm
 as-in-mass-speed-0-5 = como em mass; speed: 0.5
 steps-that-lead-to-answer-back-shows-all = Passos que levam a: { $answer }; { $back } mostra todos
-given-position = posição dada
+position-of-the-problem = posição do problema

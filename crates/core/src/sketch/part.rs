@@ -308,8 +308,7 @@ fn dimension(from: Point, to: Point, shift: f64, unit: f64, mut add: impl FnMut(
         }
     }
     let (from, to) = (beside(from, shift), beside(to, shift));
-    add(DrawnShape::Arrow(middle(from, to), from, Ink::Faint));
-    add(DrawnShape::Arrow(middle(from, to), to, Ink::Faint));
+    add(DrawnShape::Measure(from, to));
 }
 
 /// A rectangle about a centre, turned by an angle.

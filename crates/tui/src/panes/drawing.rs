@@ -195,7 +195,7 @@ fn animation_bar(
     let digits = frames.to_string().len();
     let mut place = format!("{:>digits$}/{frames}", frame + 1);
     if begins_at_given && frame == 0 {
-        place = format!("{}  {place}", Text::new("given position").render(ui.locale));
+        place = format!("{}  {place}", Text::new("position of the problem").render(ui.locale));
     }
     let start = match (begins_at_given, look.ascii) {
         (false, _) => "",

@@ -15,8 +15,8 @@ use nalgebra::Vector3;
 use crate::{
     shared::{
         built::{self, Built, BuiltMass, Range, Solved, Template, TemplateRange},
-        figure,
         dyad::{self, DyadPin},
+        figure,
         kinematics::{self, Kinematics, Motion},
         works::{self, FIVE, FOUR, PointWork, RotatingLinkWork, THREE, plane, symbol},
     },

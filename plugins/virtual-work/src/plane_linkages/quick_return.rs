@@ -14,9 +14,8 @@ use nalgebra::Vector3;
 use crate::{
     shared::{
         built::{self, Built, Range, Solved, Template, TemplateRange},
-        figure,
         dyad::{self, DyadPin, SliderLine},
-        kinematics,
+        figure, kinematics,
         works::{self, FIVE, FOUR, LinkMass, PointWork, RotatingLinkWork, SIX, TWO, Works, plane, symbol},
     },
     sources::{KHURMI, NORTON, RIUL, SHIGLEY},
@@ -547,8 +546,10 @@ impl QuickReturn {
                     let end = At::from(built::away([0.0; 2], there.lever, found.lever.angle));
                     let unit = sketch.symbol();
                     sketch.circle(centre, there.crank, Ink::Faint).dimension("d", o, centre, 6.0);
-                    if let (LeverOutput::Slider { height, link_mass, slider_mass, .. }, Some((position, ..))) =
-                        (&there.output, found.link)
+                    if let (
+                        LeverOutput::Slider { height, link_mass, slider_mass, .. },
+                        Some((position, ..)),
+                    ) = (&there.output, found.link)
                     {
                         let slider = (position, *height);
                         let (from, to) = (low - 3.0 * unit, high + 3.0 * unit);

@@ -14,8 +14,8 @@ use nalgebra::Vector3;
 use crate::{
     shared::{
         built::{self, Built, Range, Solved, Template, TemplateRange},
-        figure,
         dyad::{self, DyadPin, SliderLine},
+        figure,
         linkage::Closing,
         works::{
             self, FIVE, FOUR, LinkMass, PointWork, RotatingLinkWork, SIX, THREE, TWO, Works, plane, symbol,
@@ -557,9 +557,7 @@ impl SixBar {
                 if let LinkOutput::Slider { direction, .. } = &there.output {
                     let on = |along: f64| figure::away(At::from(still), along, *direction);
                     let spare = 3.0 * sketch.symbol();
-                    sketch
-                        .guide(on(low - spare), on(high + spare))
-                        .slider("", end, *direction);
+                    sketch.guide(on(low - spare), on(high + spare)).slider("", end, *direction);
                 }
                 sketch
                     .line("d", o, c, Ink::Faint)
@@ -572,11 +570,7 @@ impl SixBar {
                     Attached::Rocker { along, across } => (along, across, (c, b)),
                     Attached::Coupler { along, across } => (along, across, (a, b)),
                 };
-                let foot = figure::away(
-                    first.0,
-                    along,
-                    (first.1.1 - first.0.1).atan2(first.1.0 - first.0.0),
-                );
+                let foot = figure::away(first.0, along, (first.1.1 - first.0.1).atan2(first.1.0 - first.0.0));
                 if along != 0.0 {
                     sketch.dimension("p", first.0, foot, 2.0);
                 }
@@ -587,13 +581,12 @@ impl SixBar {
                 figure::link_mass(sketch, 3, there.coupler_mass.as_ref(), (a, b), -2.0);
                 figure::link_mass(sketch, 4, there.rocker_mass.as_ref(), (c, b), -2.0);
                 figure::link_mass(sketch, 5, there.link_mass.as_ref(), (d, end), -2.0);
-                sketch
-                    .pin("O₂", o)
-                    .pin("O₄", c)
-                    .joint("A", a)
-                    .joint("B", b)
-                    .joint("D", d)
-                    .angle("θ₂", o, 0.0, angle.rem_euclid(TAU));
+                sketch.pin("O₂", o).pin("O₄", c).joint("A", a).joint("B", b).joint("D", d).angle(
+                    "θ₂",
+                    o,
+                    0.0,
+                    angle.rem_euclid(TAU),
+                );
                 figure::turning(sketch, o, ("ω₂", there.speed), ("", 0.0));
                 match &there.output {
                     LinkOutput::Slider { direction, mass, .. } => {

@@ -79,12 +79,12 @@ impl FourBar {
                 if path.len() > 1 {
                     sketch.curve(path.as_slice(), Ink::Motion);
                 }
-                sketch
-                    .line("d", o, c, Ink::Faint)
-                    .link("a", o, a)
-                    .link("b", a, b)
-                    .link("c", c, b)
-                    .angle("θ₂", o, 0.0, angle.rem_euclid(TAU));
+                sketch.line("d", o, c, Ink::Faint).link("a", o, a).link("b", a, b).link("c", c, b).angle(
+                    "θ₂",
+                    o,
+                    0.0,
+                    angle.rem_euclid(TAU),
+                );
                 if let (Some(point), Some(at)) = (&there.point, found.place) {
                     let at = At::from(at);
                     let foot = figure::away(a, point.along, found.angles[0]);
