@@ -359,7 +359,12 @@ fn differ(one: &[DrawnShape], other: &[DrawnShape]) -> Option<String> {
     }
     // Paths, lines of the ground and the window are drawn for the whole range.
     let still = |shape: &&DrawnShape| {
-        matches!(shape, DrawnShape::Polyline(_, Ink::Faint) | DrawnShape::Ground(..) | DrawnShape::Extent(..))
+        matches!(
+            shape,
+            DrawnShape::Polyline(_, Ink::Faint | Ink::Motion)
+                | DrawnShape::Ground(..)
+                | DrawnShape::Extent(..)
+        )
     };
     let moving =
         |all: &[DrawnShape]| all.iter().filter(|shape| !still(shape)).map(numbers).collect::<Vec<_>>();

@@ -243,8 +243,14 @@ impl Part {
             Part::Cylinder(from, to, barrel) => cylinder((*from, *to), *barrel, unit, add),
             Part::MassCentre(at) => {
                 add(DrawnShape::Circle(*at, 0.6 * unit, Ink::Body));
-                add(DrawnShape::Polyline(vec![plus(*at, (-unit, 0.0)), plus(*at, (unit, 0.0))], Ink::Body));
-                add(DrawnShape::Polyline(vec![plus(*at, (0.0, -unit)), plus(*at, (0.0, unit))], Ink::Body));
+                add(DrawnShape::Polyline(
+                    vec![plus(*at, (-0.6 * unit, 0.0)), plus(*at, (0.6 * unit, 0.0))],
+                    Ink::Body,
+                ));
+                add(DrawnShape::Polyline(
+                    vec![plus(*at, (0.0, -0.6 * unit)), plus(*at, (0.0, 0.6 * unit))],
+                    Ink::Body,
+                ));
             }
             Part::Vector(tail, head, ink) | Part::Edge(tail, head, ink) => {
                 if tail != head {

@@ -85,7 +85,7 @@ impl Pane for Drawing {
         if frames > 1 && !problem.is_stale() && room.height > LEAST_UNDER_BAR {
             room.height -= 1;
             let bar = Rect { y: room.bottom(), height: 1, ..room };
-            let begins_at_given = matches!(sketch, Exhibit::Animation(film) if film.over.is_some());
+            let begins_at_given = matches!(sketch, Exhibit::Animation(moving) if moving.over.is_some());
             animation_bar(ui, (self.frame % frames, frames), begins_at_given, bar, buffer);
         }
         let Some(seen) = self.seen(problem) else {

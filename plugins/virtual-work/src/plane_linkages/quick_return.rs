@@ -531,9 +531,8 @@ impl QuickReturn {
             });
         }
         sheet.show(|| {
-            let way = cycle.curve(|found| found.link.map_or(f64::INFINITY, |(position, ..)| position));
-            let way = way.into_iter().filter(|(_, x)| x.is_finite());
-            let (low, high) = way.fold((f64::MAX, f64::MIN), |(a, b), (_, x)| (a.min(x), b.max(x)));
+            let position = |found: &QuickReturnPosition<f64>| found.link.map_or(f64::INFINITY, |link| link.0);
+            let (low, high) = figure::way(&cycle.curve(position));
             built::animation(
                 "The quick-return mechanism",
                 ("angle", self.angle),

@@ -1,10 +1,9 @@
 //! Six-bar linkages: a four-bar whose rocker or coupler drives a second pair of links.
 
 mod motion;
+mod picture;
 
-use std::f64::consts::TAU;
-
-use dalembert_core::{About, Analysis, Ink, Inputs, Refusal, Worksheet, exhibit::Point as At, register};
+use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, exhibit::Point as At, register};
 use dalembert_mechanics::{
     Real, Vector,
     planar::{BodyPoint, PlanarError, PlanarJoint},
@@ -543,66 +542,10 @@ impl SixBar {
                 let [x, y] = found.pins[1];
                 (x - still[0]) * direction.cos() + (y - still[1]) * direction.sin()
             };
-            let way = cycle.curve(way).into_iter().filter(|(_, x)| x.is_finite());
-            let (low, high) = way.fold((0.0f64, 0.0f64), |(a, b), (_, x)| (a.min(x), b.max(x)));
+            let (low, high) = figure::way(&cycle.curve(way));
             let size = self.frame + self.crank + self.coupler;
             built::animation("The six-bar linkage", ("angle", self.angle), range, size, |angle, sketch| {
-                let there = at(angle);
-                let found = there.plain()?;
-                let a = built::away([0.0; 2], there.crank, angle);
-                let b = At::from(built::away(a, there.coupler, found.angles[0]));
-                let (o, a, c) = ((0.0, 0.0), At::from(a), (there.frame, 0.0));
-                let [d, end] = found.pins.map(At::from);
-                let root = if let Attached::Rocker { .. } = there.attached { c } else { a };
-                if let LinkOutput::Slider { direction, .. } = &there.output {
-                    let on = |along: f64| figure::away(At::from(still), along, *direction);
-                    let spare = 3.0 * sketch.symbol();
-                    sketch.guide(on(low - spare), on(high + spare)).slider("", end, *direction);
-                }
-                sketch
-                    .line("d", o, c, Ink::Faint)
-                    .link("a", o, a)
-                    .link("b", a, b)
-                    .link("c", c, b)
-                    .bars([root, d, b])
-                    .link("l₅", d, end);
-                let (along, across, first) = match there.attached {
-                    Attached::Rocker { along, across } => (along, across, (c, b)),
-                    Attached::Coupler { along, across } => (along, across, (a, b)),
-                };
-                let foot = figure::away(first.0, along, (first.1.1 - first.0.1).atan2(first.1.0 - first.0.0));
-                if along != 0.0 {
-                    sketch.dimension("p", first.0, foot, 2.0);
-                }
-                if across != 0.0 {
-                    sketch.line("q", foot, d, Ink::Faint);
-                }
-                figure::link_mass(sketch, 2, there.crank_mass.as_ref(), (o, a), 2.0);
-                figure::link_mass(sketch, 3, there.coupler_mass.as_ref(), (a, b), -2.0);
-                figure::link_mass(sketch, 4, there.rocker_mass.as_ref(), (c, b), -2.0);
-                figure::link_mass(sketch, 5, there.link_mass.as_ref(), (d, end), -2.0);
-                sketch.pin("O₂", o).pin("O₄", c).joint("A", a).joint("B", b).joint("D", d).angle(
-                    "θ₂",
-                    o,
-                    0.0,
-                    angle.rem_euclid(TAU),
-                );
-                figure::turning(sketch, o, ("ω₂", there.speed), ("", 0.0));
-                match &there.output {
-                    LinkOutput::Slider { direction, mass, .. } => {
-                        if *mass != 0.0 {
-                            sketch.label("m₆", end);
-                        }
-                        sketch.joint("", end);
-                        figure::on_slider(sketch, "F", end, (found.load, *direction), there.crank);
-                    }
-                    LinkOutput::Rocker { pivot, mass, .. } => {
-                        let pivot = (pivot.x, pivot.y);
-                        sketch.link("l₆", pivot, end).pin("E", pivot).joint("", end);
-                        figure::link_mass(sketch, 6, mass.as_ref(), (pivot, end), -2.0);
-                    }
-                }
-                Some(())
+                at(angle).draw(At::from(still), (low, high), sketch)
             })
         });
     }

@@ -484,8 +484,7 @@ impl SliderCrank {
             });
         }
         sheet.show(|| {
-            let way = cycle.curve(|found| found.position).into_iter().filter(|(_, x)| x.is_finite());
-            let (low, high) = way.fold((f64::MAX, f64::MIN), |(a, b), (_, x)| (a.min(x), b.max(x)));
+            let (low, high) = figure::way(&cycle.curve(|found| found.position));
             built::animation(
                 "The slider-crank",
                 ("angle", self.angle),

@@ -79,6 +79,12 @@ pub(crate) fn on_slider(
     }
 }
 
+/// The ends of the way of a slider, from its positions over a cycle; those that are not finite are left out.
+pub(crate) fn way(positions: &[(f64, f64)]) -> (f64, f64) {
+    let positions = positions.iter().map(|(_, at)| *at).filter(|at| at.is_finite());
+    positions.fold((f64::MAX, f64::MIN), |(low, high), at| (low.min(at), high.max(at)))
+}
+
 /// The point so far from another, in a direction.
 pub(crate) fn away((x, y): At, length: f64, angle: f64) -> At {
     (x + length * angle.cos(), y + length * angle.sin())

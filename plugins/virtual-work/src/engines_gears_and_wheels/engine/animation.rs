@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use dalembert_core::{Exhibit, Ink, Point, Sketch};
 use dalembert_mechanics::slider_crank::{engine::Forces, piston};
 
-use super::{Throw, exhibits::View};
+use super::{Gas, Throw, exhibits::View};
 use crate::shared::figure;
 
 const FRAMES: u32 = 24;
@@ -90,7 +90,7 @@ fn frame(view: &View<'_>, angle: f64, forces: Option<&Forces>, size: f64) -> Ske
         .joint("A", a)
         .joint("P", b);
     let wall = e - 1.2 * half;
-    if view.engine.gas.has_bore() {
+    if has_bore(&view.engine.gas) {
         let top = [(high, wall), (high, e + 1.2 * half)].map(turned);
         sketch.dimension("D", top[0], top[1], -2.0);
     }
@@ -131,4 +131,16 @@ fn frame(view: &View<'_>, angle: f64, forces: Option<&Forces>, size: f64) -> Ske
         }
     }
     sketch
+}
+
+/// True where the force is that of pressures on a piston of a known bore.
+fn has_bore(gas: &Gas) -> bool {
+    match gas {
+        Gas::Nothing | Gas::Force { .. } | Gas::Balancing { .. } => false,
+        Gas::Pressures { .. }
+        | Gas::Expansion { .. }
+        | Gas::Cycle { .. }
+        | Gas::Stroke { .. }
+        | Gas::Angle { .. } => true,
+    }
 }

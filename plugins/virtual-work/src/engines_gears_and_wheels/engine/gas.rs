@@ -229,20 +229,6 @@ pub(super) struct GasCycle {
     pub atmosphere: f64,
 }
 
-impl Gas {
-    /// True where the force is that of pressures on a piston of a known bore.
-    pub(super) fn has_bore(&self) -> bool {
-        match self {
-            Gas::Nothing | Gas::Force { .. } | Gas::Balancing { .. } => false,
-            Gas::Pressures { .. }
-            | Gas::Expansion { .. }
-            | Gas::Cycle { .. }
-            | Gas::Stroke { .. }
-            | Gas::Angle { .. } => true,
-        }
-    }
-}
-
 impl GasCycle {
     /// Force towards the crank.
     pub(super) fn force(&self, angle: f64, fraction: f64, out: bool) -> f64 {

@@ -34,18 +34,13 @@ impl ScissorLift {
         .mark("at this angle", (self.angle, force))
     }
 
-    /// The length of the barrel of the cylinder: shorter than the cylinder in the lowest position that is drawn.
+    /// The length of the barrel of the cylinder: nearly half of its longest stroke.
     fn barrel(&self) -> f64 {
         let lengths = spread([0.1, 1.45], 60).map(|angle| {
             let (from, to) = (self.place_at(&self.lower, angle), self.place_at(&self.upper, angle));
             (to.0 - from.0).hypot(to.1 - from.1)
         });
-        let shortest = lengths.fold(f64::INFINITY, f64::min);
-        let now = {
-            let (from, to) = (self.place_at(&self.lower, self.angle), self.place_at(&self.upper, self.angle));
-            (to.0 - from.0).hypot(to.1 - from.1)
-        };
-        (0.85 * shortest).max(0.4 * now)
+        0.45 * lengths.fold(0.0, f64::max)
     }
 
     pub(super) fn frame(&self, angle: f64) -> Sketch {
@@ -76,7 +71,7 @@ impl ScissorLift {
         sketch
             .mass("", (-0.1 * l, top), (1.1 * l, top + 0.06 * l))
             .pin("", (0.0, 0.0))
-            .cylinder("F", from, to, self.barrel())
+            .cylinder("F", from, to, self.barrel().min(0.8 * (to.0 - from.0).hypot(to.1 - from.1)))
             .force("", (wide / 2.0, top + 0.4 * l), (wide / 2.0, top + 0.1 * l))
             .label("W", (wide / 2.0, top + 0.4 * l));
         for (end, at) in [(&self.lower, from), (&self.upper, to)] {

@@ -25,25 +25,20 @@ impl Parts {
         }
         for (row, drive) in self.drivers.iter().enumerate() {
             match drive.what {
-                Driven::Angle { body, ref against, value, velocity, .. } => {
+                Driven::Angle { body, ref against, velocity, .. } => {
                     let origin = self.origin(body.0, positions);
                     let turned = |body: usize| positions[body][2];
                     let from = against.frame().map_or(0.0, turned);
-                    if value != 0.0 {
-                        let reach = (origin.0 + 0.2 * size * from.cos(), origin.1 + 0.2 * size * from.sin());
-                        sketch.axis(origin, reach);
-                        sketch.angle(word("θ", row), origin, from, turned(body.0));
-                    }
+                    let reach = (origin.0 + 0.2 * size * from.cos(), origin.1 + 0.2 * size * from.sin());
+                    sketch.axis(origin, reach).angle(word("θ", row), origin, from, turned(body.0));
                     if velocity != 0.0 {
                         let way = if velocity > 0.0 { (1.8, 3.1) } else { (3.1, 1.8) };
                         sketch.couple(word("ω", row), origin, way, Ink::Motion);
                     }
                 }
-                Driven::Position { from, to, value, .. } | Driven::Distance { from, to, value, .. } => {
-                    if value != 0.0 {
-                        let ends = [from, to].map(|end| self.place(end, positions));
-                        sketch.dimension(word("s", row), ends[0], ends[1], 2.5);
-                    }
+                Driven::Position { from, to, .. } | Driven::Distance { from, to, .. } => {
+                    let ends = [from, to].map(|end| self.place(end, positions));
+                    sketch.dimension(word("s", row), ends[0], ends[1], 2.5);
                 }
             }
         }
@@ -66,7 +61,7 @@ impl Parts {
         }
     }
 
-    /// Where the axes of a body begin.
+    /// Origin of the axes of a body.
     fn origin(&self, body: usize, positions: &[[f64; 3]]) -> (f64, f64) {
         let centre = self.bodies[body].centre;
         let [x, y] = Pose::new(positions[body]).point([-centre.x, -centre.y]);
