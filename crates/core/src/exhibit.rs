@@ -221,6 +221,8 @@ pub enum DrawnShape {
     Damper(Point, Point),
     /// An arrow from tail to head.
     Arrow(Point, Point, Ink),
+    /// A line with a small head at each end: a distance.
+    Measure(Point, Point),
     /// Words at a side of a point.
     Label(Point, LabelSide, Text),
     /// Nothing that is seen: opposite corners of what every frame of an animation shows.
@@ -368,6 +370,7 @@ impl DrawnShape {
             | DrawnShape::Spring(a, b, _)
             | DrawnShape::Damper(a, b)
             | DrawnShape::Arrow(a, b, _)
+            | DrawnShape::Measure(a, b)
             | DrawnShape::Extent(a, b) => vec![*a, *b],
             DrawnShape::Pin(at) | DrawnShape::Label(at, ..) => vec![*at],
         }

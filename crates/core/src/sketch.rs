@@ -66,6 +66,12 @@ impl Sketch {
         self
     }
 
+    /// The size of a symbol, a thirtieth of the sketch: half the height of a slider is a little more. Known where the size of
+    /// the sketch was set.
+    pub fn symbol(&self) -> f64 {
+        part::symbol(self.size)
+    }
+
     /// Fixed ground along a line, hatched on its right-hand side seen from the first point.
     pub fn ground(&mut self, from: Point, to: Point) -> &mut Self {
         self.shape(DrawnShape::Ground(from, to))
@@ -194,6 +200,11 @@ impl Sketch {
     /// A torsion spring about a point; its outer end leaves at an angle.
     pub fn torsion_spring(&mut self, name: impl Into<Text>, at: Point, angle: f64) -> &mut Self {
         self.add(Part::TorsionSpring(at, angle), name)
+    }
+
+    /// A hydraulic cylinder: its barrel, of a length, hangs on the first point, its rod on the second.
+    pub fn cylinder(&mut self, name: impl Into<Text>, from: Point, to: Point, barrel: f64) -> &mut Self {
+        self.add(Part::Cylinder(from, to, barrel), name)
     }
 
     /// A dashpot: a cylinder on the first point, a piston on the second.

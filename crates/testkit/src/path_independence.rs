@@ -346,6 +346,7 @@ fn numbers(shape: &DrawnShape) -> (&'static str, Vec<f64>) {
         DrawnShape::Spring(a, b, _) => ("spring", two(a, b)),
         DrawnShape::Damper(a, b) => ("damper", two(a, b)),
         DrawnShape::Arrow(a, b, _) => ("arrow", two(a, b)),
+        DrawnShape::Measure(a, b) => ("measure", two(a, b)),
         DrawnShape::Label(at, ..) => ("label", vec![at.0, at.1]),
         DrawnShape::Extent(a, b) => ("extent", two(a, b)),
     }
@@ -358,7 +359,12 @@ fn differ(one: &[DrawnShape], other: &[DrawnShape]) -> Option<String> {
     }
     // Paths, lines of the ground and the window are drawn for the whole range.
     let still = |shape: &&DrawnShape| {
-        matches!(shape, DrawnShape::Polyline(_, Ink::Faint) | DrawnShape::Ground(..) | DrawnShape::Extent(..))
+        matches!(
+            shape,
+            DrawnShape::Polyline(_, Ink::Faint | Ink::Motion)
+                | DrawnShape::Ground(..)
+                | DrawnShape::Extent(..)
+        )
     };
     let moving =
         |all: &[DrawnShape]| all.iter().filter(|shape| !still(shape)).map(numbers).collect::<Vec<_>>();

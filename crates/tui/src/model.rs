@@ -243,7 +243,7 @@ impl Model {
             decimal: None,
             mouse: false,
             held: None,
-            playing: true,
+            playing: false,
             animation_speed: 1.0,
             size: (80, 24),
             readonly: false,
@@ -267,8 +267,6 @@ impl Model {
         self.locale.style.digits = settings.digits;
         if settings.animation_speed > 0.0 {
             self.animation_speed = settings.animation_speed;
-        } else {
-            self.playing = false;
         }
         self.set_language(self.locale.language);
     }

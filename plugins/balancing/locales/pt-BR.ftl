@@ -1472,3 +1472,6 @@ square-of-the-reading-without-run-out-by-the-law-of-cosines = quadrado da leitur
 have-limits-are-given-and-want-readings-in-the-initial-run-enter-one-for-each = há { $have } limites e { $want } leituras na medição inicial; escreva um para cada uma
 have-slow-roll-readings-are-given-and-want-readings-in-the-initial-run-enter-one-for-each-zero-for-a = há { $have } leituras de giro lento e { $want } leituras na medição inicial; escreva uma para cada uma, zero para um sensor sem run-out
 w-v-v-s-with-w-20-g-at-70-and-12-g-at-250-slow-roll-vectors-6-m-at-15-and-9-m-at-300 = α W = −(V − V_s) com W = 20 g a 70° e 12 g a 250°, vetores de giro lento de 6 µm a 15° e 9 µm a 300°
+the-rotor-and-its-tolerance-planes = O rotor e os seus planos de tolerância
+the-engine-from-the-side = O motor visto de lado
+the-engine-along-its-shaft = O motor visto ao longo do eixo

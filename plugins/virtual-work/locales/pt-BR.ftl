@@ -3464,3 +3464,5 @@ steady-lowering-against-a-braking-motor = Descida constante contra um motor que 
 t-m-g-r-g-with-the-load-driving = T = m g r η/G, com a carga acionando
 hoist-held-by-the-losses-of-its-gears = Guincho sustentado pelas perdas das engrenagens
 m-g-r-g-15-7-n-m-18-n-m-m-g-r-g-24-5-n-m-neither-up-nor-down = η m g r/G = 15,7 N·m < 18 N·m < m g r/(η G) = 24,5 N·m: nem sobe nem desce
+lift-of-the-follower-over-the-angle-of-the-cam = Elevação do seguidor sobre o ângulo do came
+the-flywheel-and-its-shaft = O volante e o seu eixo

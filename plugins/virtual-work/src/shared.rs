@@ -3,6 +3,7 @@
 pub(crate) mod built;
 pub(crate) mod dyad;
 pub(crate) mod equilibria;
+pub(crate) mod figure;
 pub mod flywheel;
 pub(crate) mod kinematics;
 pub mod linkage;

@@ -29,6 +29,7 @@ pub(super) enum Part {
     Spring(Point, Point),
     TorsionSpring(Point, f64),
     Damper(Point, Point),
+    Cylinder(Point, Point, f64),
     MassCentre(Point),
     Vector(Point, Point, Ink),
     Edge(Point, Point, Ink),
@@ -69,6 +70,11 @@ pub(super) fn unit<'a>(parts: impl Iterator<Item = &'a Part>, size: Option<f64>)
         let (low, high) = bounds(parts.flat_map(Part::points))?;
         Some((high.0 - low.0).max(high.1 - low.1))
     });
+    symbol(size)
+}
+
+/// The size of a symbol in a sketch of a size.
+pub(super) fn symbol(size: Option<f64>) -> f64 {
     match size {
         Some(size) if size > 0.0 && size.is_finite() => size / 30.0,
         _ => 1.0 / 30.0,
@@ -132,6 +138,7 @@ impl Part {
             | Part::Block(a, b, _)
             | Part::Spring(a, b)
             | Part::Damper(a, b)
+            | Part::Cylinder(a, b, _)
             | Part::Vector(a, b, _)
             | Part::Edge(a, b, _)
             | Part::Dimension(a, b, _) => vec![*a, *b],
@@ -172,9 +179,11 @@ impl Part {
             }
             Part::Round(at, radius, _) if *radius < 2.0 * unit => (*at, Towards::Out),
             Part::Round(at, radius, _) | Part::Gear(at, radius, _) => (*at, Towards::Over(2.0 * radius)),
-            Part::Guide(a, b) | Part::Spring(a, b) | Part::Damper(a, b) | Part::Edge(a, b, _) => {
-                (middle(*a, *b), Towards::Across(direction(*a, *b)))
-            }
+            Part::Guide(a, b)
+            | Part::Spring(a, b)
+            | Part::Damper(a, b)
+            | Part::Cylinder(a, b, _)
+            | Part::Edge(a, b, _) => (middle(*a, *b), Towards::Across(direction(*a, *b))),
             Part::Vector(tail, head, _) => (*head, Towards::To(direction(*tail, *head))),
             Part::Couple(at, from, to, _) => polar_name(*at, COUPLE * unit, f64::midpoint(*from, *to)),
             Part::Angle(at, from, to) => polar_name(*at, ANGLE * unit, f64::midpoint(*from, *to)),
@@ -231,10 +240,17 @@ impl Part {
                 add(DrawnShape::Polyline((0..=50).map(point).collect(), Ink::Body));
             }
             Part::Damper(from, to) => add(DrawnShape::Damper(*from, *to)),
+            Part::Cylinder(from, to, barrel) => cylinder((*from, *to), *barrel, unit, add),
             Part::MassCentre(at) => {
                 add(DrawnShape::Circle(*at, 0.6 * unit, Ink::Body));
-                add(DrawnShape::Polyline(vec![plus(*at, (-unit, 0.0)), plus(*at, (unit, 0.0))], Ink::Body));
-                add(DrawnShape::Polyline(vec![plus(*at, (0.0, -unit)), plus(*at, (0.0, unit))], Ink::Body));
+                add(DrawnShape::Polyline(
+                    vec![plus(*at, (-0.6 * unit, 0.0)), plus(*at, (0.6 * unit, 0.0))],
+                    Ink::Body,
+                ));
+                add(DrawnShape::Polyline(
+                    vec![plus(*at, (0.0, -0.6 * unit)), plus(*at, (0.0, 0.6 * unit))],
+                    Ink::Body,
+                ));
             }
             Part::Vector(tail, head, ink) | Part::Edge(tail, head, ink) => {
                 if tail != head {
@@ -273,6 +289,20 @@ fn gear(at: Point, radius: f64, angle: f64, unit: f64, mut add: impl FnMut(Drawn
     add(DrawnShape::Polyline(vec![at, polar(at, radius, angle)], Ink::Faint));
 }
 
+/// A rod from the piston in the barrel to its eye, and pins at both ends.
+fn cylinder((from, to): (Point, Point), barrel: f64, unit: f64, mut add: impl FnMut(DrawnShape)) {
+    let (x, y) = direction(from, to);
+    let on = |along: f64, left: f64| plus(from, (along * x - left * y, along * y + left * x));
+    let (half, first) = (1.1 * unit, JOINT * unit);
+    let corners = [(first, half), (barrel, half), (barrel, -half), (first, -half)];
+    add(DrawnShape::Body(corners.map(|(along, left)| on(along, left)).into(), Ink::Body));
+    let piston = 0.7 * barrel;
+    add(DrawnShape::Polyline(vec![on(piston, half), on(piston, -half)], Ink::Body));
+    add(DrawnShape::Polyline(vec![on(piston, 0.0), to], Ink::Body));
+    add(DrawnShape::Disc(from, JOINT * unit, Ink::Body));
+    add(DrawnShape::Disc(to, JOINT * unit, Ink::Body));
+}
+
 /// Extension lines, and a line with two heads between them.
 fn dimension(from: Point, to: Point, shift: f64, unit: f64, mut add: impl FnMut(DrawnShape)) {
     let (x, y) = direction(from, to);
@@ -284,8 +314,7 @@ fn dimension(from: Point, to: Point, shift: f64, unit: f64, mut add: impl FnMut(
         }
     }
     let (from, to) = (beside(from, shift), beside(to, shift));
-    add(DrawnShape::Arrow(middle(from, to), from, Ink::Faint));
-    add(DrawnShape::Arrow(middle(from, to), to, Ink::Faint));
+    add(DrawnShape::Measure(from, to));
 }
 
 /// A rectangle about a centre, turned by an angle.

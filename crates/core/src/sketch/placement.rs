@@ -296,6 +296,7 @@ fn mark(shape: &DrawnShape, unit: f64, marks: &mut Vec<Point>) {
             // A head is worth more than a line.
             marks.extend([*head; 4]);
         }
+        DrawnShape::Measure(a, b) => line(*a, *b, unit, marks),
         DrawnShape::Label(..) | DrawnShape::Extent(..) => {}
     }
 }

@@ -142,7 +142,12 @@ impl Strokes {
             DrawnShape::Ground(a, b) => self.ground(*a, *b),
             DrawnShape::Spring(a, b, coils) => self.spring(*a, *b, *coils),
             DrawnShape::Damper(a, b) => self.damper(*a, *b),
-            DrawnShape::Arrow(tail, head, ink) => self.arrow(*tail, *head, *ink),
+            DrawnShape::Arrow(tail, head, ink) => self.arrow(*tail, *head, *ink, 1.6),
+            DrawnShape::Measure(a, b) => {
+                let middle = (f64::midpoint(a.0, b.0), f64::midpoint(a.1, b.1));
+                self.arrow(middle, *a, Ink::Faint, 1.0);
+                self.arrow(middle, *b, Ink::Faint, 1.0);
+            }
             DrawnShape::Label(..) | DrawnShape::Extent(..) => {}
         }
     }
@@ -210,10 +215,11 @@ impl Strokes {
         self.line(vec![along.at(piston, 0.0), b], Ink::Body);
     }
 
-    fn arrow(&mut self, tail: Point, head: Point, ink: Ink) {
+    /// A line with a head of so many signs.
+    fn arrow(&mut self, tail: Point, head: Point, ink: Ink, signs: f64) {
         self.part(vec![tail, head], ink, StrokeRole::Shaft);
         let Some(along) = Along::new(tail, head) else { return };
-        let size = (1.6 * self.sign).min(0.45 * along.length);
+        let size = (signs * self.sign).min(0.45 * along.length);
         for side in [0.5, -0.5] {
             self.part(vec![along.at(along.length - size, side * size), head], ink, StrokeRole::Head);
         }

@@ -85,7 +85,8 @@ impl Pane for Drawing {
         if frames > 1 && !problem.is_stale() && room.height > LEAST_UNDER_BAR {
             room.height -= 1;
             let bar = Rect { y: room.bottom(), height: 1, ..room };
-            animation_bar(ui, self.frame, frames, bar, buffer);
+            let begins_at_given = matches!(sketch, Exhibit::Animation(moving) if moving.over.is_some());
+            animation_bar(ui, (self.frame % frames, frames), begins_at_given, bar, buffer);
         }
         let Some(seen) = self.seen(problem) else {
             reasons::draw_nothing(problem, ui, room, buffer);
@@ -180,18 +181,33 @@ impl Drawing {
     }
 }
 
-/// Draws the bar of an animation: it moves or is held, and at this frame: `▶ ━━━━────── 10/24`.
-fn animation_bar(ui: &Ui<'_>, frame: usize, frames: usize, area: Rect, buffer: &mut Buffer) {
+/// Draws the bar of an animation: it moves or is held, and at this frame: `▶ ◆━━━────── 10/24`. The rhomb stands for the
+/// position of the inputs, where it begins, and is named there.
+fn animation_bar(
+    ui: &Ui<'_>,
+    (frame, frames): (usize, usize),
+    begins_at_given: bool,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
     let look = ui.look;
-    let frame = frame % frames;
     let sign = look.glyph(if ui.playing { Glyph::Right } else { Glyph::Held });
     let digits = frames.to_string().len();
-    let place = format!("{:>digits$}/{frames}", frame + 1);
-    let room = usize::from(area.width).saturating_sub(width(&place) + 4);
+    let mut place = format!("{:>digits$}/{frames}", frame + 1);
+    if begins_at_given && frame == 0 {
+        place = format!("{}  {place}", Text::new("position of the problem").render(ui.locale));
+    }
+    let start = match (begins_at_given, look.ascii) {
+        (false, _) => "",
+        (true, false) => "◆",
+        (true, true) => "*",
+    };
+    let room = usize::from(area.width).saturating_sub(width(&place) + width(start) + 4);
     let done = (frame * room).div_ceil(frames - 1).min(room);
     let (full, rest) = if look.ascii { ("=", "-") } else { ("━", "─") };
     let line = Line::from(vec![
         Span::styled(format!("{sign} "), look.key()),
+        Span::styled(start, look.key()),
         Span::styled(full.repeat(done), look.border(true)),
         Span::styled(rest.repeat(room - done), look.dim()),
         Span::styled(format!("  {place}"), look.dim()),

@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Animation, Axis, Cell, Column, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch,
-    TableExhibit, Text, Worksheet, register,
+    About, Analysis, Axis, Cell, Column, Exhibit, Inputs, Plot, Refusal, Series, TableExhibit, Text,
+    Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -18,6 +18,7 @@ use dalembert_numerics::extremes::{self, Extreme};
 use crate::sources::{BERKOF, NORTON};
 
 mod links;
+mod pictures;
 
 use links::FrameLoads;
 
@@ -323,7 +324,7 @@ impl Analysis for LinkageBalance {
                 ))
             });
         }
-        sheet.show(|| Exhibit::Animation(animation(&poses, &counterweights, linkage.follower)));
+        sheet.show(|| Exhibit::Animation(pictures::animation(&linkage, &poses, &counterweights)));
         Ok(())
     }
 }
@@ -568,33 +569,4 @@ fn linkage_effort(linkage: &Linkage, counterweights: &[Counterweight], speed: f6
         + third;
     let added: f64 = counterweights.iter().map(|c| c.mass * (a + c.distance)).sum();
     (own + added) * speed * speed
-}
-
-/// The linkage over a turn, with its counterweights.
-fn animation(poses: &[Pose], counterweights: &[Counterweight], follower: Follower) -> Animation {
-    let every = PLACES / 24;
-    let frame = |pose: &Pose| {
-        let [a, b, end] = pose.pins.map(|[x, y]| (x, y));
-        let mut sketch = Sketch::default();
-        if let Follower::Slider { .. } = follower {
-            sketch.slider("", b, 0.0);
-        }
-        sketch.link("2", (0.0, 0.0), a).link("3", a, b).pin("O₂", (0.0, 0.0));
-        if let Follower::Rocker { .. } = follower {
-            sketch.link("4", b, end).pin("O₄", end);
-        }
-        sketch.joint("A", a).joint("B", b);
-        for c in counterweights {
-            let from = match c.link {
-                0 => (0.0, 0.0),
-                1 => a,
-                _ => end,
-            };
-            let angle = pose.angles[c.link] + c.angle;
-            let at = (from.0 + c.distance * angle.cos(), from.1 + c.distance * angle.sin());
-            sketch.curve([from, at], Ink::Result).round("", at, 0.15 * a.0.hypot(a.1), Ink::Result);
-        }
-        sketch
-    };
-    Sketch::animation("The linkage with its counterweights", poses.iter().step_by(every).map(frame), 3.0)
 }

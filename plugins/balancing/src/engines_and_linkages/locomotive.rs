@@ -254,7 +254,7 @@ impl Analysis for Locomotive {
         let speed = speed.value();
         let limit = lifting.map(Real::value);
         sheet.show(|| Exhibit::Plot(against_speed(blow, speed, self.load, limit)));
-        sheet.show(|| Exhibit::Drawing(drawn(angle, placed)));
+        sheet.show(|| Exhibit::Drawing(self.drawn(placed)));
         Ok(())
     }
 }
@@ -534,21 +534,62 @@ fn against_speed(blow: f64, speed: f64, load: Option<f64>, limit: Option<f64>) -
     }
 }
 
-/// Both wheels of the driving axle seen from one side, with the cranks and the balance masses.
-fn drawn(between: f64, angles: [f64; 2]) -> Drawing {
-    let mut sketch = Sketch::new("Cranks and balance masses of the driving wheels");
-    for (wheel, angle) in angles.into_iter().enumerate() {
-        let hub = (2.6 * wheel as f64, 0.0);
-        let at = |angle: f64, radius: f64| (hub.0 + radius * angle.cos(), radius * angle.sin());
-        sketch.disc("", hub, 1.0);
-        for (crank, name) in [(0.0, "1"), (between, "2")] {
-            sketch.motion(name, hub, at(crank, 0.5));
+impl Locomotive {
+    /// Both wheels of the driving axle seen from one side, with the cranks and the balance masses at their angles, and the
+    /// axle from above, with cylinders and wheels.
+    fn drawn(&self, angles: [f64; 2]) -> Drawing {
+        let between = self.between;
+        let mut sketch = Sketch::new("Cranks and balance masses of the driving wheels");
+        sketch.size(4.5);
+        for (wheel, angle) in angles.into_iter().enumerate() {
+            let hub = (2.8 * wheel as f64, 0.0);
+            let at = |angle: f64, radius: f64| (hub.0 + radius * angle.cos(), radius * angle.sin());
+            sketch.disc("", hub, 1.0);
+            for (crank, name) in [(0.0, "1"), (between, "2")] {
+                sketch.motion(name, hub, at(crank, 0.5));
+            }
+            sketch
+                .arc(hub, 0.85, (angle - 0.4, angle + 0.4), Ink::Result)
+                .vector("", hub, at(angle, 0.85), Ink::Result)
+                .joint("", hub)
+                .caption(Text::new("wheel {n}").with("n", wheel + 1), (hub.0, -1.25));
         }
+        let hub = (0.0, 0.0);
+        let tip = (0.5 * between.cos(), 0.5 * between.sin());
+        let masses = if self.rotating > 0.0 { "m, m_r" } else { "m" };
         sketch
-            .arc(hub, 0.85, (angle - 0.4, angle + 0.4), Ink::Result)
-            .vector("", hub, at(angle, 0.85), Ink::Result)
-            .joint("", hub)
-            .caption(Text::new("wheel {n}").with("n", wheel + 1), (hub.0, -1.25));
+            .angle("α", hub, 0.0, between)
+            .line(if let Throw::Radius { .. } = self.throw { "r" } else { "S/2" }, hub, tip, Ink::Body)
+            .particle("", (0.5, 0.0))
+            .label(masses, (0.5, 0.0))
+            .couple("ω", hub, (3.9, 4.9), Ink::Motion);
+        if self.radius.is_some() {
+            let end = (2.8 + 0.85 * angles[1].cos(), 0.85 * angles[1].sin());
+            sketch.line("b", (2.8, 0.0), end, Ink::Result);
+        }
+        self.from_above(&mut sketch);
+        sketch.finish()
     }
-    sketch.finish()
+
+    /// The axle from above, beside the wheels.
+    fn from_above(&self, sketch: &mut Sketch) {
+        let (middle, level) = (6.4, 0.0);
+        let half = 1.3 * self.wheels / self.wheels.max(self.cylinders);
+        let crank = 1.3 * self.cylinders / self.wheels.max(self.cylinders);
+        sketch.link("", (middle - 1.8, level), (middle + 1.8, level));
+        for side in [-1.0, 1.0] {
+            let (wheel, cylinder) = (middle + side * half, middle + side * crank);
+            sketch.mass("", (wheel - 0.08, level - 0.45), (wheel + 0.08, level + 0.45)).mass(
+                "",
+                (cylinder - 0.12, level - 0.2),
+                (cylinder + 0.12, level + 0.2),
+            );
+        }
+        sketch.dimension("a", (middle - crank, level), (middle + crank, level), -4.5).dimension(
+            "w",
+            (middle - half, level),
+            (middle + half, level),
+            4.5,
+        );
+    }
 }

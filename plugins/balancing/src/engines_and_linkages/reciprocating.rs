@@ -254,6 +254,19 @@ pub enum Shafts {
     Second,
 }
 
+impl Arrangement {
+    /// The symbol of the distance from one cylinder to the next.
+    fn along(&self) -> &'static str {
+        match self {
+            Arrangement::Inline { spacing: Spacing::Pitch { .. }, .. }
+            | Arrangement::Banks { spacing: Spacing::Pitch { .. }, .. }
+            | Arrangement::Opposed { spacing: Spacing::Pitch { .. }, .. }
+            | Arrangement::Boxer { .. } => "p",
+            _ => "z",
+        }
+    }
+}
+
 register!(Reciprocating);
 
 impl Analysis for Reciprocating {
@@ -340,6 +353,10 @@ impl Analysis for Reciprocating {
         if cylinders.iter().any(|c| c.position.value() != cylinders[0].position.value()) {
             sheet.show(|| Exhibit::Plot(pictures::couples(&pistons, motion, at)));
         }
+        sheet.show(|| {
+            let drawn: Vec<layout::View> = cylinders.iter().map(layout::Placed::drawn).collect();
+            Exhibit::Drawing(pictures::engine(&drawn, self.arrangement.along()))
+        });
         sheet.show(|| Exhibit::Drawing(pictures::ellipse(&pistons, motion, at)));
         sheet.show(|| Exhibit::Table(pictures::table(&found)));
         sheet.show(|| Exhibit::Animation(pictures::stars(&pistons, orders)));

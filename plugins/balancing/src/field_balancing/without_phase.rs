@@ -1,5 +1,7 @@
 //! Balancing by sizes alone: four runs for a plane, seven for two.
 
+use std::f64::consts::FRAC_1_SQRT_2;
+
 use dalembert_core::{
     About, Analysis, Cell, Column, Drawing, Exhibit, Ink, Inputs, MeasuredQuantity, Refusal, Sketch,
     TableExhibit, Text, Worksheet, register,
@@ -15,7 +17,7 @@ use dalembert_mechanics::{
 use dalembert_numerics::linalg::LinalgError;
 use nalgebra::{Complex, DMatrix};
 
-use crate::sources::RAO;
+use crate::{shared::rotor, sources::RAO};
 
 /// Amplitudes without and with a trial weight.
 #[derive(Clone, Debug, Inputs)]
@@ -445,12 +447,18 @@ fn drawing<N: Real>(job: &Job<N>, plane: usize, sensor: usize, effect: &TrialEff
     let title =
         Text::new("Circles of plane {plane} at sensor {sensor}").with("plane", plane).with("sensor", sensor);
     let mut sketch = Sketch::new(title);
-    sketch.circle((0.0, 0.0), 1.0, Ink::Body).label("O", (0.0, 0.0));
-    for (n, run) in (1..).zip(job.runs.iter().filter(|run| run.plane + 1 == plane)) {
+    sketch.circle((0.0, 0.0), 1.0, Ink::Body).label(Text::verbatim(rotor::letter("S_O", sensor)), (0.0, 0.0));
+    let of_plane = (1..).zip(&job.runs).filter(|(_, run)| run.plane + 1 == plane);
+    for (n, run) in of_plane {
+        let size = format!("{},{}", rotor::letter("S", n), dalembert_units::subscript(sensor));
+        let name = format!("{size}, {}", rotor::letter("θ", n));
         let (sin, cos) = run.angle.value().sin_cos();
+        let radius = run.sizes[sensor - 1].value() / first;
+        let outer = ((1.0 + radius) * cos, (1.0 + radius) * sin);
         sketch
-            .circle((cos, sin), run.sizes[sensor - 1].value() / first, Ink::Motion)
-            .label(Text::new(n.to_string()), (cos, sin));
+            .circle((cos, sin), radius, Ink::Motion)
+            .axis((0.0, 0.0), (cos, sin))
+            .label(Text::verbatim(name), outer);
     }
     let tip = -effect.best.conj();
     sketch.vector("", (0.0, 0.0), (tip.re, tip.im), Ink::Result).finish()
@@ -460,10 +468,13 @@ fn drawing<N: Real>(job: &Job<N>, plane: usize, sensor: usize, effect: &TrialEff
 fn polar(weights: &[Complex<f64>]) -> Drawing {
     let reach = weights.iter().map(|w| w.norm()).fold(1.0, f64::max);
     let mut sketch = Sketch::new("End view of the corrections; circle: trial weight");
-    sketch.axes((0.0, 0.0), 1.1).circle((0.0, 0.0), 1.0 / reach, Ink::Faint);
+    sketch
+        .axes((0.0, 0.0), 1.1)
+        .circle((0.0, 0.0), 1.0 / reach, Ink::Faint)
+        .label("m", (-FRAC_1_SQRT_2 / reach, FRAC_1_SQRT_2 / reach));
     for (n, weight) in (1..).zip(weights) {
         let tip = weight / reach;
-        sketch.vector(Text::new(format!("W{n}")), (0.0, 0.0), (tip.re, tip.im), Ink::Result);
+        sketch.vector(Text::verbatim(rotor::letter("W", n)), (0.0, 0.0), (tip.re, tip.im), Ink::Result);
     }
     sketch.finish()
 }

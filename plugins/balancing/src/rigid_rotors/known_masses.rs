@@ -8,6 +8,7 @@ use dalembert_mechanics::{
 
 use crate::{
     shared::{
+        rotor::letter,
         rotor::{Angles, Correction, CorrectionMethod},
         views::{self, ListedUnbalance},
     },
@@ -229,12 +230,13 @@ impl Analysis for KnownMasses {
         }
         let shown = || shown(&loads, &masses, &corrections);
         sheet.show(|| Exhibit::Table(views::table(&shown(), planes)));
-        sheet.show(|| Exhibit::Drawing(views::polar(&shown())));
+        sheet.show(|| Exhibit::Drawing(views::polar(&shown(), self.bearings.as_ref().map(|_| "ω"))));
         sheet.show(|| Exhibit::Drawing(views::force_polygon(&shown())));
         if planes {
             sheet.show(|| Exhibit::Drawing(views::couple_polygon(&shown())));
-            let bearings = self.bearings.as_ref().map(|b| [b.first, b.second]);
-            sheet.show(|| Exhibit::Drawing(views::side(&shown(), bearings)));
+            let bearings = self.bearings.as_ref().map(|b| [(b.first, "z_I"), (b.second, "z_J")]);
+            sheet
+                .show(|| Exhibit::Drawing(views::side(&shown(), bearings.as_ref().map_or(&[], |both| both))));
         }
         Ok(())
     }
@@ -413,7 +415,12 @@ fn shown<N: Real>(
 ) -> Vec<ListedUnbalance> {
     let of_masses = loads.iter().zip(masses).map(|(load, u)| ListedUnbalance {
         name: Text::new("mass {n}").with("n", load.row),
-        label: format!("m{}", dalembert_units::subscript(load.row)),
+        label: letter("m", load.row),
+        polar: match load.product {
+            Product::Of(..) => format!("{} {}", letter("m", load.row), letter("r", load.row)),
+            Product::Is(_) => letter("U", load.row),
+        } + &format!(" ∠ {}", letter("θ", load.row)),
+        place: if load.position.is_some() { letter("z", load.row) } else { String::new() },
         mass_and_radius: match load.product {
             Product::Of(mass, radius) => Some((mass.value(), radius.value())),
             Product::Is(_) => None,
@@ -424,7 +431,12 @@ fn shown<N: Real>(
     });
     let of_planes = corrections.iter().zip(1..).map(|(c, n)| ListedUnbalance {
         name: Text::new("plane {n}").with("n", n),
-        label: format!("P{}", dalembert_units::subscript(n)),
+        label: letter("P", n),
+        polar: match c.mass_and_radius {
+            Some(_) => format!("{} {}", letter("m_c", n), letter("r_c", n)),
+            None => letter("P", n),
+        },
+        place: letter("z_P", n),
         mass_and_radius: c.mass_and_radius,
         unbalance: (c.unbalance.x.value(), c.unbalance.y.value()),
         position: c.unbalance.z.value(),

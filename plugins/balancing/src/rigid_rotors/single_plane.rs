@@ -5,6 +5,7 @@ use dalembert_mechanics::{Real, balance};
 
 use crate::{
     shared::{
+        rotor::letter,
         rotor::{self, Angles, Correction, CorrectionGiven, CorrectionMethod, Keys, Symbols},
         views::{self, ListedUnbalance},
     },
@@ -178,7 +179,7 @@ impl Analysis for SinglePlane {
         });
         let shown = || self.shown(&angles, (in_x.value(), in_y.value()), &given.correction);
         sheet.show(|| Exhibit::Table(views::table(&shown(), false)));
-        sheet.show(|| Exhibit::Drawing(views::polar(&shown())));
+        sheet.show(|| Exhibit::Drawing(views::polar(&shown(), self.speed.map(|_| "ω"))));
         sheet.show(|| Exhibit::Drawing(views::force_polygon(&shown())));
         Ok(())
     }
@@ -195,7 +196,9 @@ impl SinglePlane {
             let mass = m.amount.mass(self.gravity);
             ListedUnbalance {
                 name: Text::new("mass {n}").with("n", n),
-                label: format!("m{}", dalembert_units::subscript(n)),
+                label: letter("m", n),
+                polar: format!("{} {} ∠ {}", letter(m.amount.symbol(), n), letter("r", n), letter("θ", n)),
+                place: String::new(),
                 mass_and_radius: Some((mass, m.radius)),
                 unbalance: (mass * m.radius * angle.cos(), mass * m.radius * angle.sin()),
                 position: 0.0,
@@ -206,6 +209,11 @@ impl SinglePlane {
         let correction = ListedUnbalance {
             name: "Correction".into(),
             label: "c".into(),
+            polar: match correction {
+                CorrectionGiven::Product {} => "c".into(),
+                CorrectionGiven::Radius { .. } | CorrectionGiven::Mass { .. } => "m_c r_c".into(),
+            },
+            place: String::new(),
             mass_and_radius: match correction {
                 CorrectionGiven::Radius { radius } => Some((size / radius.value(), radius.value())),
                 CorrectionGiven::Mass { mass } => Some((mass.value(), size / mass.value())),
@@ -220,6 +228,13 @@ impl SinglePlane {
 }
 
 impl MassOrWeight {
+    fn symbol(&self) -> &'static str {
+        match self {
+            MassOrWeight::Mass { .. } => "m",
+            MassOrWeight::Weight { .. } => "W",
+        }
+    }
+
     fn mass(&self, gravity: f64) -> f64 {
         match self {
             MassOrWeight::Mass { mass } => *mass,

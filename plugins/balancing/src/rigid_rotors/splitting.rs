@@ -371,8 +371,8 @@ fn drawing(parts: &[(f64, f64)], whole: (f64, f64)) -> Drawing {
     let tip = |(angle, mass): (f64, f64)| (mass / reach * angle.cos(), mass / reach * angle.sin());
     let mut sketch = dial("Weights around the shaft");
     for (n, part) in (1..).zip(parts) {
-        let name = Text::new(format!("m{}", dalembert_units::subscript(n)));
+        let name = Text::verbatim(format!("{} ∠ {}", rotor::letter("m", n), rotor::letter("θ", n)));
         sketch.force(name, (0.0, 0.0), tip(*part));
     }
-    sketch.vector("m", (0.0, 0.0), tip(whole), Ink::Result).finish()
+    sketch.vector("m ∠ θ", (0.0, 0.0), tip(whole), Ink::Result).finish()
 }

@@ -89,12 +89,16 @@ impl Analysis for StaticCouple {
                 ((first.mass, first.angle), (second.mass, second.angle))
             }
         };
-        decompose(unit, first, second, sheet)
+        let symbols = match self.vectors {
+            Vectors::Readings { .. } => ["A₁ ∠ φ₁", "A₂ ∠ φ₂"],
+            Vectors::Weights { .. } => ["m₁ ∠ θ₁", "m₂ ∠ θ₂"],
+        };
+        decompose((unit, symbols), first, second, sheet)
     }
 }
 
 fn decompose<W: Worksheet>(
-    unit: &'static str,
+    (unit, symbols): (&'static str, [&'static str; 2]),
     first: (W::Num, W::Num),
     second: (W::Num, W::Num),
     sheet: W,
@@ -157,16 +161,21 @@ fn decompose<W: Worksheet>(
     let plain = |v: Phasor<W::Num>| (v.x.value(), v.y.value());
     let (common, opposite) = (plain(common), plain(opposite));
     let (one, two) = (plain(one), plain(two));
-    sheet.show(|| Exhibit::Drawing(drawing([one, two], common, opposite)));
+    sheet.show(|| Exhibit::Drawing(drawing(symbols, [one, two], common, opposite)));
     Ok(())
 }
 
 /// Both vectors, and the two parts from whose tip they branch.
-fn drawing(vectors: [(f64, f64); 2], common: (f64, f64), opposite: (f64, f64)) -> Drawing {
+fn drawing(
+    symbols: [&'static str; 2],
+    vectors: [(f64, f64); 2],
+    common: (f64, f64),
+    opposite: (f64, f64),
+) -> Drawing {
     let reach = vectors.iter().map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max);
     let at = |(x, y): (f64, f64)| (x / reach, y / reach);
     let mut sketch = dial("Static component S and couple component C");
-    for (vector, name) in vectors.into_iter().zip(["V₁", "V₂"]) {
+    for (vector, name) in vectors.into_iter().zip(symbols) {
         sketch.motion(name, (0.0, 0.0), at(vector));
     }
     sketch.edge("S", (0.0, 0.0), at(common), Ink::Result);

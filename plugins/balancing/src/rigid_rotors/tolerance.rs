@@ -5,8 +5,8 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Axis, Cell, Column, Exhibit, Inputs, Plot, Refusal, Series, TableExhibit, Text,
-    Worksheet, register,
+    About, Analysis, Axis, Cell, Column, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch,
+    TableExhibit, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -231,6 +231,39 @@ pub struct Trial {
 
 register!(Tolerance);
 
+impl Tolerance {
+    /// The rotor on its shaft from the side, with the planes of its tolerance at the bearings.
+    fn drawing(&self) -> Drawing {
+        let mut sketch = Sketch::new("The rotor and its tolerance planes");
+        let (first, second, centre) = match self.planes {
+            Planes::One => (-1.0, 1.0, 0.0),
+            Planes::Bearings { first, second, centre } => (first, second, centre),
+        };
+        let (low, high) = (first.min(second).min(centre).min(0.0), first.max(second).max(centre).max(0.0));
+        let at = |z: f64| 4.0 * (z - low) / (high - low).max(f64::MIN_POSITIVE);
+        let [left, right, middle] = [first, second, centre].map(at);
+        let (from, to) = (left.min(right), left.max(right));
+        sketch
+            .size(5.0)
+            .link("", (-0.5, 0.0), (4.5, 0.0))
+            .mass("", (from + 0.2 * (to - from), -0.8), (from + 0.8 * (to - from), 0.8))
+            .bearing("A", (left, 0.0), 0.0)
+            .bearing("B", (right, 0.0), 0.0)
+            .mass_centre("G, m", (middle, 0.0))
+            .couple("Ω", (4.5, 0.0), (-1.2, 1.2), Ink::Motion);
+        if let Planes::Bearings { .. } = self.planes {
+            let mut row = 0.0;
+            for (z, name) in [(first, "z_A"), (centre, "z_G"), (second, "z_B")] {
+                if z != 0.0 {
+                    row += 1.0;
+                    sketch.dimension(name, (at(0.0), -0.9), (at(z), -0.9), -2.4 * row * z.signum());
+                }
+            }
+        }
+        sketch.finish()
+    }
+}
+
 impl Analysis for Tolerance {
     const ABOUT: About = About {
         id: "balancing/tolerance",
@@ -309,6 +342,7 @@ impl Analysis for Tolerance {
         }
         let (speed, mass) = (self.speed, self.mass);
         let residual = measured.as_ref().map(|all| all.total / mass);
+        sheet.show(|| Exhibit::Drawing(self.drawing()));
         sheet.show(|| Exhibit::Plot(chart(speed, displacement.value(), residual)));
         if let Some(measured) = measured {
             sheet.show(|| Exhibit::Table(measured.table(total.value())));

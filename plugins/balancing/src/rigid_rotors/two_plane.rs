@@ -8,6 +8,7 @@ use dalembert_mechanics::{
 
 use crate::{
     shared::{
+        rotor::letter,
         rotor::{self, CorrectionMethod},
         views::{self, ListedUnbalance},
     },
@@ -140,8 +141,8 @@ impl Analysis for TwoPlane {
             }
         });
         sheet.show(|| Exhibit::Table(views::table(&self.shown(corrections()), true)));
-        sheet.show(|| Exhibit::Drawing(views::polar(&self.shown(corrections()))));
-        sheet.show(|| Exhibit::Drawing(views::side(&self.shown(corrections()), None)));
+        sheet.show(|| Exhibit::Drawing(views::polar(&self.shown(corrections()), self.speed.map(|_| "ω"))));
+        sheet.show(|| Exhibit::Drawing(views::side(&self.shown(corrections()), &[])));
         Ok(())
     }
 }
@@ -302,7 +303,9 @@ impl TwoPlane {
     fn shown(&self, [x, y]: [[f64; 2]; 2]) -> Vec<ListedUnbalance> {
         let masses = self.masses.iter().zip(1..).map(|(m, n)| ListedUnbalance {
             name: Text::new("mass {n}").with("n", n),
-            label: format!("m{}", dalembert_units::subscript(n)),
+            label: letter("m", n),
+            polar: format!("{} {} ∠ {}", letter("m", n), letter("r", n), letter("θ", n)),
+            place: letter("z", n),
             mass_and_radius: None,
             unbalance: (m.mass * m.radius * m.angle.cos(), m.mass * m.radius * m.angle.sin()),
             position: m.position,
@@ -312,6 +315,8 @@ impl TwoPlane {
         let plane = |name: &'static str, label: &str, unbalance, position| ListedUnbalance {
             name: name.into(),
             label: label.into(),
+            polar: format!("m_{label} r_{label}"),
+            place: format!("z_{label}"),
             mass_and_radius: None,
             unbalance,
             position,

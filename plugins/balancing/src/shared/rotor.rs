@@ -7,6 +7,11 @@ use dalembert_mechanics::{Real, balance};
 
 use crate::sources::RIUL;
 
+/// A symbol with a row: `m₁`.
+pub(crate) fn letter(symbol: &str, row: usize) -> String {
+    format!("{symbol}{}", dalembert_units::subscript(row))
+}
+
 /// Correction of a rotor, by addition or removal of material.
 #[derive(Clone, Debug, Inputs)]
 pub enum Correction {

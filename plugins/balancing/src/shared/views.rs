@@ -11,6 +11,10 @@ pub(crate) struct ListedUnbalance {
     pub name: Text,
     /// Name in drawings.
     pub label: String,
+    /// Size and angle as the end view writes them: `m₁ r₁ ∠ θ₁`.
+    pub polar: String,
+    /// Symbol of its position along the shaft; empty where that is not given.
+    pub place: String,
     /// Mass and radius, where they are known.
     pub mass_and_radius: Option<(f64, f64)>,
     /// Components of the unbalance, kg·m.
@@ -84,17 +88,28 @@ pub(crate) fn table(shown: &[ListedUnbalance], planes: bool) -> TableExhibit {
     TableExhibit { title: "Masses and corrections".into(), columns, rows, foot }
 }
 
-/// Polar diagram of unbalances and corrections, along the shaft.
-pub(crate) fn polar(shown: &[ListedUnbalance]) -> Drawing {
+/// Polar diagram of unbalances and corrections, along the shaft, and the symbol of the speed where there is one.
+pub(crate) fn polar(shown: &[ListedUnbalance], speed: Option<&'static str>) -> Drawing {
     let reach = shown.iter().map(ListedUnbalance::size).fold(0.0, f64::max);
     let reach = if reach > 0.0 { reach } else { 1.0 };
     let mut sketch = dial("End view: unbalances and corrections");
     sketch.circle((0.0, 0.0), 0.5, Ink::Faint);
     for s in shown {
         let tip = (s.unbalance.0 / reach, s.unbalance.1 / reach);
-        sketch.vector(Text::new(s.label.clone()), (0.0, 0.0), tip, s.ink);
+        sketch.vector(Text::verbatim(&s.polar), (0.0, 0.0), tip, s.ink);
+    }
+    if let Some(speed) = speed {
+        turning(&mut sketch, speed);
     }
     sketch.finish()
+}
+
+/// An arrow outside of a dial, in the sense of rotation.
+pub(crate) fn turning(sketch: &mut Sketch, name: impl Into<Text>) {
+    const RADIUS: f64 = 1.2;
+    let at = |angle: f64| (RADIUS * angle.cos(), RADIUS * angle.sin());
+    let bent: Vec<Point> = (0..=10).map(|n| at(2.1 + 0.05 * f64::from(n))).collect();
+    sketch.curve(bent, Ink::Motion).vector(name, at(2.5), at(2.6), Ink::Motion);
 }
 
 /// A circle of radius 1 with its axes: the end view of a rotor, a polar diagram.
@@ -104,17 +119,23 @@ pub(crate) fn dial(title: impl Into<Text>) -> Sketch {
     sketch
 }
 
-/// The shaft from the side: planes, masses and corrections at their positions.
-pub(crate) fn side(shown: &[ListedUnbalance], bearings: Option<[f64; 2]>) -> Drawing {
-    let positions = || shown.iter().map(|s| s.position).chain(bearings.into_iter().flatten());
+/// Positions that have room for a dimension line each under the shaft.
+const MOST_PLACES: usize = 8;
+
+/// The shaft from the side: planes, masses and corrections at their positions, which are measured from one end; bearings
+/// with the symbols of theirs.
+pub(crate) fn side(shown: &[ListedUnbalance], bearings: &[(f64, &'static str)]) -> Drawing {
+    let positions = || shown.iter().map(|s| s.position).chain(bearings.iter().map(|(z, _)| *z)).chain([0.0]);
     let (low, high) = positions().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), z| (a.min(z), b.max(z)));
     let span = (high - low).max(f64::MIN_POSITIVE);
     let at = |z: f64| 4.0 * (z - low) / span;
     let largest = shown.iter().map(ListedUnbalance::size).fold(0.0, f64::max);
     let height = |y: f64| if largest > 0.0 { y / largest } else { 0.0 };
     let mut sketch = Sketch::new("The shaft from the side");
-    sketch.bars([(-0.4, 0.0), (4.4, 0.0)]);
-    for x in bearings.map_or([-0.4, 4.4], |ends| ends.map(at)) {
+    sketch.size(4.8).link("", (-0.4, 0.0), (4.4, 0.0));
+    let ends =
+        if bearings.is_empty() { vec![-0.4, 4.4] } else { bearings.iter().map(|(z, _)| at(*z)).collect() };
+    for x in ends {
         sketch.bearing("", (x, 0.0), 0.0);
     }
     for s in shown {
@@ -124,6 +145,21 @@ pub(crate) fn side(shown: &[ListedUnbalance], bearings: Option<[f64; 2]>) -> Dra
             sketch.axis((x, -1.1), (x, 1.1)).vector("", (x, 0.0), (x, y), s.ink).label(name, (x, 1.1));
         } else {
             sketch.vector(name, (x, 0.0), (x, y), s.ink);
+        }
+    }
+    let mut places: Vec<(f64, Text)> = shown
+        .iter()
+        .filter(|s| !s.place.is_empty())
+        .map(|s| (s.position, Text::verbatim(&s.place)))
+        .chain(bearings.iter().map(|(z, name)| (*z, Text::from(*name))))
+        .filter(|(z, _)| *z != 0.0)
+        .collect();
+    places.sort_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+    if places.len() <= MOST_PLACES {
+        sketch.axis((at(0.0), -1.1), (at(0.0), 1.1));
+        for (row, (z, name)) in (1..).zip(places) {
+            let shift = -2.2 * f64::from(row) * z.signum();
+            sketch.dimension(name, (at(0.0), -1.1), (at(z), -1.1), shift);
         }
     }
     sketch.finish()

@@ -149,7 +149,7 @@ impl Analysis for Equilibrium {
         if !samples.is_empty() {
             parts.show_energy(&system, &samples, (&found, &contacts), sheet);
         }
-        sheet.show(|| Exhibit::Drawing(parts.positions_of_equilibrium(&found, &contacts)));
+        sheet.show(|| Exhibit::Drawing(parts.positions_of_equilibrium(&system, &found, &contacts)));
         Ok(())
     }
 }
@@ -334,7 +334,12 @@ impl Parts {
     }
 
     /// The bodies where they come to rest, each equilibrium in its ink.
-    fn positions_of_equilibrium(&self, found: &[Found], contacts: &[StopContact<'_>]) -> Drawing {
+    fn positions_of_equilibrium(
+        &self,
+        system: &Model,
+        found: &[Found],
+        contacts: &[StopContact<'_>],
+    ) -> Drawing {
         let mut sketch = Sketch::new("Positions of equilibrium");
         for here in found {
             let ink = match here.stability {
@@ -347,8 +352,10 @@ impl Parts {
         for here in contacts {
             self.outline(&here.at.positions, Ink::Result, &mut sketch);
         }
-        for spot in self.points.iter().filter(|spot| spot.on.is_none()) {
-            sketch.pin("", (spot.at.x, spot.at.y));
+        // One of them with its letters: the first that the mechanism comes to by itself.
+        let stable = found.iter().find(|here| here.stability == Stability::Stable);
+        if let Some(here) = stable.or(found.first()) {
+            self.draw(&here.positions, self.size(system, &here.positions), &mut sketch);
         }
         sketch.finish()
     }

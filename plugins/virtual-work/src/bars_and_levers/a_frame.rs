@@ -229,7 +229,9 @@ impl AFrame {
         sketch
             .ground((-1.3 * foot, 0.0), (1.3 * foot, 0.0))
             .axis((0.0, 0.0), (0.0, top))
-            .bars([on(1.0, -1.0), (0.0, top), on(1.0, 1.0)])
+            .link("", on(1.0, -1.0), (0.0, top))
+            .link("", on(1.0, 1.0), (0.0, top))
+            .dimension("L", (0.0, top), on(1.0, 1.0), 2.0)
             .joint("", (0.0, top))
             .angle("θ", (0.0, top), -FRAC_PI_2, at - FRAC_PI_2);
         for side in [-1.0, 1.0] {

@@ -14,7 +14,7 @@ use dalembert_mechanics::{
 };
 
 use crate::{
-    shared::equilibria::solved,
+    shared::{equilibria::solved, figure::letter},
     sources::{BEER, HIBBELER, RIUL},
 };
 
@@ -372,19 +372,34 @@ impl CompoundLever {
         for (lever, link) in self.links.iter().enumerate() {
             let ([x, y], [next_x, next_y]) = (pivots[lever], pivots[lever + 1]);
             let (from, to) = ((x + link.driving, y), (next_x + link.driven, next_y));
-            sketch.bars([from, to]).joint("", from).joint("", to);
+            let word = |symbol: &str| Text::verbatim(letter(symbol, lever + 1));
+            sketch
+                .bars([from, to])
+                .joint("", from)
+                .joint("", to)
+                .dimension(word("b"), (x, y), from, 2.0 * link.driving.signum())
+                .dimension(word("a"), (next_x, next_y), to, 2.0 * link.driven.signum());
         }
-        for load in &self.loads {
+        for (row, load) in (1..).zip(&self.loads) {
             let LoadKind::Force { force, arm } = load.kind else { continue };
             let Some(at) = place(load.lever, arm) else { continue };
             let up = 0.4 * size * force.signum();
             let tail = (at.0, at.1 - up);
-            sketch.force("", tail, at).label(Text::new("{x}").with("x", &load.name), tail);
+            let pivot = (at.0 - arm, at.1);
+            let name = format!("{} {}", letter("F", row), load.name);
+            sketch
+                .dimension(Text::verbatim(letter("c", row)), pivot, at, -2.0 * arm.signum())
+                .force("", tail, at)
+                .label(Text::verbatim(name.trim_end()), tail);
         }
         if let LeverUnknown::Force { lever, arm } = self.sought
             && let Some(at) = place(lever, arm)
         {
-            sketch.force("P", at, (at.0, at.1 + 0.4 * size));
+            sketch.dimension("c_P", (at.0 - arm, at.1), at, -2.0 * arm.signum()).force(
+                "P",
+                at,
+                (at.0, at.1 + 0.4 * size),
+            );
         }
         sketch.finish()
     }

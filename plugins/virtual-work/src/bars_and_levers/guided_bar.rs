@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use dalembert_core::{About, Analysis, Inputs, Refusal, Sketch, Worksheet, register};
+use dalembert_core::{About, Analysis, Ink, Inputs, Refusal, Sketch, Worksheet, register};
 use dalembert_mechanics::{
     Real,
     planar::{
@@ -231,23 +231,38 @@ impl GuidedBar {
         (mechanism, vec![[0.0, sign * length * at.cos(), sign * (at - FRAC_PI_2)]])
     }
 
+    /// The angle at which the spring is unstretched.
+    fn free(&self) -> f64 {
+        match self.spring {
+            GuidedSpring::None => 0.0,
+            GuidedSpring::Horizontal { free, .. } | GuidedSpring::Vertical { free, .. } => free,
+        }
+    }
+
     fn frame(&self, angle: f64) -> Sketch {
         let (l, sign) = (self.length, self.sign());
         let (a, b) = ((0.0, sign * l * angle.cos()), (l * angle.sin(), 0.0));
         let on = |s: f64| (b.0 * s, a.1 * (1.0 - s));
         let mut sketch = Sketch::default();
+        sketch.size(1.3 * l);
+        let unit = sketch.symbol();
+        let (end, free) = (sign * 1.15 * l, self.free());
+        if free != 0.0 {
+            let ghost = [(0.0, sign * l * free.cos()), (l * free.sin(), 0.0)];
+            sketch.line("θ₀", ghost[0], ghost[1], Ink::Faint);
+        }
         sketch
-            .size(1.3 * l)
-            .axis((0.0, 0.0), (0.0, sign * 1.1 * l))
-            .axis((0.0, 0.0), (1.1 * l, 0.0))
+            .guide((0.0, end.max(0.0)), (0.0, end.min(0.0)))
+            .guide((0.0, 0.0), (1.15 * l, 0.0))
             .slider("", a, FRAC_PI_2)
             .slider("", b, 0.0)
-            .link("", a, b)
+            .link("L", a, b)
+            .angle("θ", a, -sign * FRAC_PI_2, (-a.1).atan2(b.0))
             .joint("A", a)
             .joint("B", b);
         if self.mass > 0.0 {
             let (x, y) = on(0.5);
-            sketch.force("W", (x, y), (x, y - 0.25 * l));
+            sketch.mass_centre("m", (x, y)).force("W", (x, y), (x, y - 0.25 * l));
         }
         if self.force_a != Some(0.0) {
             let tail = (a.0, a.1 + 0.3 * l);
@@ -260,12 +275,19 @@ impl GuidedBar {
         match self.spring {
             GuidedSpring::None => {}
             GuidedSpring::Horizontal { distance, .. } => {
-                let end = on(distance / l);
-                sketch.spring("k", (1.3 * l.max(distance), end.1), end);
+                let (end, wall) = (on(distance / l), 1.3 * l.max(distance));
+                sketch
+                    .ground((wall, end.1 - 2.0 * unit), (wall, end.1 + 2.0 * unit))
+                    .spring("k", (wall, end.1), end)
+                    .dimension("c", a, end, -2.0 * sign);
             }
             GuidedSpring::Vertical { distance, .. } => {
-                let end = on(1.0 - distance / l);
-                sketch.spring("k", (end.0, sign * 1.3 * l.max(distance)), end);
+                let (end, wall) = (on(1.0 - distance / l), sign * 1.3 * l.max(distance));
+                let reach = 2.0 * unit * sign;
+                sketch
+                    .ground((end.0 + reach, wall), (end.0 - reach, wall))
+                    .spring("k", (end.0, wall), end)
+                    .dimension("c", b, end, -2.0 * sign);
             }
         }
         sketch

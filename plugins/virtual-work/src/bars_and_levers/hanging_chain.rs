@@ -12,7 +12,10 @@ use dalembert_mechanics::{
 use std::f64::consts::FRAC_PI_2;
 
 use crate::{
-    shared::equilibria::{down, reactions, solved},
+    shared::{
+        equilibria::{down, reactions, solved},
+        figure::letter,
+    },
     sources::{BEER, HIBBELER, RIUL},
 };
 
@@ -60,6 +63,9 @@ pub enum ChainUnknown {
         angle: f64,
     },
 }
+
+/// Bars whose letters have room in a drawing.
+const MOST_NAMED: usize = 8;
 
 register!(HangingChain);
 
@@ -289,11 +295,15 @@ impl HangingChain {
         sketch
             .ground((0.2 * size, 0.0), (-0.2 * size, 0.0))
             .axis((0.0, 0.0), (0.0, -size))
-            .bars(points.as_slice())
             .joint("", (0.0, 0.0));
-        for pair in points.windows(2) {
+        // Of a long chain the letters would lie over each other.
+        let word = |symbol: &str, row: usize| {
+            if self.bars.len() > MOST_NAMED { Text::default() } else { Text::verbatim(letter(symbol, row)) }
+        };
+        for (row, pair) in (1..).zip(points.windows(2)) {
+            sketch.link(word("l", row), pair[0], pair[1]);
             let (x, y) = (f64::midpoint(pair[0].0, pair[1].0), f64::midpoint(pair[0].1, pair[1].1));
-            sketch.joint("", pair[1]).force("", (x, y), (x, y - 0.12 * size));
+            sketch.joint("", pair[1]).force(word("W", row), (x, y), (x, y - 0.12 * size));
         }
         if force != 0.0 {
             sketch.force("F", end, (end.0 + 0.25 * size * force.signum(), end.1));

@@ -14,6 +14,7 @@ pub use crate::shared::one_degree_of_freedom::Position;
 use crate::{
     shared::{
         equilibria::down,
+        figure,
         one_degree_of_freedom::{PotentialTerm, Shapes, SingleDofMachine, spring, weight},
     },
     sources::{BEER, HIBBELER, RIUL},
@@ -195,8 +196,21 @@ impl Rhombus {
             Across::Sides => sketch.spring("k", left, right),
             Across::Height => sketch.spring("k", top, low),
         };
+        if self.free != 0.0 {
+            let down = -FRAC_PI_2;
+            sketch.axis(top, figure::away(top, 0.8 * l, down - self.free)).angle(
+                "θ₀",
+                top,
+                down - self.free,
+                down,
+            );
+        }
+        if self.mass != 0.0 {
+            sketch.mass_centre("m", (-wide / 2.0, -1.5 * high));
+        }
         sketch
-            .bars([top, left, low, right, top])
+            .bars([top, left, low, right])
+            .link("L", top, right)
             .pin("", top)
             .joint("", left)
             .joint("", right)

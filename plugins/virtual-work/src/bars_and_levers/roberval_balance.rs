@@ -205,18 +205,30 @@ impl RobervalBalance {
         for y in [half, -half] {
             sketch.bars(ends.map(|end| (end.0, end.1 + y))).pin("", (0.0, y));
         }
-        let pans = [(ends[0], -self.left_offset, "W₁"), (ends[1], self.right_offset, "W₂")];
-        for ((x, y), offset, name) in pans {
+        let unit = sketch.symbol();
+        sketch
+            .dimension("l₁", (ends[0].0, ends[0].1 + half), (0.0, half), 2.0)
+            .dimension("l₂", (0.0, half), (ends[1].0, ends[1].1 + half), 2.0)
+            .dimension("h", (ends[1].0, ends[1].1 - half), (ends[1].0, ends[1].1 + half), -2.0);
+        let pans = [
+            (ends[0], -self.left_offset, ["m₁", "e₁", "W₁"]),
+            (ends[1], self.right_offset, ["m₂", "e₂", "W₂"]),
+        ];
+        for ((x, y), offset, [mass, eccentricity, weight]) in pans {
             let pan = y + half + 0.25 * size;
             let reach = (0.2 * size).max(offset.abs() + 0.1 * size);
             let (at, block) = (x + offset, 0.06 * size);
+            if offset != 0.0 {
+                let above = 2.0 * block / unit + 1.0;
+                sketch.dimension(eccentricity, (x, pan), (at, pan), above * offset.signum());
+            }
             sketch
                 .bars([(x, y - half), (x, pan)])
                 .joint("", (x, y + half))
                 .joint("", (x, y - half))
                 .bars([(x - reach, pan), (x + reach, pan)])
-                .mass("", (at - block, pan), (at + block, pan + 2.0 * block))
-                .force(name, (at, pan), (at, pan - 0.3 * size));
+                .mass(mass, (at - block, pan), (at + block, pan + 2.0 * block))
+                .force(weight, (at, pan), (at, pan - 0.3 * size));
         }
         sketch
     }

@@ -204,13 +204,21 @@ impl TwoBarLinkage {
         let (l, sign) = (self.length, self.sign());
         let (a, b, c) = ((0.0, 0.0), (l * angle.cos(), sign * l * angle.sin()), (2.0 * l * angle.cos(), 0.0));
         let mut sketch = Sketch::default();
-        sketch.size(2.2 * l).guide(a, (2.2 * l, 0.0)).slider("", c, 0.0);
+        sketch.size(2.2 * l);
+        let unit = sketch.symbol();
+        sketch.guide((5.0 * unit, 0.0), (2.2 * l, 0.0)).slider("", c, 0.0).axis(a, (8.0 * unit, 0.0));
         if matches!(self.spring, EndSpring::Spring { .. }) {
             sketch.spring("k", a, c);
         }
-        sketch.bars([a, b, c]).pin("A", a).joint("B", b).joint("C", c);
+        sketch.link("L", a, b).bars([b, c]).pin("A", a).joint("B", b).joint("C", c).angle(
+            "θ",
+            a,
+            0.0,
+            sign * angle,
+        );
         if self.mass > 0.0 {
             for x in [0.5, 1.5] {
+                sketch.mass_centre("m", (x * b.0, b.1 / 2.0));
                 sketch.force("W", (x * b.0, b.1 / 2.0), (x * b.0, b.1 / 2.0 - 0.25 * l));
             }
         }
@@ -218,7 +226,7 @@ impl TwoBarLinkage {
             sketch.force("Q", b, (b.0, b.1 - 0.3 * l));
         }
         if self.force_c != Some(0.0) {
-            sketch.force("F", c, (c.0 + 0.4 * l, 0.0));
+            sketch.force("F", (c.0 + 2.4 * unit, 0.0), (c.0 + 0.4 * l, 0.0));
         }
         sketch
     }

@@ -102,6 +102,7 @@ impl Analysis for Cam {
                 sheet.show(|| Exhibit::Drawing(view.drawing(&outline, &shown)));
             }
         }
+        sheet.show(|| Exhibit::Drawing(view.diagram()));
         sheet.show(|| Exhibit::Table(motion::table(&course, self.speed)));
         // Built only where somebody looks.
         let count = 4 + usize::from(steepest.is_some()) + 2 * usize::from(view.load.is_some());

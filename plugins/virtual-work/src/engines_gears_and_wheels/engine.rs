@@ -209,6 +209,7 @@ impl Analysis for Engine {
             _ => None,
         };
         let view = exhibits::View {
+            engine: self,
             kernel: &kernel,
             crank: moving.crank(),
             given_acceleration: match self.motion {

@@ -1,7 +1,9 @@
 //! Epicyclic gear trains: speeds by Willis's formula, torques by virtual power.
 
+use std::f64::consts::FRAC_1_SQRT_2;
+
 use dalembert_core::{
-    About, Analysis, Exhibit, Inputs, Refusal, Sketch, Text, Worksheet, exhibit::Point as At, register,
+    About, Analysis, Exhibit, Ink, Inputs, Refusal, Sketch, Text, Worksheet, exhibit::Point as At, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -373,6 +375,14 @@ impl EpicyclicTrain {
         Ok((it.solve()?, links, hold))
     }
 
+    /// Letters of what is given at the driving member.
+    fn driving_letters(&self) -> &'static str {
+        match self.torque {
+            KnownTorque::Driving { .. } => "ω_in, T_in",
+            KnownTorque::Load { .. } => "ω_in",
+        }
+    }
+
     /// The train turning: pitch circles with a mark on each.
     fn animation(
         &self,
@@ -393,7 +403,8 @@ impl EpicyclicTrain {
                 if fastest > 0.0 { std::f64::consts::TAU / fastest * n as f64 / FRAMES as f64 } else { 0.0 };
             let (o, centre) = ((0.0, 0.0), At::from(built::away([0.0; 2], axes, arm_speed * time)));
             let mut sketch = Sketch::default();
-            sketch.gear("", o, ring * two, ring_speed * time).gear("", o, sun * one, sun_speed * time).gear(
+            let (rim, hub) = (ring * two, sun * one);
+            sketch.gear("", o, rim, ring_speed * time).gear("", o, hub, sun_speed * time).gear(
                 "",
                 centre,
                 first * one,
@@ -402,11 +413,34 @@ impl EpicyclicTrain {
             if second != first {
                 sketch.gear("", centre, second * two, planet_speed(time));
             }
+            let teeth = |name: &str, teeth: f64| Text::verbatim(format!("{name}, z = {teeth}"));
+            let planet = if second == first {
+                teeth("P", first)
+            } else {
+                Text::verbatim(format!("P, z = {first}, {second}"))
+            };
+            // The name of the outer member stands below, where no arm is at the beginning.
             sketch
                 .link("A", o, centre)
-                .pin("S", o)
-                .joint("P", centre)
-                .label(if outside { "S₂" } else { "R" }, (0.0, ring * two));
+                .pin("", o)
+                .joint("", centre)
+                .label(teeth("S", sun), (-hub * FRAC_1_SQRT_2, hub * FRAC_1_SQRT_2))
+                .label(planet, (centre.0, centre.1 + 0.5 * first * one))
+                .label(teeth(if outside { "S₂" } else { "R" }, ring), (0.0, -rim));
+            let (radius, speed) = match self.driver {
+                Member::Sun => (hub, sun_speed),
+                Member::Ring => (rim, ring_speed),
+                Member::Arm => (axes, arm_speed),
+            };
+            let (start, way) = (3.6, 0.5 * if speed < 0.0 { -1.0 } else { 1.0 });
+            let at = |angle: f64| At::from(built::away([0.0; 2], 1.12 * radius, angle));
+            let bent: Vec<At> = (0..=8).map(|n| at(start + way * f64::from(n) / 8.0)).collect();
+            sketch.curve(bent, Ink::Motion).vector(
+                self.driving_letters(),
+                at(start + 0.8 * way),
+                at(start + way),
+                Ink::Motion,
+            );
             sketch
         };
         Exhibit::Animation(Sketch::animation("The epicyclic train", (0..FRAMES).map(frame), 4.0))

@@ -178,7 +178,7 @@ impl Analysis for EquivalentRod {
             sheet.check_zero(what, pins + missing - own, own.value() + pins.value());
         });
         let places = [near.value(), far.value(), conjugate.value()];
-        sheet.show(|| Exhibit::Drawing(drawing(places)));
+        sheet.show(|| Exhibit::Drawing(drawing(self, places)));
         Ok(())
     }
 }
@@ -260,17 +260,28 @@ fn too_fast() -> Refusal {
 }
 
 /// The rod with its centre of mass, the masses in its pins, and the second mass of the equivalent rod.
-fn drawing([near, far, conjugate]: [f64; 3]) -> Drawing {
+fn drawing(rod: &EquivalentRod, [near, far, conjugate]: [f64; 3]) -> Drawing {
     let length = near + far;
     let size = 0.05 * length;
     let second = (near + conjugate.min(3.0 * length), 0.0);
-    Sketch::new("The rod and its equivalent masses")
+    let mut sketch = Sketch::new("The rod and its equivalent masses");
+    let (inertia, gyration) = match rod.known {
+        RodData::Gyration { radius, .. } => ("G, m", Some(radius)),
+        RodData::Moment { .. } => ("G, m, I_G", None),
+        _ => ("G, m", None),
+    };
+    if let Some(radius) = gyration {
+        sketch.dimension("k", (near, 0.0), (near + radius, 0.0), -7.0);
+    }
+    sketch
         .axis((length, 0.0), second)
-        .bars([(0.0, 0.0), (length, 0.0)])
+        .body("", [(0.0, 0.5 * size), (length, 0.8 * size), (length, -0.8 * size), (0.0, -0.5 * size)])
         .disc("m₁", (0.0, 0.0), size)
-        .disc("", (length, 0.0), size)
-        .mass_centre("G", (near, 0.0))
+        .disc("", (length, 0.0), 1.3 * size)
+        .mass_centre(inertia, (near, 0.0))
         .round("m₂", second, 0.7 * size, Ink::Result)
+        .dimension("a", (0.0, 0.0), (near, 0.0), 5.0)
+        .dimension("l", (0.0, 0.0), (length, 0.0), -10.0)
         .caption("gudgeon pin", (0.0, -2.5 * size))
         .caption("crank pin", (length, -2.5 * size))
         .finish()

@@ -2,12 +2,19 @@
 
 mod curves;
 
-use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Text, Worksheet, register};
+use std::f64::consts::FRAC_PI_3;
+
+use dalembert_core::{
+    About, Analysis, Drawing, Exhibit, Ink, Inputs, Refusal, Sketch, Text, Worksheet, register,
+};
 use dalembert_mechanics::Real;
 
 use self::curves::{Course, Curved, curved, harmonics, plot, table};
 use crate::{
-    shared::flywheel::{FlywheelInertia, Strokes},
+    shared::{
+        figure,
+        flywheel::{FlywheelInertia, Strokes},
+    },
     sources::{BEVAN, KHURMI},
 };
 
@@ -223,6 +230,7 @@ impl Analysis for Flywheel {
                 sheet.check(what, range, energy);
             }
         });
+        sheet.show(|| Exhibit::Drawing(self.drawing()));
         Ok(())
     }
 }
@@ -234,6 +242,35 @@ struct Excess<'a> {
 }
 
 impl Flywheel {
+    /// The flywheel, in front of its shaft and from its side.
+    fn drawing(&self) -> Drawing {
+        let (mass, radius) = match &self.sought {
+            FlywheelUnknown::Inertia { radius, .. } => (radius.map_or("I_F", |_| "m_F"), radius.is_some()),
+            FlywheelUnknown::Fluctuation { inertia: FlywheelInertia::Gyration { .. } } => ("m_F", true),
+            FlywheelUnknown::Fluctuation { inertia: FlywheelInertia::Moment { .. } } => ("I_F", false),
+        };
+        let moment = if let Moment::Harmonics { .. } = self.moment { "T_m" } else { "T" };
+        let (o, side) = ((0.0, 0.0), 2.2);
+        let mut sketch = Sketch::new("The flywheel and its shaft");
+        sketch.size(4.0).disc("", o, 1.0).circle(o, 0.8, Ink::Body);
+        for spoke in 0..6 {
+            let angle = f64::from(spoke) * FRAC_PI_3 + 0.2;
+            sketch.bars([o, figure::away(o, 0.8, angle)]);
+        }
+        if radius {
+            sketch.circle(o, 0.9, Ink::Faint).dimension("k_F", o, figure::away(o, 0.9, -FRAC_PI_3), 0.0);
+        }
+        sketch.joint("", o);
+        figure::turning(&mut sketch, o, ("ω", self.speed), (moment, 1.0));
+        sketch
+            .link("", (side - 0.8, 0.0), (side + 0.8, 0.0))
+            .mass("", (side - 0.18, -1.0), (side + 0.18, 1.0))
+            .label(mass, (side, 1.0))
+            .bearing("", (side - 0.5, 0.0), 0.0)
+            .bearing("", (side + 0.5, 0.0), 0.0);
+        sketch.finish()
+    }
+
     /// The load torque less its mean, where it varies.
     fn load<W: Worksheet>(&self, mean: f64, sheet: W) -> Result<Option<Course<'_>>, Refusal> {
         match &self.load {

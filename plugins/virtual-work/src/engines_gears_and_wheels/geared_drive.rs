@@ -426,22 +426,39 @@ impl GearedDrive {
             .gear("", (0.0, -1.9), 1.4, 0.1)
             .couple("T_m", (-3.6, 0.0), (0.6, 5.0), Ink::Force);
         match self.load {
-            DrivenLoad::Shaft { .. } => {
+            DrivenLoad::Shaft { torque, .. } => {
                 sketch.link("", (1.4, -1.9), (2.4, -1.9)).mass("I_2", (2.4, -2.6), (3.4, -1.2));
+                if torque != 0.0 {
+                    sketch.couple("T_2", (3.8, -1.9), (2.6, -1.8), Ink::Force);
+                }
             }
-            DrivenLoad::Hoist { .. } => {
+            DrivenLoad::Hoist { inertia, .. } => {
                 sketch
                     .link("", (1.4, -1.9), (2.4, -1.9))
                     .disc("", (3.0, -1.9), 0.6)
+                    .dimension("r", (3.0, -1.9), (3.0, -1.3), 0.0)
+                    .label(if inertia == 0.0 { "" } else { "I_2" }, (3.6, -1.9))
                     .cord([(3.6, -1.9), (3.6, -3.6)])
                     .mass("m", (3.3, -4.2), (3.9, -3.6));
             }
-            DrivenLoad::Vehicle { .. } => {
+            DrivenLoad::Vehicle { inertia, resistance, slope, .. } => {
+                if resistance != 0.0 {
+                    sketch.force("F_r", (4.9, -1.9), (4.1, -1.9));
+                }
+                if slope != 0.0 {
+                    sketch.axis((2.0, -2.7), (4.6, -2.7 - 2.6 * slope.tan())).angle(
+                        "θ",
+                        (2.0, -2.7),
+                        -slope,
+                        0.0,
+                    );
+                }
                 sketch
                     .link("", (1.4, -1.9), (2.4, -1.9))
-                    .disc("", (3.2, -1.9), 0.8)
-                    .ground((2.0, -2.7), (4.6, -2.7))
-                    .force("F_r", (4.9, -1.9), (4.1, -1.9));
+                    .disc(if inertia == 0.0 { "" } else { "I_2" }, (3.2, -1.9), 0.8)
+                    .line("r", (3.2, -1.9), (3.2, -2.7), Ink::Faint)
+                    .mass("m", (2.6, -1.1), (3.8, -0.6))
+                    .ground((2.0, -2.7), (4.6, -2.7));
             }
         }
         sketch.finish()

@@ -14,6 +14,7 @@ use dalembert_mechanics::{
 use crate::{
     shared::{
         built::{self, Built, BuiltMass, Link, Range, Solved, Template, TemplateRange},
+        figure,
         works::{self, FOUR, PointWork, Works, plane, symbol},
     },
     sources::{NORTON, RIUL, SHIGLEY},
@@ -423,7 +424,7 @@ impl RollingDisc {
                     sketch
                         .ground((there.rod - reach, -radius), (there.rod + reach, -radius))
                         .circle(o, there.crank, Ink::Faint)
-                        .disc("", centre, radius)
+                        .disc(if there.mass > 0.0 { "m" } else { "" }, centre, radius)
                         .line("R", centre, rim.into(), Ink::Faint)
                         .link("r", o, a)
                         .link("l", a, centre)
@@ -431,9 +432,34 @@ impl RollingDisc {
                         .joint("A", a)
                         .joint("C", centre)
                         .angle("θ₂", o, 0.0, angle.rem_euclid(TAU));
+                    let (unit, high) = (sketch.symbol(), 0.7 * radius);
+                    let bracket = (centre.0, high);
                     if let Some(spring) = &there.spring {
-                        sketch.spring("k", (spring.wall, 0.0), centre);
+                        let wall = (spring.wall, high);
+                        let name = if spring.free > 0.0 { "k, L₀" } else { "k" };
+                        // Beside the line of the rod, on a bracket of the centre.
+                        sketch
+                            .bars([centre, bracket])
+                            .spring(name, wall, bracket)
+                            .dimension("x_w", o, (spring.wall, 0.0), -(radius / unit - 2.0))
+                            .ground((wall.0, wall.1 + 3.0 * unit), (wall.0, wall.1 - 3.0 * unit));
                     }
+                    if there.damping > 0.0 {
+                        let side = if there.spring.as_ref().is_some_and(|spring| spring.wall > 0.0) {
+                            -1.0
+                        } else {
+                            1.0
+                        };
+                        let wall = first + side * (2.2 * radius + there.crank);
+                        sketch
+                            .damper("c", (wall, 0.0), centre)
+                            .ground((wall, -3.0 * side * unit), (wall, 3.0 * side * unit));
+                    }
+                    let torque = match there.unknown {
+                        RollingDiscUnknown::Force { torque } => torque,
+                        RollingDiscUnknown::Torque { .. } => 0.0,
+                    };
+                    figure::turning(sketch, o, ("ω₂", there.speed), ("T₂", torque));
                     built::forces(sketch, &[("F", centre, [found.force, 0.0])], there.crank);
                     Some(())
                 },

@@ -16,6 +16,7 @@ use crate::{
     shared::{
         built::{self, Built, BuiltMass, Range, Solved, Template, TemplateRange},
         dyad::{self, DyadPin},
+        figure,
         kinematics::{self, Kinematics, Motion},
         works::{self, FIVE, FOUR, PointWork, RotatingLinkWork, THREE, plane, symbol},
     },
@@ -538,17 +539,28 @@ impl FiveBar {
                         let part = there.frame * f64::from(first) / f64::from(first + second);
                         sketch.circle(o, part, Ink::Faint).circle(fixed, there.frame - part, Ink::Faint);
                     }
+                    let unit = sketch.symbol();
+                    let second = (b.1 - fixed.1).atan2(b.0 - fixed.0);
                     sketch
                         .link("a", o, a)
                         .link("b", a, place)
                         .link("c", place, b)
                         .link("e", b, fixed)
-                        .pin("", o)
-                        .pin("", fixed)
+                        .line("d", o, fixed, Ink::Faint)
+                        .pin("O₂", o)
+                        .pin("O₅", fixed)
                         .joint("A", a)
                         .joint("B", b)
                         .joint("P", place)
-                        .angle("θ₂", o, 0.0, angle.rem_euclid(TAU));
+                        .axis(fixed, (fixed.0 + 6.0 * unit, 0.0))
+                        .angle("θ₂", o, 0.0, angle.rem_euclid(TAU))
+                        .angle("θ₅", fixed, 0.0, second.rem_euclid(TAU));
+                    let torques = match there.unknown {
+                        FiveBarUnknown::Force { first, second } => [first, second],
+                        FiveBarUnknown::Torques { .. } => [0.0; 2],
+                    };
+                    figure::turning(sketch, o, ("ω₂", there.first_speed), ("T₂", torques[0]));
+                    figure::turning(sketch, fixed, ("", 0.0), ("T₅", torques[1]));
                     built::forces(sketch, &[("F", place, found.force)], 0.5 * there.frame);
                     Some(())
                 },

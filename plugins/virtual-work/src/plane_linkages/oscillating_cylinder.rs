@@ -1,6 +1,6 @@
 //! The inverted slider-crank: a crank or lever whose pin is pushed by a cylinder that swings about a fixed pin.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use dalembert_core::{About, Analysis, Ink, Inputs, Refusal, Worksheet, exhibit::Point as At, register};
 use dalembert_mechanics::{
@@ -12,6 +12,7 @@ use nalgebra::Vector3;
 use crate::{
     shared::{
         built::{self, Built, BuiltMass, Link, Range, Solved, Template, TemplateRange},
+        figure,
         kinematics::{self, Kinematics, Motion},
         works::{self, FOUR, LinkMass, RotatingLinkWork, THREE, TWO, Works, symbol},
     },
@@ -450,24 +451,41 @@ impl OscillatingCylinder {
                     let found = there.plain()?;
                     let (o, pivot) = ((0.0, 0.0), (there.pivot.x, there.pivot.y));
                     let pin = At::from(built::away([0.0; 2], there.crank, angle));
-                    let barrel = 0.8 * shortest;
-                    let on = |along: f64, height: f64| {
-                        let [x, y] = built::turned([along, height], found.tilt);
-                        (pivot.0 + x, pivot.1 + y)
-                    };
-                    let half = 0.12 * there.crank;
+                    let (unit, barrel) = (sketch.symbol(), 0.75 * shortest);
                     sketch
                         .circle(o, there.crank, Ink::Faint)
-                        .body("", [on(0.0, half), on(barrel, half), on(barrel, -half), on(0.0, -half)])
                         .link("r", o, pin)
-                        .link("", on(0.6 * barrel, 0.0), pin)
-                        .pin("O", o)
                         .pin("C", pivot)
+                        .cylinder("", pivot, pin, barrel)
+                        .pin("O", o)
                         .joint("A", pin)
                         .angle("θ₂", o, 0.0, angle.rem_euclid(TAU));
-                    let force = built::turned([found.force, 0.0], found.tilt);
-                    let pin_force = [there.pin_force.x, there.pin_force.y];
-                    built::forces(sketch, &[("F_c", pin, force), ("F_A", pin, pin_force)], there.crank);
+                    let spot = |along: f64| figure::away(pivot, along, found.tilt);
+                    if let Some(piston) = &there.piston {
+                        sketch.mass_centre("m₃", spot(found.length - piston.distance));
+                    }
+                    if let Some(cylinder) = &there.cylinder {
+                        sketch.mass_centre("m₄", spot(cylinder.distance));
+                    }
+                    let torque = match there.unknown {
+                        CylinderUnknown::Force { torque } => torque,
+                        CylinderUnknown::Torque { .. } | CylinderUnknown::Pressure { .. } => 0.0,
+                    };
+                    figure::turning(sketch, o, ("ω₂", there.speed), ("T₂", torque));
+                    // Both lie on the line of the cylinder: one beside it, the other from outside on its pin.
+                    let beside = |along: f64| figure::away(spot(along), 2.5 * unit, found.tilt + FRAC_PI_2);
+                    let (low, high) = (beside(0.1 * barrel), beside(0.9 * barrel));
+                    if found.force > 0.0 {
+                        sketch.force("F_c", low, high);
+                    } else if found.force < 0.0 {
+                        sketch.force("F_c", high, low);
+                    }
+                    let size = there.pin_force.norm();
+                    if size > 0.0 {
+                        let part = 0.8 * there.crank / size;
+                        let tail = (pin.0 - part * there.pin_force.x, pin.1 - part * there.pin_force.y);
+                        sketch.force("", tail, pin).label("F_A", tail);
+                    }
                     Some(())
                 },
             )

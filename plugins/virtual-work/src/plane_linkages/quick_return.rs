@@ -15,7 +15,7 @@ use crate::{
     shared::{
         built::{self, Built, Range, Solved, Template, TemplateRange},
         dyad::{self, DyadPin, SliderLine},
-        kinematics,
+        figure, kinematics,
         works::{self, FIVE, FOUR, LinkMass, PointWork, RotatingLinkWork, SIX, TWO, Works, plane, symbol},
     },
     sources::{KHURMI, NORTON, RIUL, SHIGLEY},
@@ -531,6 +531,8 @@ impl QuickReturn {
             });
         }
         sheet.show(|| {
+            let position = |found: &QuickReturnPosition<f64>| found.link.map_or(f64::INFINITY, |link| link.0);
+            let (low, high) = figure::way(&cycle.curve(position));
             built::animation(
                 "The quick-return mechanism",
                 ("angle", self.angle),
@@ -541,30 +543,48 @@ impl QuickReturn {
                     let found = there.plain()?;
                     let (o, centre, pin) = ((0.0, 0.0), (0.0, there.frame), At::from(there.pin()));
                     let end = At::from(built::away([0.0; 2], there.lever, found.lever.angle));
-                    let mut force = ("F", end, built::turned([0.0, found.force], found.lever.angle));
-                    sketch.circle(centre, there.crank, Ink::Faint);
-                    if let (LeverOutput::Slider { height, link, side, .. }, Some((position, ..))) =
-                        (&there.output, found.link)
+                    let unit = sketch.symbol();
+                    sketch.circle(centre, there.crank, Ink::Faint).dimension("d", o, centre, 6.0);
+                    if let (
+                        LeverOutput::Slider { height, link_mass, slider_mass, .. },
+                        Some((position, ..)),
+                    ) = (&there.output, found.link)
                     {
                         let slider = (position, *height);
-                        let middle = if *side == RamSide::Ahead { *link } else { -*link };
+                        let (from, to) = (low - 3.0 * unit, high + 3.0 * unit);
                         sketch
-                            .guide((middle - there.lever, *height), (middle + there.lever, *height))
+                            .guide((from, *height), (to, *height))
+                            .dimension("h", (from, 0.0), (from, *height), 0.0)
+                            .axis(o, (from, 0.0))
                             .slider("", slider, 0.0)
-                            .link("l", end, slider)
-                            .joint("", slider);
-                        force = ("F", slider, [found.force, 0.0]);
+                            .link("l", end, slider);
+                        figure::link_mass(sketch, 5, link_mass.as_ref(), (end, slider), 2.0);
+                        if *slider_mass != 0.0 {
+                            sketch.label("m₆", (position, height - 0.6 * unit));
+                        }
+                        sketch.joint("", slider);
+                        figure::on_slider(sketch, "F", slider, (found.force, 0.0), 0.4 * there.lever);
+                    } else {
+                        let force = built::turned([0.0, found.force], found.lever.angle);
+                        built::forces(sketch, &[("F", end, force)], 0.5 * there.lever);
                     }
                     sketch
                         .slider("", pin, found.lever.angle)
                         .link("L", o, end)
                         .link("r", centre, pin)
+                        .axis(centre, (6.0 * unit, centre.1))
                         .pin("C", o)
                         .pin("O", centre)
                         .joint("A", pin)
                         .joint("B", end)
                         .angle("θ₂", centre, 0.0, angle.rem_euclid(TAU));
-                    built::forces(sketch, &[force], 0.5 * there.lever);
+                    figure::link_mass(sketch, 2, there.crank_mass.as_ref(), (centre, pin), 2.0);
+                    figure::link_mass(sketch, 4, there.lever_mass.as_ref(), (o, end), -3.0);
+                    let torque = match there.unknown {
+                        QuickReturnUnknown::Force { torque } => torque,
+                        QuickReturnUnknown::Torque { .. } => 0.0,
+                    };
+                    figure::turning(sketch, centre, ("ω₂", there.speed), ("T₂", torque));
                     Some(())
                 },
             )

@@ -12,6 +12,7 @@ use nalgebra::Vector3;
 use crate::{
     shared::{
         built::{self, Built, Range, Solved, Template, TemplateRange},
+        figure,
         kinematics::{self, Kinematics},
         works::{self, FOUR, LinkMass, PointWork, RotatingLinkWork, TWO, Works, plane, symbol},
     },
@@ -321,18 +322,37 @@ impl ScotchYoke {
                     let found = there.plain()?;
                     let (r, x) = (there.crank, found.position);
                     let (o, pin) = ((0.0, 0.0), At::from(built::away([0.0; 2], r, angle)));
-                    let end = (x + 2.5 * r, 0.0);
+                    let (unit, end) = (sketch.symbol(), (x + 2.5 * r, 0.0));
+                    let side = |shift: f64, height: f64| (x + shift * unit, height);
+                    let high = r + 2.0 * unit;
                     sketch
                         .circle(o, r, Ink::Faint)
                         .bearing("", (2.2 * r, 0.0), 0.0)
-                        .bars([(x, -1.2 * r), (x, 1.2 * r)])
-                        .link("4", (x, 0.0), end)
+                        .bars([
+                            side(-1.2, -high),
+                            side(1.2, -high),
+                            side(1.2, high),
+                            side(-1.2, high),
+                            side(-1.2, -high),
+                        ])
+                        .bars([side(1.2, 0.0), end])
+                        .axis(o, (6.0 * unit, 0.0))
                         .slider("", pin, FRAC_PI_2)
                         .link("r", o, pin)
                         .pin("O", o)
                         .joint("A", pin)
                         .angle("θ₂", o, 0.0, angle.rem_euclid(TAU));
-                    built::forces(sketch, &[("F", end, [found.force, 0.0])], r);
+                    if there.yoke_mass != 0.0 {
+                        sketch.label("m₄", side(0.0, high));
+                    }
+                    figure::link_mass(sketch, 2, there.crank_mass.as_ref(), (o, pin), 2.0);
+                    let torque = match there.unknown {
+                        ScotchYokeUnknown::Force { torque } => torque,
+                        ScotchYokeUnknown::Torque { .. } => 0.0,
+                    };
+                    figure::turning(sketch, o, ("ω₂", there.speed), ("T₂", torque));
+                    let tip = (end.0 - 2.4 * unit, 0.0);
+                    figure::on_slider(sketch, "F", tip, (found.force, 0.0), r);
                     Some(())
                 },
             )

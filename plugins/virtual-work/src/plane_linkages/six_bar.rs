@@ -1,8 +1,7 @@
 //! Six-bar linkages: a four-bar whose rocker or coupler drives a second pair of links.
 
 mod motion;
-
-use std::f64::consts::TAU;
+mod picture;
 
 use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, exhibit::Point as At, register};
 use dalembert_mechanics::{
@@ -15,6 +14,7 @@ use crate::{
     shared::{
         built::{self, Built, Range, Solved, Template, TemplateRange},
         dyad::{self, DyadPin, SliderLine},
+        figure,
         linkage::Closing,
         works::{
             self, FIVE, FOUR, LinkMass, PointWork, RotatingLinkWork, SIX, THREE, TWO, Works, plane, symbol,
@@ -537,47 +537,15 @@ impl SixBar {
         });
         sheet.show(|| {
             let still = self.plain().map_or([0.0; 2], |found| found.pins[1]);
+            let way = |found: &SixBarPosition<f64>| {
+                let LinkOutput::Slider { direction, .. } = self.output else { return 0.0 };
+                let [x, y] = found.pins[1];
+                (x - still[0]) * direction.cos() + (y - still[1]) * direction.sin()
+            };
+            let (low, high) = figure::way(&cycle.curve(way));
             let size = self.frame + self.crank + self.coupler;
             built::animation("The six-bar linkage", ("angle", self.angle), range, size, |angle, sketch| {
-                let there = at(angle);
-                let found = there.plain()?;
-                let a = built::away([0.0; 2], there.crank, angle);
-                let b = At::from(built::away(a, there.coupler, found.angles[0]));
-                let (o, a, c) = ((0.0, 0.0), At::from(a), (there.frame, 0.0));
-                let [d, end] = found.pins.map(At::from);
-                let root = if let Attached::Rocker { .. } = there.attached { c } else { a };
-                if let LinkOutput::Slider { direction, .. } = &there.output {
-                    let reach = built::turned([2.0 * there.crank, 0.0], *direction);
-                    sketch
-                        .guide(
-                            (still[0] - reach[0], still[1] - reach[1]),
-                            (still[0] + reach[0], still[1] + reach[1]),
-                        )
-                        .slider("", end, *direction);
-                }
-                sketch
-                    .link("2", o, a)
-                    .link("3", a, b)
-                    .link("4", c, b)
-                    .bars([root, d, b])
-                    .link("5", d, end)
-                    .pin("O₂", o)
-                    .pin("O₄", c)
-                    .joint("A", a)
-                    .joint("B", b)
-                    .joint("D", d)
-                    .angle("θ₂", o, 0.0, angle.rem_euclid(TAU));
-                match &there.output {
-                    LinkOutput::Slider { direction, .. } => {
-                        let force = built::turned([found.load, 0.0], *direction);
-                        built::forces(sketch.joint("", end), &[("F", end, force)], there.crank);
-                    }
-                    LinkOutput::Rocker { pivot, .. } => {
-                        let pivot = (pivot.x, pivot.y);
-                        sketch.link("6", pivot, end).pin("O₆", pivot).joint("E", end);
-                    }
-                }
-                Some(())
+                at(angle).draw(At::from(still), (low, high), sketch)
             })
         });
     }

@@ -14,6 +14,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use crate::{
     shared::{
         built::{self, Built, Range, Solved, Template, TemplateRange},
+        figure,
         kinematics::{self, Kinematics, Motion},
         works::{self, FOUR, LinkMass, PointWork, RotatingLinkWork, THREE, TWO, Works, plane, symbol},
     },
@@ -483,6 +484,7 @@ impl SliderCrank {
             });
         }
         sheet.show(|| {
+            let (low, high) = figure::way(&cycle.curve(|found| found.position));
             built::animation(
                 "The slider-crank",
                 ("angle", self.angle),
@@ -492,11 +494,11 @@ impl SliderCrank {
                     let there = at(angle);
                     let found = there.plain()?;
                     let (o, a, b) = ((0.0, 0.0), At::from(there.pin()), (found.position, self.offset));
-                    let reach = 1.3 * self.crank;
+                    let unit = sketch.symbol();
                     sketch
                         .circle(o, self.crank, Ink::Faint)
-                        .axis(o, (self.rod, 0.0))
-                        .guide((self.rod - reach, self.offset), (self.rod + reach, self.offset))
+                        .axis(o, (6.0 * unit, 0.0))
+                        .guide((low - 2.2 * unit, self.offset), (high + 3.0 * unit, self.offset))
                         .slider("", b, 0.0)
                         .link("r", o, a)
                         .link("l", a, b)
@@ -504,12 +506,22 @@ impl SliderCrank {
                         .joint("A", a)
                         .joint("B", b)
                         .angle("θ₂", o, 0.0, angle.rem_euclid(TAU));
+                    if self.offset != 0.0 {
+                        sketch.dimension("e", (high, 0.0), (high, self.offset), 0.0);
+                    }
+                    if self.slider_mass != 0.0 {
+                        sketch.label("m₄", (b.0, b.1 - 0.6 * unit));
+                    }
+                    figure::link_mass(sketch, 2, self.crank_mass.as_ref(), (o, a), 2.0);
+                    figure::link_mass(sketch, 3, self.rod_mass.as_ref(), (a, b), -2.0);
+                    let torque = match self.unknown {
+                        SliderCrankUnknown::Force { torque } => torque,
+                        SliderCrankUnknown::Torque { .. } => 0.0,
+                    };
+                    figure::turning(sketch, o, ("ω₂", self.speed), ("T₂", torque));
+                    figure::on_slider(sketch, "F_B", b, (found.force, 0.0), 0.8 * self.crank);
                     let pin_force = [self.pin_force.x, self.pin_force.y];
-                    built::forces(
-                        sketch,
-                        &[("F_B", b, [found.force, 0.0]), ("F_A", a, pin_force)],
-                        self.crank,
-                    );
+                    built::forces(sketch, &[("F_A", a, pin_force)], self.crank);
                     Some(())
                 },
             )

@@ -14,7 +14,10 @@ use dalembert_mechanics::{
 };
 
 use crate::{
-    shared::equilibria::{down, solved, spread},
+    shared::{
+        equilibria::{down, solved, spread},
+        figure::letter,
+    },
     sources::{BEER, HIBBELER, RIUL},
 };
 
@@ -274,13 +277,19 @@ impl LazyTongs {
                 sketch.joint("", (x, 0.0));
             }
         }
+        sketch.axis((0.0, 0.0), (2.0 * wide, 0.0)).angle("θ", (0.0, 0.0), 0.0, self.angle).line(
+            "l",
+            (0.0, 0.0),
+            (wide, -high),
+            Ink::Body,
+        );
         sketch.pin("A", (0.0, 0.0)).pin("B", (f64::from(2 * n) * wide, 0.0));
         for (row, load) in self.loads.iter().enumerate() {
             let x = f64::from(2 * load.square - 1) * wide;
             let y = if load.hinge == Hinge::Upper { high } else { -high };
             let way = -0.7 * l * load.force.signum();
             let tail = if load.hinge == Hinge::Upper { (x, y - way) } else { (x, y) };
-            let name = Text::new("P{x}").with("x", row + 1);
+            let name = Text::verbatim(letter("P", row + 1));
             sketch.edge(name, tail, (tail.0, tail.1 + way), Ink::Force);
         }
         sketch.finish()

@@ -211,10 +211,20 @@ impl RackPress {
             .ground((-2.0 * r, -6.5 * r), (4.0 * r, -6.5 * r))
             .gear("", (0.0, 0.0), r, -angle)
             .link("R", (0.0, 0.0), end)
-            .mass("", (r, bottom), (1.8 * r, top))
-            .pin("", (0.0, 0.0))
-            .force("F", end, across)
-            .force("Q", (1.4 * r, bottom), (1.4 * r, bottom - 1.5 * r));
+            .mass("", (1.25 * r, bottom), (1.9 * r, top));
+        for tooth in 0..12 {
+            let y = bottom + (f64::from(tooth) + 0.5) * (top - bottom) / 12.0;
+            sketch.bars([(r, y), (1.25 * r, y)]);
+        }
+        for side in [-1.0, 1.0] {
+            let wall = [(2.1 * r, side * 1.5 * r - r), (2.1 * r, side * 1.5 * r + r)];
+            sketch.ground(wall[0], wall[1]);
+        }
+        sketch.dimension("r", (0.0, 0.0), (0.0, -r), 0.0).pin("", (0.0, 0.0)).force("F", end, across).force(
+            "Q",
+            (1.4 * r, bottom),
+            (1.4 * r, bottom - 1.5 * r),
+        );
         sketch
     }
 }

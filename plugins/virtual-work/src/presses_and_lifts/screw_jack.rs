@@ -401,7 +401,10 @@ impl ScrewJack {
                     .size(2.4 * l)
                     .ground((-0.4 * l, 0.0), (0.4 * l, 0.0))
                     .bars([corners.as_slice(), &corners[..1]].concat())
-                    .axis((-1.2 * wide, high), (1.3 * wide, high));
+                    .bars([(-1.2 * wide, high), (1.4 * wide, high)])
+                    .dimension("L", corners[3], corners[2], 2.0)
+                    .axis(corners[3], corners[1])
+                    .angle("θ", corners[3], 0.0, angle);
                 for corner in corners {
                     sketch.joint("", corner);
                 }
@@ -416,7 +419,9 @@ impl ScrewJack {
                 sketch
                     .size(1.6 * l)
                     .ground((-0.1 * l, 0.0), (1.2 * l, 0.0))
-                    .axis((0.0, 0.0), (1.2 * wide, 0.0));
+                    .bars([(-0.15 * l, 0.0), (1.3 * wide, 0.0)])
+                    .dimension("L", (0.0, 0.0), (wide, high), -2.0)
+                    .angle("θ", (0.0, 0.0), 0.0, angle);
                 for stage in 0..stages {
                     let y = f64::from(stage) * high;
                     sketch

@@ -253,7 +253,7 @@ impl TogglePress {
             .angle("β", ram, PI - beta, PI)
             .force("", tail, (knee.0, knee.1 + 0.05 * l1))
             .label("P", tail)
-            .force("Q", (ram.0 + 0.1 * l2, 0.0), (ram.0 + 0.4 * l2, 0.0));
+            .force("Q", (ram.0 + 0.12 * (l1 + l2), 0.0), (ram.0 + 0.12 * (l1 + l2) + 0.3 * l2, 0.0));
         sketch
     }
 }

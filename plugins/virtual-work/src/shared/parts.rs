@@ -4,6 +4,7 @@ mod assembled;
 pub(crate) mod closure;
 pub(crate) mod drawing;
 mod drivers;
+mod letters;
 mod pinned;
 mod refusal;
 

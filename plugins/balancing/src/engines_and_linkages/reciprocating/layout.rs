@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use dalembert_core::{Refusal, Text, Worksheet};
+use dalembert_core::{Point, Refusal, Text, Worksheet};
 use dalembert_mechanics::{Real, balance::reciprocating as engine};
 
 use super::{
@@ -23,6 +23,53 @@ pub(super) struct Placed<N> {
     pub position: N,
     /// True if the stroke is vertical.
     pub upright: bool,
+}
+
+/// A cylinder as it is drawn.
+pub(super) struct View {
+    pub crank: f64,
+    pub rod: Option<f64>,
+    pub line: f64,
+    pub throw: f64,
+    pub position: f64,
+    pub rotating: bool,
+}
+
+impl View {
+    /// The length of the rod; a usual one where it is taken as infinite.
+    pub(super) fn reach(&self) -> f64 {
+        self.rod.unwrap_or(3.5 * self.crank)
+    }
+
+    /// The crank pin, and the distance of the piston along its line.
+    pub(super) fn pin_and_piston(&self) -> (Point, f64) {
+        let angle = self.throw - self.line;
+        let pin = (self.crank * self.throw.sin(), self.crank * self.throw.cos());
+        let across = self.crank * angle.sin();
+        (pin, self.crank * angle.cos() + (self.reach().powi(2) - across * across).max(0.0).sqrt())
+    }
+
+    pub(super) fn masses(&self) -> &'static str {
+        if self.rotating { "m, m_r" } else { "m" }
+    }
+
+    pub(super) fn rod_letter(&self) -> &'static str {
+        if self.rod.is_some() { "l" } else { "" }
+    }
+}
+
+impl<N: Real> Placed<N> {
+    /// The cylinder as it is drawn.
+    pub(super) fn drawn(&self) -> View {
+        View {
+            crank: self.crank.value(),
+            rod: self.rod.map(Real::value),
+            line: self.line.value(),
+            throw: self.throw.value(),
+            position: self.position.value(),
+            rotating: self.rotating.value() != 0.0,
+        }
+    }
 }
 
 /// The cylinders of an arrangement.

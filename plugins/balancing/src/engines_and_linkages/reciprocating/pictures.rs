@@ -11,7 +11,7 @@ use dalembert_mechanics::{
     balance::reciprocating::{self as engine, Piston, PistonMotion},
 };
 
-use super::orders::Order;
+use super::{layout::View, orders::Order};
 use crate::shared::views::dial;
 
 const POINTS: u32 = 240;
@@ -136,4 +136,73 @@ pub(super) fn stars(pistons: &[Piston], orders: &[u8]) -> Animation {
         sketch
     };
     Sketch::animation("Crank star diagrams by order", (0..FRAMES).map(frame), 4.0)
+}
+
+/// The engine at its first dead centre: cylinders along the shaft from the side, or those about one point of it along the
+/// shaft. The letters stand at the first cylinder; `along` is the symbol of the distance to the next one.
+pub(super) fn engine(cylinders: &[View], along: &'static str) -> Drawing {
+    let first = &cylinders[0];
+    let is_line = cylinders.iter().all(|one| (one.line - first.line).sin().abs() < 1e-9)
+        && cylinders.iter().any(|one| one.position != first.position);
+    if is_line { from_the_side(cylinders, along) } else { along_the_shaft(cylinders) }
+}
+
+fn from_the_side(cylinders: &[View], along: &'static str) -> Drawing {
+    let mut sketch = Sketch::new("The engine from the side");
+    let ends =
+        cylinders.iter().fold((f64::MAX, f64::MIN), |(a, b), one| (a.min(one.position), b.max(one.position)));
+    let height = cylinders.iter().map(|one| one.crank + one.reach()).fold(0.0, f64::max);
+    // The shaft is drawn as long as the engine is high, whatever the pitch.
+    let scale = 1.4 * height / (ends.1 - ends.0);
+    let at = |position: f64| scale * (position - ends.0);
+    let half = 0.08 * height;
+    sketch.size(1.6 * height).link("", (-3.0 * half, 0.0), (at(ends.1) + 3.0 * half, 0.0));
+    for end in [-2.0 * half, at(ends.1) + 2.0 * half] {
+        sketch.bearing("", (end, 0.0), 0.0);
+    }
+    for (n, one) in cylinders.iter().enumerate() {
+        let (x, ((_, pin), piston)) = (at(one.position), one.pin_and_piston());
+        let [r, l] = if n == 0 { ["r", one.rod_letter()] } else { [""; 2] };
+        sketch.link(r, (x, 0.0), (x, pin)).link(l, (x, pin), (x, piston)).joint("", (x, pin)).mass(
+            if n == 0 { one.masses() } else { "" },
+            (x - half, piston - half),
+            (x + half, piston + half),
+        );
+    }
+    if let [first, second, ..] = cylinders {
+        let level = height + 2.0 * half;
+        sketch.dimension(along, (at(first.position), level), (at(second.position), level), 0.0);
+    }
+    sketch.couple("ω", (at(ends.1) + 3.0 * half, 0.0), (-1.2, 1.2), Ink::Motion).finish()
+}
+
+fn along_the_shaft(cylinders: &[View]) -> Drawing {
+    let mut sketch = Sketch::new("The engine along its shaft");
+    let height = cylinders.iter().map(|one| one.crank + one.reach()).fold(0.0, f64::max);
+    let half = 0.08 * height;
+    sketch.size(2.0 * height);
+    let up = std::f64::consts::FRAC_PI_2;
+    let mut lines: Vec<f64> = Vec::new();
+    for one in cylinders {
+        if lines.iter().any(|line| (line - one.line).abs() < 1e-9) {
+            continue;
+        }
+        let (pin, piston) = one.pin_and_piston();
+        let (sin, cos) = one.line.sin_cos();
+        let on = |along: f64, across: f64| (along * sin + across * cos, along * cos - across * sin);
+        let [r, l] = if lines.is_empty() { ["r", one.rod_letter()] } else { [""; 2] };
+        let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+        let corners = corners.map(|(along, across)| on(piston + along * half, across * half));
+        sketch
+            .axis((0.0, 0.0), on(1.1 * height, 0.0))
+            .link(r, (0.0, 0.0), pin)
+            .body(if lines.is_empty() { one.masses() } else { "" }, corners)
+            .link(l, pin, on(piston, 0.0))
+            .joint("", pin);
+        lines.push(one.line);
+    }
+    if let [first, second] = lines[..] {
+        sketch.angle("γ", (0.0, 0.0), up - second.max(first), up - second.min(first));
+    }
+    sketch.pin("O", (0.0, 0.0)).couple("ω", (0.0, 0.0), (4.4, 3.3), Ink::Motion).finish()
 }

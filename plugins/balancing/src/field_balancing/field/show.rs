@@ -7,7 +7,7 @@ use dalembert_mechanics::balance::{self, influence};
 use nalgebra::{Complex, DMatrix};
 
 use super::{Numbers, readings::Units};
-use crate::shared::views::dial;
+use crate::shared::{rotor::letter, views::dial};
 
 /// The most vector triangles that are drawn.
 const MOST_TRIANGLES: usize = 4;
@@ -138,11 +138,12 @@ fn polar(numbers: &Numbers, weights: &[Complex<f64>]) -> Drawing {
     let reach = reach.fold(0.0, f64::max);
     let mut sketch = dial("Trial weights (m) and corrections (W) around the shaft");
     let at = |weight: Complex<f64>| (weight.re / reach, weight.im / reach);
-    for run in &numbers.runs {
-        sketch.force(Text::new(format!("m{}", run.plane + 1)), (0.0, 0.0), at(run.weight));
+    for (n, run) in (1..).zip(&numbers.runs) {
+        let name = format!("{} ∠ {}", letter("m", n), letter("θ", n));
+        sketch.force(Text::verbatim(name), (0.0, 0.0), at(run.weight));
     }
     for (n, weight) in (1..).zip(weights) {
-        sketch.vector(Text::new(format!("W{n}")), (0.0, 0.0), at(*weight), Ink::Result);
+        sketch.vector(Text::verbatim(letter("W", n)), (0.0, 0.0), at(*weight), Ink::Result);
     }
     sketch.finish()
 }
@@ -152,12 +153,15 @@ fn triangle(numbers: &Numbers, row: usize, first: Complex<f64>) -> Drawing {
     let reach = numbers.runs.iter().map(|run| run.readings[row].norm()).fold(first.norm(), f64::max);
     let at = |vector: Complex<f64>| (vector.re / reach, vector.im / reach);
     let mut sketch = dial(Text::new("Vectors of reading {n}").with("n", row + 1));
-    sketch.motion("V", (0.0, 0.0), at(first));
+    let reading = |run: &str| Text::verbatim(format!("A{run} ∠ φ{run}"));
+    let sensor = dalembert_units::subscript(row + 1);
+    sketch.motion(reading(&format!("_0{sensor}")), (0.0, 0.0), at(first));
     let mut before = first;
     for (n, run) in (1..).zip(&numbers.runs) {
         let after = run.readings[row];
-        sketch.motion(Text::new(format!("R{n}")), (0.0, 0.0), at(after)).edge(
-            Text::new(format!("T{n}")),
+        let of_run = format!("{},{sensor}", dalembert_units::subscript(n));
+        sketch.motion(reading(&of_run), (0.0, 0.0), at(after)).edge(
+            Text::verbatim(letter("T", n)),
             at(before),
             at(after),
             Ink::Force,

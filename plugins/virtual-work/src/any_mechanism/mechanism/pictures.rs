@@ -8,7 +8,7 @@ use dalembert_core::{
 use dalembert_mechanics::planar::{BodyPoint, LoadId, PlanarState};
 
 use super::{Mechanism, Sample, Solved};
-use crate::shared::parts::{Driven, Joint, drawing::place, verbatim};
+use crate::shared::parts::{Driven, Joint, verbatim};
 
 impl Solved<'_> {
     /// All figures and tables.
@@ -173,17 +173,16 @@ impl Solved<'_> {
             .iter()
             .filter(|_| samples.len() > 1)
             .map(|watched| {
-                let point = self.parts.point(watched.point);
-                let at = |sample: &Sample| place(self.system, point, &sample.state);
+                let at = |sample: &Sample| self.parts.place(watched.point, &sample.state.positions);
                 samples.iter().map(at).collect()
             })
             .collect();
         let frame = |state: &PlanarState| {
             let mut sketch = Sketch::default();
             for path in &paths {
-                sketch.curve(path.as_slice(), Ink::Faint);
+                sketch.curve(path.as_slice(), Ink::Motion);
             }
-            self.parts.draw(self.system, state, size, &mut sketch);
+            self.parts.draw(&state.positions, size, &mut sketch);
             sketch
         };
         let mut frames = vec![frame(self.state)];
@@ -211,7 +210,8 @@ impl Solved<'_> {
         let drawn: Vec<f64> = self.parts.drivers.iter().map(|drive| drive.what.drawn()).collect();
         let there = self.system.continue_to(&self.state.positions, &drawn);
         let there = there.and_then(|there| self.system.kinetostatics(&there.positions));
-        self.parts.size(self.system, there.as_ref().map_or(self.state, |(state, _)| state))
+        let state = there.as_ref().map_or(self.state, |(state, _)| state);
+        self.parts.size(self.system, &state.positions)
     }
 
     fn here(&self) -> f64 {

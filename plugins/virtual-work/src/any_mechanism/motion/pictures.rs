@@ -6,7 +6,7 @@ use dalembert_core::{
 use dalembert_mechanics::planar::Snapshot;
 
 use super::{Motion, Solved};
-use crate::shared::parts::{drawing::place, verbatim};
+use crate::shared::parts::verbatim;
 
 impl Solved<'_> {
     /// All figures and tables.
@@ -38,7 +38,7 @@ impl Solved<'_> {
                 Exhibit::Plot(self.over_time(title, "Speed", "m/s", vec![line]))
             });
             sheet.show(|| {
-                let at = |moment: &Snapshot| place(self.system, point, &moment.state);
+                let at = |moment: &Snapshot| self.parts.place(followed.point, &moment.state.positions);
                 let path = self.moved.samples.iter().map(at).collect();
                 let times = self.moved.samples.iter().map(|moment| moment.time).collect();
                 let answer = Name::from(("position", row));
@@ -91,21 +91,20 @@ impl Solved<'_> {
     fn animation(&self, problem: &Motion) -> Animation {
         const FRAMES: usize = 24;
         let moments = &self.moved.samples;
-        let sizes = moments.iter().map(|moment| self.parts.size(self.system, &moment.state));
+        let sizes = moments.iter().map(|moment| self.parts.size(self.system, &moment.state.positions));
         let size = sizes.fold(0.0, f64::max);
         let path = |followed: &super::Continuation| {
-            let point = self.parts.point(followed.point);
-            let at = |moment: &Snapshot| place(self.system, point, &moment.state);
+            let at = |moment: &Snapshot| self.parts.place(followed.point, &moment.state.positions);
             moments.iter().map(at).collect()
         };
         let paths: Vec<Vec<At>> = problem.watched.iter().map(path).collect();
         let frame = |k: usize| {
             let mut sketch = Sketch::default();
             for path in &paths {
-                sketch.curve(path.as_slice(), Ink::Faint);
+                sketch.curve(path.as_slice(), Ink::Motion);
             }
             let moment = &moments[k * (moments.len() - 1) / (FRAMES - 1)];
-            self.parts.draw(self.system, &moment.state, size, &mut sketch);
+            self.parts.draw(&moment.state.positions, size, &mut sketch);
             sketch
         };
         Sketch::animation("Mechanism", (0..FRAMES).map(frame), 4.0)

@@ -1,6 +1,6 @@
 //! The arm as a mechanism, its animation, and the load that it carries at each angle.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use dalembert_core::{Axis, Exhibit, Ink, Plot, Series, Sketch, Text, exhibit::Point as At};
 use dalembert_mechanics::planar::{
@@ -111,6 +111,7 @@ impl SpringLever {
                 let wound = (radius * angle).max(-0.4 * arm).min(0.4 * arm) - 0.5 * arm;
                 sketch
                     .disc("", o, *radius)
+                    .line("a", o, polar(*radius, turned + PI), Ink::Faint)
                     .bars([(-radius, 0.0), (-radius, wound)])
                     .spring("k", (-radius, bottom), (-radius, wound))
                     .ground((-radius - 0.2 * arm, bottom), (0.2 * arm - radius, bottom));
@@ -118,22 +119,32 @@ impl SpringLever {
             ArmSpring::Points { on_arm, on_arm_angle, fixed, fixed_angle, .. } => {
                 let (end, fixed) =
                     (polar(*on_arm, turned + on_arm_angle), polar(*fixed, self.tilt() + fixed_angle));
-                sketch.bars([o, end]).spring("k", fixed, end).pin("", fixed);
+                let up = FRAC_PI_2 - self.tilt();
+                if *on_arm_angle != 0.0 {
+                    sketch.angle("γ", o, FRAC_PI_2 - turned, FRAC_PI_2 - turned - on_arm_angle);
+                }
+                sketch
+                    .line("d", o, fixed, Ink::Faint)
+                    .angle("δ", o, up, up - fixed_angle)
+                    .link("b", o, end)
+                    .spring("k", fixed, end)
+                    .pin("", fixed);
             }
             ArmSpring::Sides { height, .. } => {
                 let end = polar(*height, turned);
                 let across = polar(1.2 * arm, self.tilt() + FRAC_PI_2);
                 let foot = polar(*height, self.tilt());
+                sketch.dimension("a", o, foot, 2.0);
                 for sign in [-1.0, 1.0] {
                     let wall = (foot.0 + sign * across.0, foot.1 + sign * across.1);
                     sketch.spring("k", wall, end).pin("", wall);
                 }
             }
         }
-        sketch.link("", o, tip).pin("", o).label("θ", polar(0.5 * arm, self.tilt() + angle / 2.0));
+        sketch.link("l", o, tip).pin("", o).label("θ", polar(0.5 * arm, self.tilt() + angle / 2.0));
         let below = (tip.0, tip.1 - 0.4 * arm);
         match &self.load {
-            ArmLoad::Mass { .. } => sketch.particle("", tip).force("W", tip, below),
+            ArmLoad::Mass { .. } => sketch.particle("m", tip).force("W", tip, below),
             ArmLoad::Force { .. } => sketch.force("P", tip, below),
             ArmLoad::Couple { .. } => sketch.couple("M", o, (2.4, 0.3), Ink::Force),
         };

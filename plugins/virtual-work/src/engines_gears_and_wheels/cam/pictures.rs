@@ -1,6 +1,6 @@
 //! Plots of the motion and drawing of cam and follower.
 
-use dalembert_core::{Axis, Drawing, Ink, Plot, Series, Sketch, exhibit::Point};
+use dalembert_core::{Axis, Drawing, Ink, Plot, Series, Sketch, Text, exhibit::Point};
 
 use super::{
     follower::Outline,
@@ -8,6 +8,7 @@ use super::{
     motion::Units,
     program::{Course, Motion},
 };
+use crate::shared::figure::{letter, turning};
 
 /// Course, contact and load that are shown.
 pub(super) struct View<'a> {
@@ -103,6 +104,40 @@ impl View<'_> {
         plots
     }
 
+    /// The course of the follower over the angle of the cam, as a timing diagram is drawn: its lift and its angles.
+    pub(super) fn diagram(&self) -> Drawing {
+        const WIDE: f64 = 3.0;
+        let segments = &self.course.segments;
+        let whole: f64 = segments.iter().map(|segment| segment.turn).sum();
+        let motions = self.course.motions();
+        let highest = motions.iter().fold(0.0f64, |most, motion| most.max(motion.lift.abs()));
+        let (start, scale) = (segments.first().map_or(0.0, |first| first.from), 1.0 / highest.max(1e-300));
+        let at = |angle: f64, lift: f64| (WIDE * (angle - start) / whole, scale * lift);
+        let mut sketch = Sketch::new("Lift of the follower over the angle of the cam");
+        let course: Vec<Point> = motions.iter().map(|motion| at(motion.angle, motion.lift)).collect();
+        sketch
+            .motion("θ", (0.0, 0.0), (1.1 * WIDE, 0.0))
+            .motion("s", (0.0, 0.0), (0.0, 1.3))
+            .curve(course, Ink::Body);
+        let several = segments.len() > 1;
+        for (row, segment) in (1..).zip(segments) {
+            let name =
+                |symbol: &str| Text::verbatim(if several { letter(symbol, row) } else { symbol.to_owned() });
+            let end = segment.from + segment.turn;
+            sketch.dimension(name("β"), at(segment.from, 0.0), at(end, 0.0), -3.0);
+            if segment.rise != 0.0 {
+                let low = segment.start.min(segment.start + segment.rise);
+                let side = if segment.rise > 0.0 { end } else { segment.from };
+                sketch.dimension(name("h"), at(side, low), at(side, low + segment.rise.abs()), -1.5);
+            }
+        }
+        if self.speed.is_some() {
+            let tail = at(start + 0.3 * whole, -0.42 * highest);
+            sketch.label("ω", tail);
+        }
+        sketch.finish()
+    }
+
     /// Cam and follower at a cam angle.
     pub(super) fn drawing(&self, outline: &Outline<f64>, motion: &Motion) -> Drawing {
         let mut sketch = Sketch::new("Cam and follower");
@@ -129,6 +164,9 @@ impl View<'_> {
                 .map_or(x.hypot(y), |tangent| tangent.point[0].hypot(tangent.point[1]) - roller),
         };
         sketch.circle((0.0, 0.0), base, Ink::Faint).curve(profile, Ink::Body).pin("O", (0.0, 0.0));
+        if self.speed.is_some() {
+            turning(&mut sketch, (0.0, 0.0), ("ω", outline.sign()), ("", 0.0));
+        }
         let [cx, cy] = outline.contact(motion.lift, motion.rate, motion.second);
         let high = 2.2 * base + motion.lift.min(base);
         match (*outline, outline.tangent_at(motion)) {

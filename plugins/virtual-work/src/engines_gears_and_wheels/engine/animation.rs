@@ -1,11 +1,12 @@
 //! The engine in motion, with its forces.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use dalembert_core::{Exhibit, Ink, Point, Sketch};
 use dalembert_mechanics::slider_crank::{engine::Forces, piston};
 
-use super::exhibits::View;
+use super::{Gas, Throw, exhibits::View};
+use crate::shared::figure;
 
 const FRAMES: u32 = 24;
 
@@ -77,15 +78,40 @@ fn frame(view: &View<'_>, angle: f64, forces: Option<&Forces>, size: f64) -> Ske
             Ink::Faint,
         )
         .body(
-            "",
+            if view.engine.reciprocating > 0.0 { "m_R" } else { "" },
             [(-half, -half), (half, -half), (half, half), (-half, half)]
                 .map(|(x, y)| turned((gudgeon.0 + x, e + y))),
         )
         .link("r", o, a)
         .link("l", a, b)
+        .axis(o, turned((0.8 * r, 0.0)))
+        .angle("θ", o, stands, stands + angle.rem_euclid(TAU))
         .pin("O", o)
         .joint("A", a)
         .joint("P", b);
+    let wall = e - 1.2 * half;
+    if has_bore(&view.engine.gas) {
+        let top = [(high, wall), (high, e + 1.2 * half)].map(turned);
+        sketch.dimension("D", top[0], top[1], -2.0);
+    }
+    if let Throw::Stroke { .. } = view.engine.throw {
+        let ends = [(far - 2.0 * r, wall), (far, wall)].map(turned);
+        sketch.dimension("S", ends[0], ends[1], -2.0);
+    }
+    if e != 0.0 {
+        let ends = [(low, 0.0), (low, e)].map(turned);
+        sketch.dimension("e", ends[0], ends[1], 0.0);
+    }
+    if view.engine.friction.is_some_and(|friction| friction > 0.0) {
+        // Against the motion, beside the piston; the crank turns forward.
+        let way = if angle.rem_euclid(TAU) < PI { 1.0 } else { -1.0 };
+        let beside = |along: f64| turned((gudgeon.0 + way * along * half, e + 0.8 * half));
+        sketch.force("F_f", beside(-1.0), beside(1.0));
+    }
+    if view.running {
+        let speed = if view.crank.speed == 0.0 { 1.0 } else { view.crank.speed };
+        figure::turning(&mut sketch, o, ("ω", speed), ("", 0.0));
+    }
     if kernel.rod_mass > 0.0 {
         let part = kernel.rod_centre / l;
         let centre = (pin.0 + part * (gudgeon.0 - pin.0), pin.1 + part * (gudgeon.1 - pin.1));
@@ -105,4 +131,16 @@ fn frame(view: &View<'_>, angle: f64, forces: Option<&Forces>, size: f64) -> Ske
         }
     }
     sketch
+}
+
+/// True where the force is that of pressures on a piston of a known bore.
+fn has_bore(gas: &Gas) -> bool {
+    match gas {
+        Gas::Nothing | Gas::Force { .. } | Gas::Balancing { .. } => false,
+        Gas::Pressures { .. }
+        | Gas::Expansion { .. }
+        | Gas::Cycle { .. }
+        | Gas::Stroke { .. }
+        | Gas::Angle { .. } => true,
+    }
 }

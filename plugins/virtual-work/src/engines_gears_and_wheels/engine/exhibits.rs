@@ -9,6 +9,7 @@ use dalembert_mechanics::slider_crank::{
 };
 
 use super::{
+    Engine,
     cycle::{self, Turned},
     gas::GasCycle,
 };
@@ -18,6 +19,7 @@ const POINTS: u32 = 180;
 
 /// Data of the plots.
 pub(super) struct View<'a> {
+    pub engine: &'a Engine,
     pub kernel: &'a Kernel,
     pub crank: CrankMotion,
     /// Of the piston, where it is given in place of a speed.

@@ -7,7 +7,10 @@ use dalembert_core::{
 };
 
 use super::{Closing, FourBar, FourBarPosition, FourBarUnknown};
-use crate::shared::built::{self, Range, Template, TemplateRange};
+use crate::shared::{
+    built::{self, Range, Template, TemplateRange},
+    figure,
+};
 
 impl FourBar {
     pub(super) fn show<W: Worksheet>(&self, sheet: W) {
@@ -74,23 +77,34 @@ impl FourBar {
                 let found = there.plain()?;
                 let [o, a, b, c] = there.pins(&found).map(At::from);
                 if path.len() > 1 {
-                    sketch.curve(path.as_slice(), Ink::Faint);
+                    sketch.curve(path.as_slice(), Ink::Motion);
                 }
-                sketch
-                    .axis(o, c)
-                    .link("a", o, a)
-                    .link("b", a, b)
-                    .link("c", c, b)
-                    .pin("O₂", o)
-                    .pin("O₄", c)
-                    .joint("A", a)
-                    .joint("B", b)
-                    .angle("θ₂", o, 0.0, angle.rem_euclid(TAU));
+                sketch.line("d", o, c, Ink::Faint).link("a", o, a).link("b", a, b).link("c", c, b).angle(
+                    "θ₂",
+                    o,
+                    0.0,
+                    angle.rem_euclid(TAU),
+                );
                 if let (Some(point), Some(at)) = (&there.point, found.place) {
                     let at = At::from(at);
-                    sketch.bars([a, at, b]).label("P", at);
+                    let foot = figure::away(a, point.along, found.angles[0]);
+                    sketch.bars([a, at, b]).dimension("p", a, foot, -1.5);
+                    if point.across != 0.0 {
+                        sketch.line("q", foot, at, Ink::Faint);
+                    }
+                    sketch.joint("P", at);
                     built::forces(sketch, &[("F_P", at, [point.force.x, point.force.y])], 0.5 * self.frame);
                 }
+                figure::link_mass(sketch, 2, there.crank_mass.as_ref(), (o, a), 2.0);
+                figure::link_mass(sketch, 3, there.coupler_mass.as_ref(), (a, b), -3.0);
+                figure::link_mass(sketch, 4, there.rocker_mass.as_ref(), (c, b), -2.0);
+                sketch.pin("O₂", o).pin("O₄", c).joint("A", a).joint("B", b);
+                let (crank, rocker) = match there.unknown {
+                    FourBarUnknown::Torque { load } => (0.0, load),
+                    FourBarUnknown::Load { torque } => (torque, 0.0),
+                };
+                figure::turning(sketch, o, ("ω₂", there.speed), ("T₂", crank));
+                figure::turning(sketch, c, ("", 0.0), ("T₄", rocker));
                 Some(())
             })
         });

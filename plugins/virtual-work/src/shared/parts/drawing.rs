@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use dalembert_core::{Ink, Reference, Sketch};
-use dalembert_mechanics::planar::{BodyFrame, BodyPoint, Model, PlanarState, Pose, Profile};
+use dalembert_mechanics::planar::{BodyFrame, Model, Pose, Profile};
 
 use super::{
     Connection, Follower, Joint, PartLoad, Parts,
@@ -13,9 +13,9 @@ use super::{
 
 impl Parts {
     /// The size of the drawing; that of the mechanism where all points are in one place.
-    pub(crate) fn size(&self, system: &Model, state: &PlanarState) -> f64 {
+    pub(crate) fn size(&self, system: &Model, positions: &[[f64; 3]]) -> f64 {
         let all: Vec<(f64, f64)> =
-            (0..self.points.len()).map(|row| place(system, self.point(Reference(row)), state)).collect();
+            (0..self.points.len()).map(|row| self.place(Reference(row), positions)).collect();
         let extent = |of: fn(&(f64, f64)) -> f64| {
             let (low, high) = all.iter().map(of).fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
             high - low
@@ -24,13 +24,16 @@ impl Parts {
         if largest > 0.0 { largest } else { system.size() }
     }
 
+    /// Position of a point.
+    pub(crate) fn place(&self, point: Reference, positions: &[[f64; 3]]) -> (f64, f64) {
+        let point = self.point(point);
+        let [x, y] = point.on.map_or(point.at, |body| Pose::new(positions[body]).point(point.at));
+        (x, y)
+    }
+
     /// The bodies as lines through their points, and springs and rods between theirs.
     pub(crate) fn outline(&self, positions: &[[f64; 3]], ink: Ink, sketch: &mut Sketch) {
-        let at = |reference: Reference| {
-            let point = self.point(reference);
-            let [x, y] = point.on.map_or(point.at, |body| Pose::new(positions[body]).point(point.at));
-            (x, y)
-        };
+        let at = |reference: Reference| self.place(reference, positions);
         for body in 0..self.bodies.len() {
             let carried = self.points.iter().enumerate().filter(|(_, spot)| spot.on == Some(body));
             let mut corners: Vec<(f64, f64)> = carried.map(|(row, _)| at(Reference(row))).collect();
@@ -59,16 +62,16 @@ impl Parts {
         }
     }
 
-    /// Bodies, joints and loads of a position.
-    pub(crate) fn draw(&self, system: &Model, state: &PlanarState, size: f64, sketch: &mut Sketch) {
-        let at = |reference: Reference| place(system, self.point(reference), state);
+    /// Bodies, joints and loads of a position, with their letters.
+    pub(crate) fn draw(&self, positions: &[[f64; 3]], size: f64, sketch: &mut Sketch) {
+        let at = |reference: Reference| self.place(reference, positions);
         sketch.size(size);
         for connection in &self.joints {
             match &connection.joint {
                 Joint::Slider { guide, direction, slides, .. }
                 | Joint::Slot { guide, direction, pin: slides, .. }
                 | Joint::Rolling { guide, direction, centre: slides, .. } => {
-                    let turned = self.points[guide.0].on.map_or(0.0, |body| state.positions[body][2]);
+                    let turned = self.points[guide.0].on.map_or(0.0, |body| positions[body][2]);
                     let (sin, cos) = (direction + turned).sin_cos();
                     let ((gx, gy), (px, py)) = (at(*guide), at(*slides));
                     let way = (px - gx) * cos + (py - gy) * sin;
@@ -82,7 +85,7 @@ impl Parts {
                         }
                         Joint::Rolling { radius, .. } => {
                             let body = self.points[slides.0].on;
-                            let angle = body.map_or(0.0, |body| state.positions[body][2]) - FRAC_PI_2;
+                            let angle = body.map_or(0.0, |body| positions[body][2]) - FRAC_PI_2;
                             let rim = (px + radius * angle.cos(), py + radius * angle.sin());
                             sketch.circle((px, py), radius, Ink::Body).axis((px, py), rim);
                         }
@@ -91,7 +94,7 @@ impl Parts {
                 }
                 Joint::Contour { centre, contour, follower } => {
                     let body = self.points[centre.0].on;
-                    let turned = body.map_or(0.0, |body| state.positions[body][2]);
+                    let turned = body.map_or(0.0, |body| positions[body][2]);
                     let (x, y) = at(*centre);
                     let corner = |[angle, radius]: [f64; 2]| {
                         (x + radius * (angle + turned).cos(), y + radius * (angle + turned).sin())
@@ -105,29 +108,35 @@ impl Parts {
                 }
                 Joint::Geneva { driver, wheel, carrier, slots, pin, .. } => {
                     let centres = [driver, wheel].map(|body| self.bearing(body.0, carrier.frame()));
-                    let [angle, turned] = [driver, wheel].map(|body| state.positions[body.0][2]);
+                    let [angle, turned] = [driver, wheel].map(|body| positions[body.0][2]);
                     if let [Some(driver), Some(wheel)] = centres {
-                        let assembled = self.slot_angle(connection, state).unwrap_or(turned);
+                        let assembled = self.slot_angle(connection, positions).unwrap_or(turned);
                         draw_geneva([at(driver), at(wheel)], (*slots, assembled, angle + pin), sketch);
                     }
                 }
                 _ => {}
             }
         }
-        self.outline(&state.positions, Ink::Body, sketch);
+        self.outline(positions, Ink::Body, sketch);
         for (row, spot) in self.points.iter().enumerate() {
-            // The pin of a body lies on the point that it is named after; a point described in place has no letter.
-            let is_drawn = self.points[..row].iter().any(|before| before.name == spot.name);
-            if spot.name.contains('(') || is_drawn && !spot.name.is_empty() {
+            // Pins of several bodies lie on each other under the first of their names; a point described in place has no
+            // letter.
+            let point = at(Reference(row));
+            let lies_on = |before: usize| {
+                let other = at(Reference(before));
+                (other.0 - point.0).hypot(other.1 - point.1) < 1e-6 * size
+            };
+            if spot.name.contains('(') || (0..row).any(lies_on) {
                 continue;
             }
-            let (name, point) = (verbatim(&spot.name), at(Reference(row)));
+            let name = verbatim(&spot.name);
             match spot.on {
                 None => sketch.pin(name, point),
                 Some(_) => sketch.joint(name, point),
             };
         }
-        self.draw_loads(system, state, size, sketch);
+        self.draw_loads(positions, size, sketch);
+        self.letters(positions, size, sketch);
     }
 
     /// The pin of a body on its carrier.
@@ -143,17 +152,17 @@ impl Parts {
     }
 
     /// The direction of a slot of a Geneva wheel from its centre.
-    fn slot_angle(&self, connection: &Connection, state: &PlanarState) -> Option<f64> {
+    fn slot_angle(&self, connection: &Connection, positions: &[[f64; 3]]) -> Option<f64> {
         let Joint::Geneva { driver, carrier, slots, direction, pin, .. } = &connection.joint else {
             return None;
         };
-        let carried = carrier.frame().map_or(0.0, |body| state.positions[body][2]);
+        let carried = carrier.frame().map_or(0.0, |body| positions[body][2]);
         let geometry = geneva_wheel(*slots, *direction, *pin)?;
-        Some(direction + carried + PI + geometry.at(state.positions[driver.0][2] - carried)[0])
+        Some(direction + carried + PI + geometry.at(positions[driver.0][2] - carried)[0])
     }
 
-    fn draw_loads(&self, system: &Model, state: &PlanarState, size: f64, sketch: &mut Sketch) {
-        let at = |reference: Reference| place(system, self.point(reference), state);
+    fn draw_loads(&self, positions: &[[f64; 3]], size: f64, sketch: &mut Sketch) {
+        let at = |reference: Reference| self.place(reference, positions);
         let largest = self.loads.iter().fold(0.0f64, |most, load| match &load.load {
             PartLoad::Force { force, .. } => most.max(force.norm()),
             _ => most,
@@ -161,7 +170,7 @@ impl Parts {
         for load in &self.loads {
             match &load.load {
                 PartLoad::Force { at: point, force, axes } if largest > 0.0 => {
-                    let turned = axes.frame().map_or(0.0, |body| state.positions[body][2]);
+                    let turned = axes.frame().map_or(0.0, |body| positions[body][2]);
                     let (sin, cos) = turned.sin_cos();
                     let (x, y) = (force.x * cos - force.y * sin, force.x * sin + force.y * cos);
                     let tip = at(*point);
@@ -205,10 +214,4 @@ fn draw_geneva([driver, wheel]: [(f64, f64); 2], (slots, slot, arm): (u32, f64, 
 fn corners_of(outline: &Profile) -> impl Iterator<Item = [f64; 2]> {
     const PARTS: usize = 72;
     (0..=PARTS).map(|n| TAU * n as f64 / PARTS as f64).map(|angle| [angle, outline.at(angle)[0]])
-}
-
-/// Position of a point.
-pub(crate) fn place(system: &Model, point: BodyPoint, state: &PlanarState) -> (f64, f64) {
-    let [[x, y], ..] = system.point(point, state);
-    (x, y)
 }
