@@ -189,7 +189,7 @@ impl Pane for Plot {
             Gesture::Drag(held) if state.view.window.is_some() => {
                 state.panned(plot, (f64::from(held) - f64::from(at.x)) / f64::from(cells))
             }
-            Gesture::Press | Gesture::Drag(_) => state.with_pointer(plot, place),
+            Gesture::Press | Gesture::Drag(_) => state.with_cursor(plot, place),
             Gesture::WheelUp => state.zoomed_at(plot, place, NOTCH),
             Gesture::WheelDown => state.zoomed_at(plot, place, 1.0 / NOTCH),
         };
