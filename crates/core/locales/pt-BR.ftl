@@ -678,6 +678,7 @@ at-value = em { $value }
 curve-at-value = { $curve } em { $value }
 
 # Curvas e estatísticas de estudos
+the-problem-has-other-answers-there = ali o problema tem outros resultados
 the-first-drawn-of-all-curves-are-drawn = são desenhadas as { $drawn } primeiras de { $all } curvas
 one-other = { $one }, { $other }
 quartiles-first-median-third = quartis { $first }, { $median }, { $third }

@@ -15,7 +15,10 @@ use std::{
 use crossterm::{Command, clipboard::CopyToClipboard};
 use dalembert_core::{Entry, Language, Text, catalogue};
 
-use self::{watch::WatchedFile, wheel::limit_wheel};
+use self::{
+    watch::WatchedFile,
+    wheel::{is_movement, limit_wheel},
+};
 use crate::{
     bench::Bench,
     dialog::{After, Editing},
@@ -295,20 +298,26 @@ impl Runtime {
             }
             let mut waiting: Vec<Effect> = Vec::new();
             for input in limit_wheel(inputs) {
-                stale = true;
+                // A movement over nothing that is read there changes no cell.
+                let (moves, hovered) = (is_movement(&input), model.hovered);
                 let msg = match input {
                     TerminalInput::Key(key) => Msg::Key(key),
                     TerminalInput::Paste(text) => Msg::Paste(text),
                     TerminalInput::Resize { columns, rows } => Msg::Resize(columns, rows),
                     TerminalInput::Notice(text) => Msg::Notice(text),
                     TerminalInput::Mouse(event) => Msg::Mouse(event),
-                    TerminalInput::Redraw => continue,
+                    TerminalInput::Redraw => {
+                        stale = true;
+                        continue;
+                    }
                 };
                 if let Some(Err(error)) = self.recorder.as_mut().map(|recorder| recorder.note(&msg)) {
                     self.recorder = None;
                     not_recorded(model, &error);
                 }
-                for effect in update(model, msg) {
+                let effects = update(model, msg);
+                stale |= !moves || hovered.or(model.hovered).is_some();
+                for effect in effects {
                     waiting.retain(|older| !older.is_idle_after(&effect));
                     waiting.push(effect);
                 }

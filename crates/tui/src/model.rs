@@ -71,6 +71,8 @@ pub struct Model {
     pub mouse: bool,
     /// The column that a plot is held at by the mouse.
     pub held: Option<u16>,
+    /// The pane that reads what is under the mouse.
+    pub hovered: Option<Tab>,
     /// True if animations play.
     pub playing: bool,
     /// Playback speed of animations, over their own.
@@ -243,6 +245,7 @@ impl Model {
             decimal: None,
             mouse: false,
             held: None,
+            hovered: None,
             playing: true,
             animation_speed: 1.0,
             size: (80, 24),
