@@ -93,7 +93,10 @@ pub fn play(replay: &Replay, folder: &Path) -> Result<ReplayResult, ReplayFailur
             Act::Paste(text) => harness.happens(Msg::Paste(text.clone())),
             Act::Resize(columns, rows) => harness.resizes(*columns, *rows),
             Act::Wait(time) => pass(&mut harness, *time),
-            Act::UntilSolved => {}
+            Act::UntilSolved | Act::Pause => {}
+            Act::Caption(text) => {
+                harness.model.caption = Some(text.clone()).filter(|text| !text.is_empty());
+            }
             Act::Picture(name) => {
                 let text = harness.text();
                 pictures.push(Picture { name: name.clone(), text, svg: svg::screen(harness.draws()) });
