@@ -673,7 +673,12 @@ optimum = Ótimo
 the-inputs-with-which-an-answer-is-as-small-or-as-large-as-possible-under-limits-of-others = Os dados com os quais um resultado é o menor ou o maior possível, sob limites de outros.
 value-or-requirement = Valor ou requisito
 
+# Onde o problema está em um gráfico
+at-value = em { $value }
+curve-at-value = { $curve } em { $value }
+
 # Curvas e estatísticas de estudos
+the-problem-has-other-answers-there = ali o problema tem outros resultados
 the-first-drawn-of-all-curves-are-drawn = são desenhadas as { $drawn } primeiras de { $all } curvas
 one-other = { $one }, { $other }
 quartiles-first-median-third = quartis { $first }, { $median }, { $third }

@@ -12,7 +12,8 @@ use std::{
 
 use crate::{
     Answer, Exhibit, Field, FieldError, FieldPath, Inputs, LinkedProblem, Record, Shape, Sheet, Solution,
-    Source, Text, Value, Worksheet, assumed, definitions, input::Lift, tolerances, unknowns, vary,
+    Source, Text, Value, Worksheet, assumed, definitions, exhibit::mark_given, input::Lift, tolerances,
+    unknowns, vary,
 };
 
 /// Description of an analysis, read before picking it.
@@ -359,6 +360,7 @@ fn worked(
     }
     solution.warnings.splice(0..0, assumed::warnings(record));
     forget_absent(&mut solution.exhibits, record.clone());
+    mark_given(&mut solution.exhibits, record, &solution.answers);
     Ok(solution)
 }
 

@@ -2,7 +2,7 @@
 
 mod clip;
 mod deferred;
-
+mod marks;
 mod side;
 mod space;
 mod units;
@@ -15,6 +15,7 @@ use std::{
 
 pub use self::clip::clipped;
 pub use self::deferred::{Deferred, Frames};
+pub(crate) use self::marks::mark_given;
 pub use self::side::LabelSide;
 pub use self::space::{Point3, Scene, Shape3, Viewpoint3};
 use dalembert_units::Unit;
@@ -56,6 +57,9 @@ pub struct Plot {
     pub levels: Vec<Level>,
     /// Quantity of the horizontal axis that the problem can be solved over; `None` where no input varies along it.
     pub over: Option<Over>,
+    /// True if a length across and one up are the same quantity, so that circles are to be round: a path, a Nyquist
+    /// plane.
+    pub equal: bool,
 }
 
 /// Quantity that varies along the horizontal axis of a plot, so that the problem can be solved at every point of it.
@@ -259,7 +263,14 @@ impl Plot {
             bands: Vec::new(),
             levels: Vec::new(),
             over: None,
+            equal: false,
         }
+    }
+
+    /// The same plot with equal scales across and up.
+    #[must_use]
+    pub fn equal(self) -> Self {
+        Self { equal: true, ..self }
     }
 
     /// The same plot over the input at a path: every abscissa is a value of it, and a solve with that value gives the

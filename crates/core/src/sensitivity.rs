@@ -83,7 +83,8 @@ pub fn sensitivity(
             .into_iter()
             .zip(sides.into_iter().chain(at_tolerance))
             .find(|(_, value)| value.is_nan());
-        let refused = missing.and_then(|(by, _)| vary::why_not(entry, record, &input, input.si + by, stop));
+        let refused =
+            missing.and_then(|(by, _)| vary::why_not(entry, record, (&input, input.si + by), answer, stop));
         influences.push(InputInfluence { input, tolerance, sides, at_tolerance, derivative, refused });
     }
     let spread = together(&mut again, value, &influences, stop)?;

@@ -1,6 +1,10 @@
 //! Parts of a solution: plain data, for a screen, a file or a test.
 
-use std::{fmt, ops::Range, sync::Arc};
+use std::{
+    fmt,
+    ops::{Bound, Range},
+    sync::Arc,
+};
 
 use dalembert_numerics::intervals::IntervalSet;
 use dalembert_units::{self as units, Dim, Unit};
@@ -188,6 +192,27 @@ impl Solution {
     /// The answer of that name.
     pub fn answer(&self, name: &str) -> Option<&Answer> {
         self.answers.iter().find(|answer| answer.name.is(name))
+    }
+
+    /// Numbers among the answers that are limits of a set among them: the largest diameter of one branch and the smallest
+    /// of the other.
+    pub fn limits_of(&self, set: &Answer) -> Vec<&Answer> {
+        let AnswerValue::Set(intervals, _) = &set.value else { return Vec::new() };
+        let ends: Vec<f64> = intervals
+            .intervals()
+            .flat_map(|interval| [interval.lower, interval.upper])
+            .filter_map(|bound| match bound {
+                Bound::Included(si) | Bound::Excluded(si) => Some(si),
+                Bound::Unbounded => None,
+            })
+            .collect();
+        let is_end = |si: f64| ends.iter().any(|end| (end - si).abs() <= 1e-12 * end.abs());
+        let is_limit = |answer: &&Answer| {
+            answer.si().is_some_and(is_end)
+                && answer.unit.dim == set.unit.dim
+                && answer.problem == set.problem
+        };
+        self.answers.iter().filter(is_limit).collect()
     }
 
     /// Of the answers of these names, those that no other of them was made from: in them are all the others.

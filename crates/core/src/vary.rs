@@ -168,14 +168,25 @@ pub(crate) fn number<'r>(record: &'r mut Record, path: &str) -> Option<&'r mut f
     }
 }
 
-/// Reason for which the problem has no answer with another number at that path; `None` if it has one.
-pub fn why_not(entry: &Entry, record: &Record, input: &VariedInput, si: f64, stop: &Stop) -> Option<Text> {
+/// Reason for which the problem does not have an answer with another number at that path; `None` if it has it. Where it
+/// has others, what is doubtful about them is the reason: a limit that is not active is none.
+pub fn why_not(
+    entry: &Entry,
+    record: &Record,
+    (input, si): (&VariedInput, f64),
+    answer: &str,
+    stop: &Stop,
+) -> Option<Text> {
     if !input.permits(si) {
         return Some(Text::new("outside the limits of this input"));
     }
     match entry.solve(&changed(record, &input.path, si)?, stop) {
         Err(SolveError::Refused(Refusal::NoAnswer(why))) => Some(why),
         Err(SolveError::Fields(errors)) => errors.into_iter().next().map(|error| error.why),
+        Ok(solution) if solution.answer(answer).is_none() => {
+            let warning = solution.warnings.into_iter().next();
+            Some(warning.unwrap_or_else(|| Text::new("the problem has other answers there")))
+        }
         Err(SolveError::Refused(Refusal::Stopped)) | Ok(_) => None,
     }
 }

@@ -65,6 +65,8 @@ pub(crate) enum Command {
     Serve(Serve),
     /// Replay a recorded or written session of the workbench
     Replay(Replay),
+    /// Watch a tour of 90 seconds in the workbench; any key takes over
+    Tour(Tour),
     /// Print a completion script for a shell
     Completions(Completions),
     /// Print the manual page
@@ -363,6 +365,13 @@ pub(crate) struct Replay {
     /// Write the marked screens as SVG to this folder instead of printing them
     #[arg(long, value_name = "FOLDER", requires = "headless")]
     pub(crate) pictures: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Tour {
+    /// Speed factor
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = speed)]
+    pub(crate) speed: f64,
 }
 
 /// Between a hundredth and a hundredfold.

@@ -14,5 +14,6 @@ pub(crate) mod settings;
 pub(crate) mod show;
 pub(crate) mod solve;
 pub(crate) mod study;
+pub(crate) mod tour;
 pub(crate) mod verify;
 pub(crate) mod workbench;

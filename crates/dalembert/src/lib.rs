@@ -124,6 +124,7 @@ fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, F
         Some(Command::Schema(schema)) => commands::schema::run(schema, console),
         Some(Command::Serve(_)) => commands::serve::run(console),
         Some(Command::Replay(replay)) => commands::replay::run(replay, set, console),
+        Some(Command::Tour(tour)) => commands::tour::run(tour, set, console),
         Some(Command::Completions(completions)) => commands::completions::run(completions),
         Some(Command::Man(man)) => commands::man::run(man, console),
         Some(Command::Info) => commands::info::run(&set, console),

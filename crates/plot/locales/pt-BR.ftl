@@ -8,4 +8,5 @@ the-terminal-s-own-colours = as cores do próprio terminal
 dark = escuro
 light = claro
 high-contrast = alto contraste
+presenter-for-a-projector = apresentação, para projetor
 no-colour = sem cores

@@ -6,7 +6,7 @@ pub(crate) mod labels;
 mod rows;
 mod state;
 
-use dalembert_core::{Locale, Plot, Series};
+use dalembert_core::{Locale, Plot, Series, exhibit::Mark};
 use dalembert_report::figure::axes::Axes;
 use ratatui::{
     buffer::Buffer,
@@ -28,10 +28,10 @@ pub use dalembert_terminal::glyphs::PlotMarker as Marker;
 /// Reading of the cursor: `speed = 1500 rpm   X = 4.62 mm`, with `≈` between two computed points, and the marks it
 /// stands on. `None` without a cursor.
 pub fn readout(plot: &Plot, state: &PlotState, locale: &Locale) -> Option<String> {
-    Some(Axes::seen(plot, None, &state.view)?.readout(state.cursor?, locale).join("   "))
+    Some(Axes::seen(plot, None, &state.view)?.readout(state.read_at()?, locale).join("   "))
 }
 
-/// Draws a plot, over the faint curves of one that is pinned; any size will do. What there is no room for is left out
+/// Draws a plot, over the faint curves and marks of one that is pinned; any size will do. What there is no room for is left out
 /// in this order: titles, names of curves and axes, ticks, axes; the curves last.
 pub fn render(
     plot: &Plot,
@@ -58,7 +58,7 @@ pub fn render(
     let frame = Frame::of(&axes, state, Setting { area, marker, look, locale: &locale });
     frame.draw(look, buffer);
     let zero = axes.y.passes_zero();
-    axes.y.span = frame.up;
+    (axes.x.span, axes.y.span) = (frame.across, frame.up);
     let canvas = Canvas { axes: &axes, area: frame.canvas, marker, look, zero };
     canvas.draw(state, &locale, buffer);
 }
@@ -75,9 +75,11 @@ pub fn place_at(
     let locale = locale.ascii(look.ascii);
     let marker = if look.ascii { Marker::Ascii } else { state.marker };
     let axes = Axes::seen(plot, None, &state.view)?;
-    let canvas = Frame::of(&axes, state, Setting { area, marker, look, locale: &locale }).canvas;
+    let Frame { canvas, across, .. } =
+        Frame::of(&axes, state, Setting { area, marker, look, locale: &locale });
     let inside = f64::from(column) + 0.5 - f64::from(canvas.x);
-    (canvas.width > 0).then(|| (inside / f64::from(canvas.width), canvas.width))
+    let place = axes.x.span.place(across.value(inside / f64::from(canvas.width)))?;
+    (canvas.width > 0).then_some((place, canvas.width))
 }
 
 /// The pen of the curve of that place: a colour of its own, or, where there are no more, signs on it.
@@ -156,20 +158,22 @@ impl Canvas<'_> {
                 over(buffer, cell, point(n, look.ascii), look.series(n));
             }
         }
-        self.cursor(state, &dots, &mut labels, buffer);
-        let style = Style::new().add_modifier(Modifier::BOLD);
-        for mark in &plot.marks {
+        for mark in self.axes.pinned.iter().flat_map(|pinned| &pinned.marks) {
             if let Some(cell) = self.cell(&dots, mark.at) {
-                over(buffer, cell, if look.ascii { '@' } else { '●' }, style);
+                over(buffer, cell, if look.ascii { 'o' } else { '○' }, faint.style);
                 labels.reserve(cell);
             }
         }
-        let free = |x, y| dots.is_free(x, y);
-        for mark in &plot.marks {
-            if let Some(cell) = self.cell(&dots, mark.at) {
-                let words = look.shortened(&mark.label.render(locale), self.area.width.into());
-                labels.beside(&words, style, cell, free);
-            }
+        self.cursor(state, &dots, &mut labels, buffer);
+        let style = Style::new().add_modifier(Modifier::BOLD);
+        let marks = self.marks(&dots);
+        for (cell, _) in &marks {
+            over(buffer, *cell, if look.ascii { '@' } else { '●' }, style);
+            labels.reserve(*cell);
+        }
+        for (cell, mark) in &marks {
+            let words = look.shortened(&mark.label.render(locale), self.area.width.into());
+            labels.beside(&words, style, *cell, |x, y| dots.is_free(x, y));
         }
         self.level_labels(&dots, locale, &mut labels);
         self.band_labels(&dots, locale, &mut labels);
@@ -188,6 +192,28 @@ impl Canvas<'_> {
         let near = -1e-9..=1.0 + 1e-9;
         let inside = near.contains(&self.axes.x.of(at.0)?) && near.contains(&self.axes.y.of(at.1)?);
         self.dot(dots, at).filter(|_| inside).map(|dot| dots.cell_of(dot))
+    }
+
+    /// The marks inside the axes, each in a cell of its own: of several that fall in one, the next stands in the cell
+    /// beside it on its side, so that as many are seen as there are.
+    fn marks(&self, dots: &Dots) -> Vec<((u16, u16), &Mark)> {
+        let mut placed: Vec<((u16, u16), &Mark)> = Vec::new();
+        for mark in &self.axes.plot.marks {
+            let Some((x, y)) = self.cell(dots, mark.at) else { continue };
+            let there = placed.iter().find(|(cell, other)| *cell == (x, y) && other.at != mark.at);
+            let (right, left) = ((x.saturating_add(1), y), (x.wrapping_sub(1), y));
+            let sides = match there {
+                None => [(x, y); 3],
+                Some((_, other)) if mark.at.0 < other.at.0 => [left, right, (x, y)],
+                Some(_) => [right, left, (x, y)],
+            };
+            let is_free = |cell: &(u16, u16)| {
+                self.area.contains((*cell).into()) && placed.iter().all(|(other, _)| other != cell)
+            };
+            let cell = sides.into_iter().find(is_free).unwrap_or((x, y));
+            placed.push((cell, mark));
+        }
+        placed
     }
 
     /// Points of one column of dots are drawn as their first, least, largest and last: no peak is lost, and a
@@ -319,7 +345,7 @@ impl Canvas<'_> {
 
     /// A line down the plot, with a point on every curve it reads.
     fn cursor(&self, state: &PlotState, dots: &Dots, labels: &mut Labels, buffer: &mut Buffer) {
-        let Some(cursor) = state.cursor.and_then(|cursor| self.axes.within(cursor)) else { return };
+        let Some(cursor) = state.read_at().and_then(|cursor| self.axes.within(cursor)) else { return };
         let Some(place) = self.axes.x.of(cursor) else { return };
         let (x, _) = dots.cell_of((place * (f64::from(dots.size().0) - 1.0), 0.0));
         let style = Style::new().add_modifier(Modifier::BOLD);

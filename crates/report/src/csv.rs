@@ -54,7 +54,7 @@ pub fn plot_csv(plot: &Plot, seen: &Seen<'_>, locale: &Locale) -> Option<String>
     let axes = Axes::seen(plot, seen.pinned, &seen.view)?;
     let mut sheet = CsvSheet::default();
     let plain = Locale { style: Style { ascii: true, ..locale.style }, ..*locale };
-    sheet.headings(&["series", &axes.x.title(0, &plain), &axes.y.title(0, &plain)]);
+    sheet.headings(&["series", &axes.x.title(0, &plain).whole(), &axes.y.title(0, &plain).whole()]);
     let mut row = |label: &str, (x, y): (f64, f64)| {
         if axes.x.of(x).is_some_and(|place| (-1e-9..=1.0 + 1e-9).contains(&place)) {
             sheet.0.push(vec![words(label), number(axes.x.value(x)), number(axes.y.value(y))]);

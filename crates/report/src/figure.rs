@@ -7,6 +7,7 @@ mod letters;
 pub mod map;
 pub mod picture;
 mod plotted;
+pub mod ruler;
 mod sketched;
 pub mod strokes;
 pub mod ticks;

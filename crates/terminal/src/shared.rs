@@ -17,14 +17,14 @@ use super::{catch_panic, input::Waker};
 
 /// Alternate screen, bracketed paste, no cursor.
 const ENTER: &str = "\x1b[?1049h\x1b[?2004h\x1b[?25l";
-/// Buttons, drags and the wheel, in SGR coordinates; not every movement.
-const ENTER_MOUSE: &str = "\x1b[?1000h\x1b[?1002h\x1b[?1006h";
+/// Buttons, drags, the wheel and every movement, in SGR coordinates.
+const ENTER_MOUSE: &str = "\x1b[?1000h\x1b[?1002h\x1b[?1003h\x1b[?1006h";
 /// The mouse is the terminal's own again.
-const LEAVE_MOUSE: &str = "\x1b[?1006l\x1b[?1002l\x1b[?1000l";
+const LEAVE_MOUSE: &str = "\x1b[?1006l\x1b[?1003l\x1b[?1002l\x1b[?1000l";
 /// Everything that [`ENTER`] or an interrupted frame could have set. On a terminal that is already right it changes
 /// nothing but the cursor's place.
 pub(super) const LEAVE: &str =
-    "\x1b[?2026l\x1b[?1006l\x1b[?1002l\x1b[?1000l\x1b[?2004l\x1b[0m\x1b[?1049l\x1b[?25h";
+    "\x1b[?2026l\x1b[?1006l\x1b[?1003l\x1b[?1002l\x1b[?1000l\x1b[?2004l\x1b[0m\x1b[?1049l\x1b[?25h";
 
 /// Time that a process that has to end waits for its autosave, and for a terminal that does not take its bytes.
 const LAST_WISH: Duration = Duration::from_secs(2);

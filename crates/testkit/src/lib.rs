@@ -35,6 +35,7 @@ pub mod optima;
 pub mod papers;
 pub mod path_independence;
 pub mod perturbation;
+pub mod plots;
 pub mod printed;
 mod problems;
 pub mod unit_systems;

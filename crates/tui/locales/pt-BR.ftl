@@ -387,6 +387,7 @@ write-the-id-of-an-analysis-or-a-file = escreva o id de uma análise ou um arqui
 word-is-not-a-key-write-lt-for = { $word } não é uma tecla; escreva `<lt>` para `<`
 give-the-expected-text = indique o texto esperado
 unknown-command-word-write-screen-language-look-open-type-paste-resize-tab-wait-picture-or-expect = comando desconhecido `{ $word }`: escreva screen, language, look, open, type, paste, resize, tab, wait, picture ou expect
+unknown-command-word-write-screen-language-look-open-type-paste-resize-wait-pause-caption-picture-or = comando desconhecido `{ $word }`: escreva screen, language, look, open, type, paste, resize, wait, pause, caption, picture ou expect
 text-is-not-a-size-write-columns-and-rows-as-in-120x36 = `{ $text }` não é um tamanho: escreva colunas e linhas, como em `120x36`
 text-is-not-a-duration-write-400-ms-or-solved = `{ $text }` não é uma duração: escreva `400 ms` ou `solved`
 text-is-not-a-name-use-letters-digits-and = `{ $text }` não é um nome: use letras, algarismos, `-` e `_`
@@ -604,3 +605,18 @@ no-repair-is-suggested-for-this-field = não há correção sugerida para este c
 key-writes-text = { $key } escreve { $text }
 own-data = dados próprios
 position-of-the-problem = posição do problema
+
+## Sessões reproduzidas e a visita
+tour-any-key-is-yours-and-acts-at-once = visita · qualquer tecla é sua e age na hora
+paused-space-continues-any-other-key-ends-the-replay = pausada · espaço continua · qualquer outra tecla encerra a reprodução
+replay-speed-space-pause-speed-any-other-key-ends-it = reprodução { $speed }× · espaço pausa · + - velocidade · qualquer outra tecla encerra
+end-of-the-tour-the-keyboard-is-yours = fim da visita: o teclado é seu
+a-fan-on-a-beam-vibrates-on-the-left-what-is-given-in-any-unit-on-the-right-what-follows = Um ventilador vibra sobre uma viga: à esquerda os dados, em qualquer unidade; à direita os resultados
+the-speed-is-raised-key-by-key-and-every-answer-follows-at-once = A rotação sobe tecla a tecla, e todos os resultados acompanham na hora
+the-worked-solution-is-the-computation-itself-formula-numbers-result-and-source = A resolução é o próprio cálculo: fórmula, números, resultado e fonte
+the-curve-with-its-operating-point-read-by-the-arrow-keys-or-under-the-mouse = A curva com o ponto de operação, lida com as setas ou sob o mouse
+the-same-in-decibels = A mesma em decibéis
+a-result-is-pinned-the-speed-is-lowered-the-old-curve-and-its-point-stay-for-comparison = Fixa-se um resultado e baixa-se a rotação: a curva e o ponto antigos ficam para comparação
+the-machine-with-the-letters-of-the-form = A máquina, com as letras do formulário
+type-your-own-result-it-is-right-or-you-learn-which-slip-would-give-it = Digite o seu resultado: está certo, ou você fica sabendo que erro o explica
+all-analyses-in-one-list-type-a-word-of-your-problem-enter-opens-it-the-keyboard-is-yours = Todas as análises em uma lista: digite uma palavra do seu problema; Enter abre. O teclado é seu.

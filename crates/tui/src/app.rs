@@ -15,7 +15,10 @@ use std::{
 use crossterm::{Command, clipboard::CopyToClipboard};
 use dalembert_core::{Entry, Language, Text, catalogue};
 
-use self::{watch::WatchedFile, wheel::limit_wheel};
+use self::{
+    watch::WatchedFile,
+    wheel::{is_movement, limit_wheel},
+};
 use crate::{
     bench::Bench,
     dialog::{After, Editing},
@@ -24,7 +27,7 @@ use crate::{
     glyphs::{Capabilities, Colors, Environment, Glyphs, PlotMarker},
     look::Appearance,
     model::{EditError, Model, Msg},
-    replay::{Player, Recorder, Replay},
+    replay::{Player, Recorder, Replay, draw_caption},
     settings::{self, Settings},
     solver::{Solver, case_checker},
     terminal::{self, Fault, Guarded, Session, TerminalError, TerminalInput, fault},
@@ -46,8 +49,9 @@ const ANIMATION_SHARE: u32 = 4;
 const PROGRESS_EVERY: Duration = Duration::from_millis(250);
 /// Nothing is expected: until then the loop sleeps.
 const LONG: Duration = Duration::from_hours(24);
-/// Notice at the end of a replay.
+/// Notice at the end of a replay, and of the tour.
 const ENDED: &str = "replay ended: the keyboard is active again; the replay is read-only";
+const TOURED: &str = "end of the tour: the keyboard is yours";
 /// The exit code when the terminal cannot be had.
 const NO_TERMINAL: u8 = 2;
 
@@ -72,6 +76,8 @@ pub struct Options {
     pub record: Option<PathBuf>,
     /// A session that is played first, so many times as fast as a user types.
     pub replay: Option<(Replay, f64)>,
+    /// The session is the tour: it ends in one of the user's own, and any key is hers.
+    pub tour: bool,
 }
 
 /// Runs the workbench until the user ends it. The exit code is 0, or 2 when the terminal cannot be had.
@@ -127,7 +133,8 @@ struct Runtime {
 
 fn workbench(options: Options) -> Result<(), TerminalError> {
     terminal::usable()?;
-    let Options { file, analysis, language, settings, faults, readonly, basic, record, replay } = options;
+    let Options { file, analysis, language, settings, faults, readonly, basic, record, replay, tour } =
+        options;
     let mut capabilities = Capabilities::detect(&Environment::of_process());
     if settings.ascii || basic {
         capabilities.glyphs = Glyphs::Ascii;
@@ -169,6 +176,8 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
         faulty.extend(wrong);
     }
     let (memory, forgetful) = recall(&mut model, teller(&sender, &session, Msg::Trouble));
+    // What the tour does is nobody's work.
+    model.readonly |= tour;
     let mut world = Runtime {
         session,
         solver,
@@ -182,7 +191,7 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
         editor: settings.editor,
         watched: None,
         recorder: None,
-        player: replay.map(|(replay, speed)| Player::new(replay, speed)),
+        player: replay.map(|(replay, speed)| Player::new(replay, speed, tour)),
     };
     if let Some(path) = &record {
         let path_of_file = file.as_ref().and_then(|path| std::path::absolute(path).ok());
@@ -204,7 +213,7 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
     for error in forgetful {
         update(&mut model, Msg::Trouble(error));
     }
-    if !sessions.is_empty() {
+    if !sessions.is_empty() && !tour {
         update(&mut model, Msg::Crashed(sessions));
     }
     // A session that is played does not know of a message over its screen.
@@ -242,6 +251,7 @@ impl Runtime {
                 self.session.draw(|frame| {
                     model.size = (frame.area().width, frame.area().height);
                     view(model, frame);
+                    draw_caption(model, frame);
                 })?;
                 stale = false;
                 took = drawn.elapsed();
@@ -292,20 +302,28 @@ impl Runtime {
             }
             let mut waiting: Vec<Effect> = Vec::new();
             for input in limit_wheel(inputs) {
-                stale = true;
+                // A movement over nothing that is read there changes no cell.
+                let (moves, hovered) = (is_movement(&input), model.hovered);
                 let msg = match input {
                     TerminalInput::Key(key) => Msg::Key(key),
                     TerminalInput::Paste(text) => Msg::Paste(text),
                     TerminalInput::Resize { columns, rows } => Msg::Resize(columns, rows),
                     TerminalInput::Notice(text) => Msg::Notice(text),
                     TerminalInput::Mouse(event) => Msg::Mouse(event),
-                    TerminalInput::Redraw => continue,
+                    TerminalInput::Redraw => {
+                        stale = true;
+                        continue;
+                    }
                 };
-                if let Some(Err(error)) = self.recorder.as_mut().map(|recorder| recorder.note(&msg)) {
+                let in_dialog = model.dialog.is_some();
+                let noted = self.recorder.as_mut().map(|recorder| recorder.note(&msg, in_dialog));
+                if let Some(Err(error)) = noted {
                     self.recorder = None;
                     not_recorded(model, &error);
                 }
-                for effect in update(model, msg) {
+                let effects = update(model, msg);
+                stale |= !moves || hovered.or(model.hovered).is_some();
+                for effect in effects {
                     waiting.retain(|older| !older.is_idle_after(&effect));
                     waiting.push(effect);
                 }
@@ -321,27 +339,46 @@ impl Runtime {
         }
     }
 
-    /// The next thing that the session does, and whether something is said. A key takes over, and does no more.
+    /// The next thing that the session does, and whether the screen changes otherwise. A key that does not steer takes
+    /// over, and does no more; in a tour it acts.
     fn play(&mut self, model: &mut Model, inputs: &mut Vec<TerminalInput>) -> (Option<Msg>, bool) {
-        let typed = |input: &TerminalInput| matches!(input, TerminalInput::Key(_) | TerminalInput::Paste(_));
-        let said = match &mut self.player {
-            Some(_) if inputs.iter().any(typed) => {
-                inputs.retain(|input| !typed(input));
-                "replay stopped: the keyboard is active again; the replay is read-only"
+        let Some(player) = &mut self.player else { return (None, false) };
+        let is_tour = player.playback().is_tour;
+        let mut stopped = false;
+        inputs.retain(|input| match input {
+            TerminalInput::Key(key) if !stopped && player.steers(*key) => false,
+            TerminalInput::Key(_) | TerminalInput::Paste(_) => {
+                stopped = true;
+                is_tour
             }
-            Some(player) if player.due().is_none() => ENDED,
-            Some(player) => return (player.next(model), false),
-            None => return (None, false),
-        };
-        self.hand_over(model, said);
-        (None, true)
+            _ => true,
+        });
+        if stopped || player.due().is_none() {
+            self.hand_over(model, stopped);
+            return (None, true);
+        }
+        let before = (model.playback, model.caption.clone());
+        let msg = player.next(model);
+        model.playback = Some(player.playback());
+        (msg, before != (model.playback, model.caption.clone()))
     }
 
-    /// The keys are the user's from now on.
-    fn hand_over(&mut self, model: &mut Model, said: &'static str) {
-        self.player = None;
+    /// The keys are the user's from now on: after a tour so is what it has left.
+    fn hand_over(&mut self, model: &mut Model, stopped: bool) {
+        let is_tour = self.player.take().is_some_and(|player| player.playback().is_tour);
         (model.is_replay, model.after_save) = (false, After::Stay);
-        model.say(said);
+        (model.playback, model.caption) = (None, None);
+        if is_tour {
+            model.readonly = false;
+            for bench in model.bench.iter_mut().chain(&mut model.others) {
+                bench.problem.mark_saved();
+            }
+        }
+        model.say(match (is_tour, stopped) {
+            (true, _) => TOURED,
+            (false, true) => "replay stopped: the keyboard is active again; the replay is read-only",
+            (false, false) => ENDED,
+        });
     }
 
     /// Does what is to be done; whether the program ends.
@@ -350,11 +387,15 @@ impl Runtime {
             let msg = match effect {
                 // The program belongs to who looks on, not to the session.
                 Effect::Quit if self.player.is_some() => {
-                    self.hand_over(model, ENDED);
+                    self.hand_over(model, false);
                     continue;
                 }
                 Effect::Suspend if self.player.is_some() => continue,
-                Effect::Quit => return true,
+                Effect::Quit => {
+                    // Nobody is left to be reported.
+                    let _ = self.recorder.as_mut().map(Recorder::forget_the_end);
+                    return true;
+                }
                 Effect::Solve(job) => {
                     self.pending = Some((job.generation, Instant::now()));
                     // What was asked belongs to older inputs.

@@ -19,6 +19,7 @@ use crate::{
     look::Appearance,
     model::EditError,
     remembered::HistoryChange,
+    replay::draw_caption,
     solver::{check_cases, solve},
     start, update, view,
 };
@@ -106,6 +107,7 @@ impl Harness {
         let (model, capabilities) = (&self.model, &self.capabilities);
         let drawn = self.terminal.draw(|frame| {
             view(model, frame);
+            draw_caption(model, frame);
             sweep(frame.buffer_mut(), capabilities);
         });
         match drawn {

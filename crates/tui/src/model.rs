@@ -25,6 +25,7 @@ use crate::{
     plot::Marker,
     problem::Problem,
     remembered::Remembered,
+    replay::Playback,
     settings::{Fault as SettingFault, Settings},
     solver::{CheckedCase, JobOutcome},
 };
@@ -71,6 +72,8 @@ pub struct Model {
     pub mouse: bool,
     /// The column that a plot is held at by the mouse.
     pub held: Option<u16>,
+    /// The pane that reads what is under the mouse.
+    pub hovered: Option<Tab>,
     /// True if animations play.
     pub playing: bool,
     /// Playback speed of animations, over their own.
@@ -81,6 +84,10 @@ pub struct Model {
     pub readonly: bool,
     /// A session is played: it is asked what it was asked when it was recorded, though nothing is saved.
     pub is_replay: bool,
+    /// The session that is played, while the keys are not the user's.
+    pub playback: Option<Playback>,
+    /// Line below the screen of a session that is played.
+    pub caption: Option<Text>,
     /// True if `:fault` is a command.
     pub faults: bool,
     /// Action after a save.
@@ -243,11 +250,14 @@ impl Model {
             decimal: None,
             mouse: false,
             held: None,
+            hovered: None,
             playing: false,
             animation_speed: 1.0,
             size: (80, 24),
             readonly: false,
             is_replay: false,
+            playback: None,
+            caption: None,
             faults: false,
             after_save: After::Stay,
             reloading: None,

@@ -97,6 +97,10 @@ pub enum Gesture {
     Press,
     /// The pointer comes from this column with the button down.
     Drag(u16),
+    /// The pointer is moved there without a button.
+    Hover,
+    /// The pointer leaves the pane.
+    Leave,
     /// The wheel turns up.
     WheelUp,
     /// The wheel turns down.

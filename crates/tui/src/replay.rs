@@ -23,13 +23,17 @@
 //! | `resize COLUMNSxROWS` | the window has another size |
 //! | `tab NAME` | the keys are in the pane of that English name: `Drawing` |
 //! | `wait MILLISECONDS ms`, `wait solved` | lets time pass; animations move |
+//! | `pause` | stops until Space, Enter, → or Page Down |
+//! | `caption TEXT` | stands below the screen until the next one; alone it takes it away |
 //! | `picture NAME` | the screen is to be kept |
 //! | `expect TEXT` | the text stands on the screen, or the session fails |
 
+mod caption;
 mod headless;
 mod player;
 mod recorder;
 mod svg;
+mod tour;
 
 use std::{fmt, time::Duration};
 
@@ -37,6 +41,10 @@ use dalembert_core::{Language, Text};
 use ratatui::crossterm::event::{KeyCode, KeyEvent};
 
 pub use headless::{Picture, ReplayFailure, ReplayResult, play, to_open};
+pub use player::Playback;
+pub use tour::tour;
+
+pub(crate) use caption::draw as draw_caption;
 pub(crate) use player::Player;
 pub(crate) use recorder::Recorder;
 
@@ -48,7 +56,7 @@ use crate::{
 };
 
 /// A session that can be played.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Replay {
     /// Columns and rows of the screen.
     pub screen: (u16, u16),
@@ -63,7 +71,7 @@ pub struct Replay {
 }
 
 /// Something that is done in a session.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Act {
     /// Keys are typed.
     Type(Vec<KeyEvent>),
@@ -77,6 +85,10 @@ pub enum Act {
     Wait(Duration),
     /// Time passes until everything is solved.
     UntilSolved,
+    /// The session stands until a key lets it go on.
+    Pause,
+    /// A line below the screen; an empty one takes it away.
+    Caption(Text),
     /// The screen is kept under this name.
     Picture(String),
     /// This stands on the screen.
@@ -93,7 +105,7 @@ pub struct Unreadable {
 }
 
 /// Message for a line with an unknown command.
-const UNKNOWN: &str = "unknown command `{word}`: write screen, language, look, open, type, paste, resize, tab, wait, picture or expect";
+const UNKNOWN: &str = "unknown command `{word}`: write screen, language, look, open, type, paste, resize, tab, wait, pause, caption, picture or expect";
 
 /// The looks, by their names.
 const LOOKS: [(&str, Capabilities); 3] = [
@@ -182,6 +194,8 @@ impl Replay {
             "tab" => Act::Tab(name(rest)?),
             "wait" if rest == "solved" => Act::UntilSolved,
             "wait" => Act::Wait(milliseconds(rest)?),
+            "pause" => Act::Pause,
+            "caption" => Act::Caption(Text::verbatim(rest)),
             "picture" => Act::Picture(name(rest)?),
             "expect" if rest.is_empty() => return Err("give the expected text".into()),
             "expect" => Act::Expect(rest.to_owned()),
@@ -276,7 +290,7 @@ mod tests {
     fn a_session_is_read() {
         let text = "# two lines\nscreen 120×36\n\nlanguage pt-BR\nlook ascii\nopen vibration/rotating-unbalance\n\
                     type <end>1500 rpm<enter>\ntab Drawing\n  wait 400 ms\nwait solved\npaste \"1; 2\\n\\\"3\\\\\"\nresize 80x24\n\
-                    picture fan_1\nexpect 4.5535 mm\n";
+                    picture fan_1\nexpect 4.5535 mm\ncaption The peak.\npause\ncaption\n";
         let replay = Replay::read(text).expect("a session");
         assert_eq!((replay.screen, replay.language), ((120, 36), Language::Portuguese));
         assert_eq!(replay.look.glyphs, Glyphs::Ascii);
@@ -292,6 +306,9 @@ mod tests {
                 (12, Act::Resize(80, 24)),
                 (13, Act::Picture("fan_1".to_owned())),
                 (14, Act::Expect("4.5535 mm".to_owned())),
+                (15, Act::Caption(Text::verbatim("The peak."))),
+                (16, Act::Pause),
+                (17, Act::Caption(Text::verbatim(""))),
             ]
         );
     }

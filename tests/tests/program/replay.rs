@@ -7,7 +7,7 @@ use std::{
     time::Duration,
 };
 
-use dalembert_tests::pty::{self, Launch, PATIENCE};
+use dalembert_tests::pty::{self, Launch, PATIENCE, Signal};
 
 /// Plays a session without a terminal.
 fn played(session: &Path, more: &[&str]) -> Output {
@@ -108,9 +108,9 @@ fn what_is_recorded_can_be_played() {
     let begin = "screen 100x30\nlanguage en\nlook colour\nopen vibration/rotating-unbalance\n";
     assert!(text.starts_with(begin), "{text}");
     assert!(text.contains("type <end><del>1500 rpm<enter>\nwait "), "{text}");
-    // Up to where the screen was read.
-    let (kept, _) = text.split_once("q<down><enter>").expect("the end");
-    let again = written(folder.path(), kept.trim_end_matches("type ").trim_end());
+    // How the program was ended is nobody's who looks on.
+    assert!(text.ends_with("type ]]<tab><home><right>\n"), "{text}");
+    let again = written(folder.path(), &text);
     let screen = String::from_utf8_lossy(&played(&again, &[]).stdout).into_owned();
     let bare = |screen: &str| screen.lines().map(str::trim_end).collect::<Vec<_>>().join("\n");
     // A replay writes nothing, and its title line reports it.
@@ -130,6 +130,80 @@ fn what_is_recorded_can_be_played() {
         assert!(screen.contains(words) && screen.contains(".replay"), "{screen}");
     }
     assert_eq!(fs::read_to_string(&path).expect("the session is there"), text);
+}
+
+/// The window is closed in the middle of a word.
+#[test]
+fn a_closed_window_loses_no_key_of_a_recording() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("lesson.replay");
+    let launch = Launch::new(pty::program()).argument("vibration/rotating-unbalance");
+    let mut pty = launch.argument("--record").argument(path.as_os_str()).start();
+    pty.expect("19.456");
+    pty.types("<end><del>15");
+    pty.expect("15");
+    pty.idle(Duration::from_millis(100));
+    pty.signal(-1, Signal::HUP);
+    assert!(pty.exit_code().is_some());
+    let text = fs::read_to_string(&path).expect("the session is there");
+    assert!(text.ends_with("type <end><del>15\n"), "{text}");
+}
+
+/// A lecture: the session stands at its pauses under its captions, and keys steer it.
+#[test]
+fn a_replay_pauses_under_a_caption_and_is_steered_by_keys() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let text = "open vibration/rotating-unbalance\ncaption At 1000 rpm the fan is close to resonance.\npause\n\
+                caption Half as fast again.\ntype <end><del>1500 rpm<enter>\nwait 900000 ms\n";
+    let session = written(folder.path(), text);
+    let launch = Launch::new(pty::program()).argument("replay").argument(&session);
+    let mut pty = launch.argument("--speed").argument("10").start();
+    pty.expect("close to resonance");
+    pty.expect("paused");
+    // A paused session does nothing by itself.
+    pty.idle(Duration::from_millis(300));
+    assert!(pty.screen().contains("19.456"), "{}", pty.screen());
+    pty.types("<pgdn>");
+    pty.expect("4.5535");
+    pty.expect("Half as fast again.");
+    assert!(!pty.screen().contains("close to resonance"), "{}", pty.screen());
+    pty.expect("replay 10×");
+    pty.types("+");
+    pty.expect("replay 15×");
+    pty.types("-");
+    pty.expect("replay 10×");
+    pty.types(" ");
+    pty.expect("paused");
+    pty.types(" ");
+    pty.expect("replay 10×");
+    pty.types("x");
+    pty.expect("replay stopped");
+    assert!(!pty.screen().contains("Half as fast again."), "{}", pty.screen());
+    // Without a terminal a caption is part of the pictures.
+    let session =
+        written(folder.path(), "open vibration/rotating-unbalance\ncaption The peak.\npause\npicture one\n");
+    let output = String::from_utf8_lossy(&played(&session, &[]).stdout).into_owned();
+    assert!(output.contains("The peak.") && !output.contains("Space"), "{output}");
+}
+
+/// The tour plays itself; a key is the user's and acts, nothing of the tour is asked about, and the session is writable.
+#[test]
+fn the_tour_hands_over_the_keys() {
+    let launch = Launch::new(pty::program()).size(36, 120).argument("--lang").argument("pt-BR");
+    let mut pty = launch.argument("tour").start();
+    pty.expect("visita");
+    pty.expect("Um ventilador vibra");
+    pty.types("?");
+    pty.expect("Atalhos");
+    pty.idle(Duration::from_millis(200));
+    assert!(!pty.screen().contains("visita ·"), "{}", pty.screen());
+
+    let launch = Launch::new(pty::program()).size(36, 120).argument("tour").argument("--speed");
+    let mut pty = launch.argument("40").start();
+    pty.expect("end of the tour");
+    assert!(!pty.screen().contains("read-only"), "{}", pty.screen());
+    pty.types("q");
+    assert_eq!((pty.exit_code(), pty.leftovers()), (Some(0), vec![]), "nothing is asked");
 }
 
 /// A recorded session that saves and quits does neither when replayed, and asks about no unsaved work.

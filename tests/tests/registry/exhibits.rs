@@ -3,9 +3,9 @@
 use itertools::Itertools as _;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use dalembert_core::{Exhibit, Stop, Viewpoint3, cases, exhibit::Cell, registry};
+use dalembert_core::{Exhibit, Locale, Stop, Viewpoint3, cases, exhibit::Cell, registry};
 use dalembert_plugins as _;
-use dalembert_testkit::{exhibits, letters};
+use dalembert_testkit::{exhibits, letters, plots};
 use dalembert_tests::person::Person;
 use dalembert_tui::panes;
 
@@ -28,6 +28,46 @@ fn every_symbol_of_the_form_stands_in_a_drawing() {
     let (labelled, listed) = letters::every_symbol_of_the_form_stands_in_a_drawing(registry(), &LISTED);
     println!("{labelled} symbols are labelled, {listed} are listed");
     assert!(labelled > 380, "{labelled} symbols are labelled, {listed} are listed");
+}
+
+#[test]
+fn every_axis_can_be_read() {
+    let read = plots::every_axis_can_be_read(registry());
+    assert!(read > 4000, "{read} axes");
+}
+
+#[test]
+fn every_plot_over_an_angle_marks_the_given_one() {
+    let seen = plots::every_plot_over_an_angle_marks_the_given_one(registry());
+    assert!(seen > 30, "{seen} plots");
+}
+
+#[test]
+fn planes_have_equal_scales() {
+    let unequal = plots::planes_of_unequal_scales(registry());
+    assert_eq!(unequal, [""; 0]);
+}
+
+/// A Campbell diagram names the whirl of its modes and the order of its rays, and shows as many critical speeds as there
+/// are.
+#[test]
+fn a_campbell_diagram_has_a_mark_for_each_critical_speed() {
+    for id in ["vibration/rotor-dynamics", "vibration/overhung-disc"] {
+        let entry = dalembert_core::find(id).expect("it is registered");
+        let record = cases::first(entry).expect("it has a case").record(entry).expect("the case can be read");
+        let solution = entry.solve(&record, &Stop::new()).expect("the case has a solution");
+        let diagram = solution.exhibits.iter().find_map(|exhibit| match exhibit {
+            Exhibit::Plot(plot) if plot.title.english() == "Campbell diagram" => Some(plot),
+            _ => None,
+        });
+        let diagram = diagram.expect("it has one");
+        let screen = plots::drawn(diagram, (100, 30), false, &Locale::english()).join("\n");
+        for words in ["forward", "backward", "1× speed"] {
+            assert!(screen.contains(words), "{id}: {words}\n{screen}");
+        }
+        assert!(diagram.marks.len() >= 3, "{id}: {:?}", diagram.marks);
+        assert_eq!(screen.matches('●').count(), diagram.marks.len(), "{id}\n{screen}");
+    }
 }
 
 #[test]

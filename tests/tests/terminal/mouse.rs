@@ -193,3 +193,23 @@ fn cases_beside_the_list_are_clicked() {
     person.mouse(MouseEventKind::ScrollDown, place);
     assert_eq!(of(&person), Some(1));
 }
+
+/// The curves are read under the pointer, with units, as long as it is over the plot; the cursor stays.
+#[test]
+fn a_plot_is_read_under_the_pointer() {
+    let mut person = fan(80, 24);
+    let before = person.types("<tab>]]").sees();
+    assert!(before.contains("speed of the machine [rpm]"), "{before}");
+    let (column, row) = person.place_of("speed of the machine [rpm]");
+    person.mouse(MouseEventKind::Moved, (column + 4, row - 6));
+    let read = person.sees();
+    assert!(
+        read.contains("speed of the machine = ") && read.contains(" rpm") && read.contains("X = "),
+        "{read}"
+    );
+    assert!(read.contains(" mm"), "{read}");
+    person.mouse(MouseEventKind::Moved, (column + 12, row - 6));
+    assert_ne!(person.sees(), read, "farther right another speed is read");
+    person.mouse(MouseEventKind::Moved, (2, 3));
+    assert_eq!(person.sees(), before, "elsewhere nothing is read");
+}

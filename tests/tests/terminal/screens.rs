@@ -640,7 +640,7 @@ fn a_pinned_result_is_compared_with() {
     assert!(line_with(&screen, "Amplitude").contains("mm"), "{screen}");
     assert!(screen.contains(" %)"), "{screen}");
     let plot = person.types("]]").sees();
-    assert!(plot.contains("┄┄ before"), "{plot}");
+    assert!(plot.contains("┄○ before"), "{plot}");
     person.types("<tab>c<tab>[[z");
     assert_eq!(person.sees(), before, "unpinned, nothing is compared");
     // What cannot be read has no result to pin.

@@ -189,7 +189,7 @@ fn broken_settings_are_named_by_line_and_the_rest_holds() {
 fn the_mouse_is_taken_and_left_by_the_terminal_s_own_sequences() {
     let mut pty = started(Launch::new(pty::program()));
     pty.expect("19.456 mm");
-    assert!(String::from_utf8_lossy(&pty.raw()).contains("\x1b[?1000h\x1b[?1002h\x1b[?1006h"));
+    assert!(String::from_utf8_lossy(&pty.raw()).contains("\x1b[?1000h\x1b[?1002h\x1b[?1003h\x1b[?1006h"));
     let screen = pty.screen();
     let (row, line) = screen.lines().enumerate().find(|(_, line)| line.contains("Working")).expect("the tab");
     let column = line[..line.find("Working").unwrap_or(0)].chars().count() + 1;

@@ -1,7 +1,11 @@
 //! Curves of answers over an input of a grid, from rows in their order.
 
 use super::{Row, Spacing, Study};
-use crate::{Answer, Axis, Plot, Scale, Series, Text, intern::fixed, vary::VariedInput};
+use crate::{
+    Answer, Axis, Plot, Scale, Series, Stop, Text,
+    intern::fixed,
+    vary::{self, VariedInput},
+};
 
 /// The most curves of an answer.
 pub const MOST_CURVES: usize = 6;
@@ -96,24 +100,51 @@ impl<'s> Curves<'s> {
         curve.refusals.push(row.refusal.cloned());
     }
 
-    /// A plot for each answer, with the points that were taken.
+    /// A plot for each answer, with the points that were taken; limits of one set are curves of one plot.
     pub fn plots(&self) -> Vec<Plot> {
-        let input = &self.study.design.inputs[self.x];
-        let plot = |(at, answer): (usize, &Answer)| {
-            let series = self.drawn.iter().map(|curve| {
-                let label = curve.label.clone().unwrap_or_else(|| answer.title());
-                let mut points: Vec<(f64, f64)> =
-                    curve.x.iter().copied().zip(curve.answers[at].iter().copied()).collect();
-                points.sort_by(|(one, _), (other, _)| one.total_cmp(other));
-                Series::line(label, points)
-            });
-            let plot = along(input, self.scale, answer, series.collect());
-            match answer.si() {
-                Some(si) if self.others.is_empty() => plot.mark("current value", (input.si, si)),
-                _ => plot,
-            }
+        let study = self.study;
+        let set_of = |at: usize| study.sets.iter().find(|(_, limits)| limits.contains(&at));
+        let plot = |(at, answer): (usize, &Answer)| match set_of(at) {
+            Some((set, limits)) => (limits.first() == Some(&at)).then(|| self.plot(set, limits)),
+            None => Some(self.plot(answer, &[at])),
         };
-        self.study.answers.iter().enumerate().map(plot).collect()
+        study.answers.iter().enumerate().filter_map(plot).collect()
+    }
+
+    /// A plot of several answers, under the title of one of them or of their set.
+    fn plot(&self, title: &Answer, answers: &[usize]) -> Plot {
+        let input = &self.study.design.inputs[self.x];
+        let curves = self.drawn.iter().flat_map(|curve| answers.iter().map(move |at| (curve, *at)));
+        let series = curves.map(|(curve, at)| {
+            let answer = self.study.answers[at].title();
+            let label = match &curve.label {
+                None => answer,
+                Some(label) if answers.len() == 1 => label.clone(),
+                Some(label) => {
+                    Text::new("{one}, {other}").with_text("one", answer).with_text("other", label.clone())
+                }
+            };
+            let mut points: Vec<(f64, f64)> =
+                curve.x.iter().copied().zip(curve.answers[at].iter().copied()).collect();
+            points.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+            Series::line(label, points)
+        });
+        let plot = along(input, self.scale, title, series.collect());
+        let now = answers.iter().filter_map(|at| self.study.answers[*at].si());
+        let now = now.filter(|_| self.others.is_empty());
+        now.fold(plot, |plot, si| plot.mark("current value", (input.si, si)))
+    }
+
+    /// Reason for which a point of a curve has no answer: of its refusal, or what the problem says of the answer that it
+    /// lacks there.
+    fn why_not(&self, curve: &Curve, at: usize) -> Option<Text> {
+        let said = || {
+            let (study, input) = (self.study, &self.study.design.inputs[self.x]);
+            let missing = (0..study.answers.len()).find(|answer| curve.answers[*answer][at].is_nan())?;
+            let name = study.answers[missing].name.to_string();
+            vary::why_not(study.entry, study.record, (input, curve.x[at]), &name, &Stop::new())
+        };
+        curve.refusals[at].clone().or_else(|| said().filter(|_| self.others.is_empty()))
     }
 
     /// The ranges without an answer of the first curve that has some, and the reasons; and how many curves are not
@@ -121,10 +152,10 @@ impl<'s> Curves<'s> {
     pub fn remarks(&self) -> Vec<Text> {
         let unit = fixed(&self.study.design.inputs[self.x].unit);
         let of = |curve: &Curve| -> Vec<Text> {
-            let refused: Vec<f64> =
-                curve.refusals.iter().map(|why| if why.is_some() { f64::NAN } else { 0.0 }).collect();
+            let at = |point: usize| curve.answers.iter().map(|of| of[point]).find(|si| si.is_nan());
+            let refused: Vec<f64> = (0..curve.x.len()).map(|point| at(point).unwrap_or(0.0)).collect();
             let remark = |(first, last): (usize, usize)| {
-                let why = curve.refusals[usize::midpoint(first, last)].clone();
+                let why = self.why_not(curve, usize::midpoint(first, last));
                 let why = no_answer([curve.x[first], curve.x[last]], unit, why);
                 match &curve.label {
                     None => why,

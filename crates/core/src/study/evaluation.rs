@@ -22,12 +22,14 @@ const IN_CACHE: usize = 2048;
 /// A study that is ready to run: its points, and the answers that are wanted at each.
 #[derive(Debug)]
 pub struct Study<'a> {
-    entry: &'a Entry,
-    record: &'a Record,
+    pub(super) entry: &'a Entry,
+    pub(super) record: &'a Record,
     /// The inputs of every point.
     pub design: Design,
     /// The wanted answers as they are at the inputs of the problem: names, labels, units.
     pub answers: Vec<Answer>,
+    /// Sets whose limits are among the wanted answers, two at least, by their places: these share a plot.
+    pub(super) sets: Vec<(Answer, Vec<usize>)>,
     /// The limits whose probability is asked for.
     pub limits: Vec<AnswerLimit>,
     conditions: Vec<AnswerLimit>,
@@ -65,12 +67,14 @@ impl<'a> Study<'a> {
                 names.iter().enumerate().flat_map(find).collect()
             }
         };
-        let mut study = Self { entry, record, design, answers, limits: Vec::new(), conditions: Vec::new() };
+        let (limits, conditions) = (Vec::new(), Vec::new());
+        let mut study = Self { entry, record, design, answers, sets: Vec::new(), limits, conditions };
         study.limits = study.read_limits("limit", &plan.limit, solution, &mut errors);
         study.conditions = study.read_limits("condition", &plan.condition, solution, &mut errors);
         if study.answers.is_empty() && errors.is_empty() {
             errors.push(FieldError::new("answers", "this problem has no answer that is a number"));
         }
+        study.sets = sets(solution, &study.answers);
         if errors.is_empty() {
             // What cannot be varied is said before anything is computed.
             study.evaluation()?;
@@ -242,6 +246,16 @@ impl AnswerLimit {
         let limit = answer.unit.si(self.limit);
         text.with_text("answer", answer.title()).with_quantity("limit", limit, fixed(&answer.unit))
     }
+}
+
+/// Sets of a solution with the places of those of their limits that are wanted, where these are several.
+fn sets(solution: &Solution, wanted: &[Answer]) -> Vec<(Answer, Vec<usize>)> {
+    let of = |set: &Answer| {
+        let limits = solution.limits_of(set);
+        let is_limit = |at: &usize| limits.iter().any(|limit| limit.name == wanted[*at].name);
+        (set.clone(), (0..wanted.len()).filter(is_limit).collect::<Vec<usize>>())
+    };
+    solution.answers.iter().map(of).filter(|(_, limits)| limits.len() > 1).collect()
 }
 
 /// The answer of that name, which is a number; `path` is where it is named.

@@ -77,7 +77,7 @@ pub fn find_target(
     let (places, found): (Vec<f64>, Vec<f64>) = searched.scan.iter().copied().unzip();
     remarks.extend(gaps(&found).into_iter().map(|(first, last)| {
         let middle = places[usize::midpoint(first, last)];
-        let why = vary::why_not(entry, record, &input, middle, stop);
+        let why = vary::why_not(entry, record, (&input, middle), &answer.name.to_string(), stop);
         no_answer([places[first], places[last]], x_unit, why)
     }));
     let curve = vec![Series::line(answer.title(), searched.scan)];

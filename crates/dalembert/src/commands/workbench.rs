@@ -55,7 +55,7 @@ pub(crate) fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<
         readonly: arguments.readonly,
         basic: arguments.basic,
         record: arguments.record.clone(),
-        replay: None,
+        ..Options::default()
     }))
 }
 

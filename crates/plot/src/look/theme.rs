@@ -15,6 +15,8 @@ pub enum Theme {
     Light,
     /// Bright on black, as far apart as can be.
     HighContrast,
+    /// Near black on white, for a projector.
+    Presenter,
     /// Without colours: bold, dim, underlined, reversed.
     None,
 }
@@ -44,8 +46,8 @@ pub struct Palette {
 
 impl Theme {
     /// Every theme.
-    pub const ALL: [Theme; 5] =
-        [Theme::Terminal, Theme::Dark, Theme::Light, Theme::HighContrast, Theme::None];
+    pub const ALL: [Theme; 6] =
+        [Theme::Terminal, Theme::Dark, Theme::Light, Theme::HighContrast, Theme::Presenter, Theme::None];
 
     /// Id in the settings.
     pub fn id(self) -> &'static str {
@@ -54,6 +56,7 @@ impl Theme {
             Theme::Dark => "dark",
             Theme::Light => "light",
             Theme::HighContrast => "high-contrast",
+            Theme::Presenter => "presenter",
             Theme::None => "none",
         }
     }
@@ -65,6 +68,7 @@ impl Theme {
             Theme::Dark => "dark",
             Theme::Light => "light",
             Theme::HighContrast => "high contrast",
+            Theme::Presenter => "presenter, for a projector",
             Theme::None => "no colour",
         }
     }
@@ -75,11 +79,12 @@ impl Theme {
             (Theme::Terminal | Theme::None, _) | (_, Colors::None) => None,
             // The nearest of sixteen is often a grey: these are chosen.
             (Theme::Dark, Colors::Sixteen) => Some(DARK_OF_SIXTEEN),
-            (Theme::Light, Colors::Sixteen) => Some(LIGHT_OF_SIXTEEN),
+            (Theme::Light | Theme::Presenter, Colors::Sixteen) => Some(LIGHT_OF_SIXTEEN),
             (Theme::HighContrast, Colors::Sixteen) => Some(HIGH_CONTRAST_OF_SIXTEEN),
             (Theme::Dark, _) => Some(DARK),
             (Theme::Light, _) => Some(LIGHT),
             (Theme::HighContrast, _) => Some(HIGH_CONTRAST),
+            (Theme::Presenter, _) => Some(PRESENTER),
         }
     }
 }
@@ -156,6 +161,26 @@ const HIGH_CONTRAST: Palette = Palette {
         rgb(95, 255, 95),
         rgb(160, 200, 255),
         rgb(255, 150, 150),
+    ],
+};
+
+/// A projector washes colours out: of each only as much is left as black needs not.
+const PRESENTER: Palette = Palette {
+    ground: rgb(255, 255, 255),
+    text: rgb(0, 0, 0),
+    faint: rgb(48, 48, 48),
+    red: rgb(135, 0, 0),
+    yellow: rgb(80, 45, 0),
+    green: rgb(0, 70, 0),
+    cyan: rgb(0, 50, 95),
+    magenta: rgb(95, 0, 95),
+    curves: &[
+        rgb(0, 80, 95),
+        rgb(130, 0, 130),
+        rgb(100, 65, 0),
+        rgb(0, 90, 0),
+        rgb(20, 20, 190),
+        rgb(160, 0, 0),
     ],
 };
 

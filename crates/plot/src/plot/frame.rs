@@ -3,8 +3,10 @@
 use dalembert_core::{Locale, Text};
 use dalembert_report::figure::{
     axes::Axes,
+    ruler::AxisTitle,
     ticks::{Span, Ticks},
 };
+use dalembert_units::Style as NumberStyle;
 use ratatui::{buffer::Buffer, layout::Rect, style::Style};
 use unicode_width::UnicodeWidthStr;
 
@@ -21,6 +23,8 @@ pub(crate) struct Frame {
     pub(crate) canvas: Rect,
     /// Span of the vertical axis over the rows of the canvas: no less than the curves need.
     pub(crate) up: Span,
+    /// That of the horizontal axis over its columns: with equal scales as much to a length as up.
+    pub(crate) across: Span,
     words: Vec<(u16, u16, String, Style)>,
     /// The cells of the axes: a column left of the canvas and a row below it, where there is room.
     lines: Vec<(u16, u16, &'static str)>,
@@ -53,12 +57,11 @@ impl Frame {
         let Setting { area, marker, look, locale } = setting;
         let height = area.height;
         let from = |least: u16| u16::from(height >= least);
-        let readout = state.cursor.map_or_else(Vec::new, |cursor| axes.readout(cursor, locale));
+        let readout = state.read_at().map_or_else(Vec::new, |cursor| axes.readout(cursor, locale));
         // The name of the axis and the legend share a row if they can. A low plot has no second one for shades: their
         // names stand in them.
-        let rows_of = |rows: u16| rows::Rows { rows, dots: per_cell(marker).1 };
         let head = axes.y.title(axes.y.span.ticks(3, locale.style).ten, locale);
-        let fits = |legend: &[Sample]| head.width() + 2 + legend_width(legend) <= area.width.into();
+        let fits = |legend: &[Sample]| head.whole().width() + 2 + legend_width(legend) <= area.width.into();
         let mut legend = [curves(axes, marker, look, locale), shades(axes, look, locale)].concat();
         if height < 14 && !fits(&legend) {
             legend = curves(axes, marker, look, locale);
@@ -67,17 +70,20 @@ impl Frame {
         // A title that is too long goes on in a second row where there is room for one.
         let title = axes.plot.title.render(locale);
         let title = wrap::title(&title, area.width.into(), if height > 10 { 2 } else { 1 }, look);
+        let most = if height > 15 { 2 } else { 1 };
+        let axis_title = |title: &AxisTitle| axis_lines(title, area.width.into(), most, look);
+        let foot = axes.x.title(axes.x.span.ticks(3, locale.style).ten, locale);
         let mut rows = Rows {
             title: from(10) * title.len() as u16,
-            head: from(6),
+            head: from(6) * axis_title(&head).len() as u16,
             legend: if legend.is_empty() || beside {
                 0
             } else {
-                legend_rows(&legend, area).min(from(9) * height / 9)
+                legend_rows(&legend, area).min(from(9) * height.div_ceil(8))
             },
             axis: from(4),
             labels: from(5),
-            foot: from(8),
+            foot: from(8) * axis_title(&foot).len() as u16,
             readout: 0,
         };
         // All that the cursor reads, as long as the curves keep a third of the rows.
@@ -88,20 +94,23 @@ impl Frame {
         let above = rows.title + rows.head + rows.legend;
         let below = rows.axis + rows.labels + rows.foot + rows.readout;
         let inner = Rect { y: area.y + above, height: height.saturating_sub(above + below), ..area };
-        let (up, ticks) = rows_of(inner.height).with_ticks(axes.y.span, locale.style);
-        let gutter = ticks.ticks.iter().map(|tick| tick.label.width()).max().unwrap_or(0) as u16 + 1;
-        let gutter = if rows.axis > 0 && gutter + 8 <= area.width { gutter } else { 0 };
-        let canvas = Rect { x: area.x + gutter, width: area.width - gutter, ..inner };
-
-        let mut frame = Self { canvas, up, words: Vec::new(), lines: Vec::new(), grid: Vec::new() };
+        let sides = Sides { axes, inner, marker, style: locale.style };
+        let Measured { canvas, gutter, up, across, ticks } = sides.measured(rows.axis > 0, rows.head > 0);
+        let mut frame = Self { canvas, up, across, words: Vec::new(), lines: Vec::new(), grid: Vec::new() };
         for (line, y) in title.into_iter().zip(area.y..area.y + rows.title) {
             frame.words.push((area.x, y, line, look.title()));
         }
         if rows.head > 0 {
             let y = area.y + rows.title;
-            let head = look.shortened(&axes.y.title(ticks.ten, locale), area.width.into());
-            let after = area.x + head.width() as u16 + 2;
-            frame.words.push((area.x, y, head, look.dim()));
+            // Where both share a row, that there are curves is seen.
+            let shares = if rows.legend == 0 && !legend.is_empty() && !beside { 2 } else { 0 };
+            let width = usize::from(area.width).saturating_sub(shares);
+            let head = axis_lines(&axes.y.title(ticks.ten, locale), width, rows.head, look);
+            let after = area.x + head.last().map_or(0, |line| line.width()) as u16 + 2;
+            for (line, y) in head.into_iter().zip(y..) {
+                frame.words.push((area.x, y, line, look.dim()));
+            }
+            let y = y + rows.head - 1;
             match rows.legend {
                 0 if beside => frame.legend(&legend, area.right() - legend_width(&legend) as u16, y, setting),
                 0 => frame.legend(&legend, after, y, setting),
@@ -175,7 +184,8 @@ impl Frame {
             self.lines.push((canvas.x - 1, y, corner));
         }
         self.lines.extend((canvas.x..canvas.right()).map(|x| (x, y, line)));
-        let place = |at: f64| axes.x.span.place(at).and_then(|place| column(canvas, marker, place));
+        let span = self.across;
+        let place = |at: f64| span.place(at).and_then(|place| column(canvas, marker, place));
         // A label stands under its tick, or as near as the edges let it.
         let start = |at: u16, width: u16| {
             let last = area.right().saturating_sub(width).max(area.x);
@@ -193,7 +203,7 @@ impl Frame {
             })
         };
         let most = usize::from(canvas.width / 6).clamp(2, 12);
-        let ticks = axes.x.span.ticks_that_fit(most, locale.style, fit);
+        let ticks = span.ticks_that_fit(most, locale.style, fit);
         for tick in &ticks.ticks {
             let Some(x) = place(tick.at) else { continue };
             self.lines.push((x, y, if tick.label.is_empty() { minor } else { major }));
@@ -202,12 +212,12 @@ impl Frame {
                 self.words.push((x, y + 1, tick.label.clone(), look.dim()));
             }
         }
-        let title = look.shortened(&axes.x.title(ticks.ten, locale), area.width.into());
-        let x = area.right() - title.width() as u16;
-        if rows.foot > 0 {
-            self.words.push((x, y + 2, title, look.dim()));
-        } else if title.width() + 2 <= canvas.width.into() {
-            self.words.push((x, y, title, look.dim()));
+        let title = axes.x.title(ticks.ten, locale);
+        // On the axis itself where there is no row for it.
+        let (first, width) = if rows.foot > 0 { (y + 2, area.width) } else { (y, canvas.width) };
+        let lines = axis_lines(&title, width.into(), rows.foot.max(1), look);
+        for (line, y) in lines.into_iter().zip(first..) {
+            self.words.push((area.right() - line.width() as u16, y, line, look.dim()));
         }
         ticks.ticks.iter().filter(|tick| !tick.label.is_empty()).filter_map(|tick| place(tick.at)).collect()
     }
@@ -232,6 +242,68 @@ impl Frame {
             x = next;
         }
     }
+}
+
+/// The room of a canvas and what stands left of it.
+struct Sides<'a> {
+    axes: &'a Axes<'a>,
+    inner: Rect,
+    marker: Marker,
+    style: NumberStyle,
+}
+
+/// A canvas with its spans; `gutter` is the width of what stands left of it.
+struct Measured {
+    canvas: Rect,
+    gutter: u16,
+    up: Span,
+    across: Span,
+    ticks: Ticks,
+}
+
+impl Sides<'_> {
+    /// The canvas in which both axes show what they must. Without a title no power of ten may be left out.
+    fn measured(&self, has_axis: bool, has_title: bool) -> Measured {
+        let Self { axes, inner, marker, style } = *self;
+        let rows = rows::Rows { rows: inner.height, dots: per_cell(marker).1 };
+        let is_equal = axes.has_equal_scales() && !inner.is_empty();
+        // A narrower canvas than this one needs more of the vertical axis, so that the first width that does is found.
+        let mut width = inner.width;
+        loop {
+            let canvas = Rect { width, ..inner };
+            let wanted = if is_equal { axes.equal_up(lengths(canvas, marker)) } else { axes.y.span };
+            let (up, ticks) = rows.with_ticks(wanted, style);
+            let gutter = ticks.ticks.iter().map(|tick| tick.label.width()).max().unwrap_or(0) as u16 + 1;
+            let is_readable = has_axis && (has_title || ticks.ten == 0);
+            let gutter = if is_readable && gutter + 8 <= inner.width { gutter } else { 0 };
+            let canvas = Rect { x: inner.x + gutter, width: inner.width - gutter, ..inner };
+            if !is_equal || canvas.width >= width {
+                let across =
+                    if is_equal { axes.equal_across(&up, lengths(canvas, marker)) } else { axes.x.span };
+                return Measured { canvas, gutter, up, across, ticks };
+            }
+            width = canvas.width;
+        }
+    }
+}
+
+/// From the first dot of a canvas to the last one, across and down, in widths of a cell; a cell is twice as high.
+fn lengths(canvas: Rect, marker: Marker) -> [f64; 2] {
+    let per_cell = per_cell(marker);
+    let length = |cells: u16, dots: u16| f64::from(cells) - 1.0 / f64::from(dots);
+    let [across, down] = [length(canvas.width, per_cell.0), 2.0 * length(canvas.height, per_cell.1)];
+    [across.max(0.5), down.max(0.5)]
+}
+
+/// The title of an axis in at most so many lines; of one that is too long the name is shortened, never the unit.
+fn axis_lines(title: &AxisTitle, width: usize, most: u16, look: &Appearance) -> Vec<String> {
+    let unbroken = AxisTitle { unit: title.unit.replace(' ', "\u{A0}"), ..title.clone() };
+    let whole = wrap::words(&unbroken.whole(), width);
+    if whole.len() <= most.into() && title.unit.width() <= width {
+        return whole;
+    }
+    let name = look.shortened(&title.name, width.saturating_sub(title.unit.width() + 1));
+    vec![look.shortened(&AxisTitle { name, ..title.clone() }.whole(), width)]
 }
 
 /// The column of a place on the horizontal axis: that of its dots.
@@ -280,7 +352,12 @@ fn curves(axes: &Axes, marker: Marker, look: &Appearance, locale: &Locale) -> Ve
         return Vec::new();
     }
     let pinned = axes.pinned.map(|_| {
-        let sample = if look.ascii { "." } else { "┄┄" };
+        let has_marks = axes.pinned.is_some_and(|pinned| !pinned.marks.is_empty());
+        let sample = match (look.ascii, has_marks) {
+            (true, _) => ".",
+            (false, true) => "┄○",
+            (false, false) => "┄┄",
+        };
         (sample.into(), Text::new("before").render(locale), pinned_pen(look).style)
     });
     let sample = |n: usize, joined: bool| match (joined, pen(n, marker, look)) {

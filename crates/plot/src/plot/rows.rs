@@ -48,7 +48,7 @@ impl Rows {
         // Ticks just beyond the ends count too: the wider span may hold them.
         let (from, to) = (coordinate(span.from, span.scale), coordinate(span.to, span.scale));
         let beyond = to / 2.0 - from / 2.0;
-        let around = span_of(from - beyond, to + beyond, span.scale)?;
+        let around = span_of(from - beyond, to + beyond, span)?;
         let mut sets: Vec<Vec<f64>> = (1..=3 * self.most())
             .map(|most| labelled(&around.ticks(most, style)).map(|at| coordinate(at, span.scale)).collect())
             .collect();
@@ -69,7 +69,7 @@ impl Rows {
         found.sort_by(|a, b| self.cost(a).total_cmp(&self.cost(b)));
         found.into_iter().find_map(|fitted| {
             // No less but for rounding.
-            let wider = span_of(fitted.from.min(from), fitted.to.max(to), span.scale)?;
+            let wider = span_of(fitted.from.min(from), fitted.to.max(to), span)?;
             // Its own numbers of ticks are others: these may be among them, or not.
             let ticks = self.in_rows(&wider, style);
             (labelled(&ticks).count() >= usize::from(fitted.seen)).then_some((wider, ticks))
@@ -171,13 +171,14 @@ fn coordinate(value: f64, scale: Scale) -> f64 {
     }
 }
 
-/// `None` where an end is no number that there is.
-fn span_of(from: f64, to: f64, scale: Scale) -> Option<Span> {
+/// A span of the same kind between two coordinates; `None` where an end is no number that there is.
+fn span_of(from: f64, to: f64, like: Span) -> Option<Span> {
+    let scale = like.scale;
     let value = |at: f64| match scale {
         Scale::Linear => at,
         Scale::Log => 10f64.powf(at),
     };
-    let span = Span { from: value(from), to: value(to), scale };
+    let span = Span { from: value(from), to: value(to), ..like };
     let least = if scale == Scale::Log { f64::MIN_POSITIVE } else { f64::MIN };
     (span.from >= least && span.to <= f64::MAX && span.from < span.to).then_some(span)
 }
@@ -209,7 +210,7 @@ mod tests {
             .into_iter()
             .map(|ends| (ends, Scale::Linear))
             .chain(log.into_iter().map(|ends| (ends, Scale::Log)))
-            .map(|((from, to), scale)| Span { from, to, scale });
+            .map(|((from, to), scale)| Span { from, to, scale, degrees: false });
         spans.flat_map(|span| {
             (4..=20)
                 .chain([27, 34, 48])

@@ -10,6 +10,8 @@ use super::Marker;
 pub struct PlotState {
     /// Place of the cursor: a value of `x` in SI. One beyond the axis is shown at its end.
     pub cursor: Option<f64>,
+    /// Place under the pointer of the mouse, which is read instead.
+    pub pointer: Option<f64>,
     /// Marks that curves are drawn with.
     pub marker: Marker,
     /// The part that is shown.
@@ -43,19 +45,36 @@ impl PlotState {
             .filter(|(place, _)| beyond(*place))
             .min_by(|(a, _), (b, _)| (a - target).abs().total_cmp(&(b - target).abs()));
         let Some((place, x)) = nearest else { return self };
-        let moved = Self { cursor: Some(x), ..self };
+        let moved = Self { cursor: Some(x), pointer: None, ..self };
         let by = place.min(0.0) + (place - 1.0).max(0.0);
         if self.view.window.is_some() && by != 0.0 { moved.showing(&axes, by, 1.0 + by) } else { moved }
     }
 
     /// The cursor at the computed point or mark nearest to a place of the axis, from 0 to 1.
     #[must_use]
-    pub fn with_pointer(self, plot: &Plot, place: f64) -> Self {
-        let Some(axes) = Axes::seen(plot, None, &self.view) else { return self };
+    pub fn with_cursor(self, plot: &Plot, place: f64) -> Self {
+        Self { cursor: self.nearest(plot, place).or(self.cursor), pointer: None, ..self }
+    }
+
+    /// The pointer over a place of the axis, from 0 to 1, or elsewhere.
+    #[must_use]
+    pub fn with_pointer(self, plot: &Plot, place: Option<f64>) -> Self {
+        let inside = place.filter(|place| (0.0..=1.0).contains(place));
+        Self { pointer: inside.and_then(|place| self.nearest(plot, place)), ..self }
+    }
+
+    /// Place at which the curves are read: under the pointer, else at the cursor.
+    pub fn read_at(&self) -> Option<f64> {
+        self.pointer.or(self.cursor)
+    }
+
+    /// The computed point or mark nearest to a place of the axis.
+    fn nearest(&self, plot: &Plot, place: f64) -> Option<f64> {
+        let axes = Axes::seen(plot, None, &self.view)?;
         let place = place.clamp(0.0, 1.0);
         let nearest =
             axes.stops().into_iter().min_by(|(a, _), (b, _)| (a - place).abs().total_cmp(&(b - place).abs()));
-        nearest.map_or(self, |(_, x)| Self { cursor: Some(x), ..self })
+        nearest.map(|(_, x)| x)
     }
 
     /// So many times as much of the axis, with what stands at a place of it left there; the cursor stays.
@@ -69,7 +88,7 @@ impl PlotState {
     /// The same state without a cursor.
     #[must_use]
     pub fn without_cursor(self) -> Self {
-        Self { cursor: None, ..self }
+        Self { cursor: None, pointer: None, ..self }
     }
 
     /// The same state with the next kind of marker.

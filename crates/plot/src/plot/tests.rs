@@ -165,3 +165,131 @@ fn marks_ticks_and_curves_tell_the_same_values() {
         }
     }
 }
+
+/// A circle of radius 3 mm about (100, 2) mm.
+fn circle() -> Plot {
+    let points = (0..=360).map(|n| f64::from(n).to_radians());
+    let points = points.map(|angle| (0.1 + 0.003 * angle.cos(), 0.002 + 0.003 * angle.sin())).collect();
+    let axes = [Axis::linear("x", "mm"), Axis::linear("y", "mm")];
+    let [x, y] = axes;
+    Plot::new("", x, y, vec![Series::line("circle", points)]).equal()
+}
+
+#[test]
+fn circles_of_equal_scales_are_round() {
+    for size in [(38, 14), (56, 18), (30, 30), (110, 30), (60, 60)] {
+        for marker in [Marker::Braille, Marker::HalfBlock, Marker::Dot] {
+            let state = PlotState { marker, ..PlotState::default() };
+            let plot = circle();
+            let area = Rect::new(0, 0, size.0, size.1);
+            let mut axes = Axes::of(&plot).unwrap();
+            let look = Appearance::default();
+            let locale = Locale::english();
+            let frame = Frame::of(&axes, &state, Setting { area, marker, look: &look, locale: &locale });
+            (axes.x.span, axes.y.span) = (frame.across, frame.up);
+            let canvas = Canvas { axes: &axes, area: frame.canvas, marker, look: &look, zero: false };
+            let dots = Dots::new(frame.canvas, marker);
+            let per_cell = dots::per_cell(marker);
+            let at = |x: f64, y: f64| canvas.dot(&dots, (x, y)).unwrap();
+            let across = (at(0.103, 0.002).0 - at(0.097, 0.002).0) / f64::from(per_cell.0);
+            let down = 2.0 * (at(0.1, -0.001).1 - at(0.1, 0.005).1) / f64::from(per_cell.1);
+            assert!((across / down - 1.0).abs() < 1e-9, "{across} and {down} at {size:?} with {marker:?}");
+            let inside = |place: f64| (-1e-9..=1.0 + 1e-9).contains(&place);
+            assert!([0.097, 0.103].into_iter().all(|x| inside(axes.x.of(x).unwrap())), "{size:?}");
+            assert!([-0.001, 0.005].into_iter().all(|y| inside(axes.y.of(y).unwrap())), "{size:?}");
+        }
+    }
+}
+
+/// A pointer reads what stands in its column, though equal scales show more of the axis than there are data.
+#[test]
+fn a_column_is_the_place_that_is_drawn_in_it() {
+    let plot = circle();
+    let (look, locale) = (Appearance::default(), Locale::english());
+    let area = Rect::new(0, 0, 80, 20);
+    let place = |column| place_at(&plot, &PlotState::default(), &look, &locale, area, column).unwrap().0;
+    let drawn = rows(&buffer(&plot, &PlotState::default(), &look, (80, 20)));
+    let of_curve = |row: &String| row.chars().position(|c| ('⠁'..='⣿').contains(&c) && c != '⠄');
+    let left = drawn.iter().filter_map(of_curve).min().unwrap();
+    assert!(place(left as u16).abs() < 0.1, "{} at {left} of\n{drawn:#?}", place(left as u16));
+    assert!(place(12) < -0.5, "{}", place(12));
+}
+
+#[test]
+fn units_and_powers_of_ten_outlive_long_names() {
+    let points = (0..=10).map(|n| (f64::from(n), 5e4 * f64::from(n))).collect();
+    let name = "Maximum diameter of the shaft in supercritical operation of the rotor";
+    let plot = Plot::new(
+        "",
+        Axis::linear("Clearance between the rotor and its stator", "kg*m^2"),
+        Axis::linear(name, "m^2/s^4/Hz"),
+        vec![Series::line("d", points)],
+    );
+    for (width, height) in [(24, 7), (30, 11), (38, 14), (38, 24)] {
+        let drawn = rows(&buffer(&plot, &PlotState::default(), &Appearance::default(), (width, height)));
+        let all = drawn.join("\n");
+        let is_whole = all.contains("[10³ m²/s⁴/Hz]") || all.contains("[10⁶ m²/s⁴/Hz]");
+        assert!(is_whole && all.contains("[kg·m²]"), "{width}×{height}:\n{all}");
+    }
+    // In a low plot that has no room for a title at the axis there are no numbers that want one.
+    let low = rows(&buffer(&plot, &PlotState::default(), &Appearance::default(), (38, 5)));
+    assert!(!low.join("").contains("200"), "{low:#?}");
+}
+
+#[test]
+fn small_lengths_are_in_millimetres() {
+    let points = (0..=10).map(|n| (f64::from(n), 5e-4 * f64::from(n))).collect();
+    let plot = Plot::new("", Axis::linear("t", "s"), Axis::linear("x", "m"), vec![Series::line("x", points)]);
+    let all = rows(&buffer(&plot, &PlotState::default(), &Appearance::default(), (38, 14))).join("\n");
+    assert!(all.contains("x [mm]") && all.contains("4┤") && !all.contains("10⁻"), "{all}");
+    let state = PlotState { cursor: Some(3.0), ..PlotState::default() };
+    assert_eq!(readout(&plot, &state, &Locale::english()).unwrap(), "t = 3 s   x = 1.5 mm");
+    // A tenth of a unit is still read in it.
+    let whole = Plot { series: vec![Series::line("x", vec![(0.0, 0.0), (1.0, 0.4)])], ..plot };
+    let all = rows(&buffer(&whole, &PlotState::default(), &Appearance::default(), (38, 14))).join("\n");
+    assert!(all.contains("x [m]"), "{all}");
+}
+
+#[test]
+fn a_pinned_plot_keeps_its_operating_point() {
+    let before = lines(1).mark("operating point", (20.0, 20.0));
+    let now = lines(1).mark("operating point", (80.0, 80.0));
+    let area = Rect::new(0, 0, 60, 18);
+    let mut drawn = Buffer::empty(area);
+    let look = Appearance::default();
+    render(&now, Some(&before), &PlotState::default(), &look, &Locale::english(), area, &mut drawn);
+    let all = rows(&drawn).join("\n");
+    let column = |sign: char| {
+        let canvas = rows(&drawn).into_iter().skip(3);
+        canvas.filter_map(|row| row.chars().position(|c| c == sign)).next().unwrap()
+    };
+    assert!(all.contains("┄○ before"), "{all}");
+    assert_eq!(all.matches('●').count(), 1, "{all}");
+    assert!(column('○') < 20 && column('●') > 40, "{all}");
+}
+
+#[test]
+fn marks_that_share_a_cell_stand_beside_each_other() {
+    let plot = lines(1).mark("first", (50.0, 50.0)).mark("second", (50.1, 50.1)).mark("third", (49.9, 49.9));
+    let all = rows(&buffer(&plot, &PlotState::default(), &Appearance::default(), (60, 18))).join("\n");
+    assert!(all.contains("●●●"), "{all}");
+    for name in ["first", "second", "third"] {
+        assert!(all.contains(name), "{all}");
+    }
+    // Two names of one point are one mark.
+    let same = lines(1).mark("first", (50.0, 50.0)).mark("second", (50.0, 50.0));
+    let all = rows(&buffer(&same, &PlotState::default(), &Appearance::default(), (60, 18))).join("\n");
+    assert_eq!(all.matches('●').count(), 1, "{all}");
+}
+
+#[test]
+fn the_pointer_is_read_before_the_cursor() {
+    let plot = lines(1);
+    let state = PlotState::default().with_cursor(&plot, 0.25);
+    let read = |state: &PlotState| readout(&plot, state, &Locale::english()).unwrap();
+    assert!(read(&state).starts_with("x = 25"), "{}", read(&state));
+    let over = state.with_pointer(&plot, Some(0.75));
+    assert!(read(&over).starts_with("x = 75"), "{}", read(&over));
+    assert_eq!(over.with_pointer(&plot, None), state);
+    assert_eq!(over.with_pointer(&plot, Some(1.2)), state, "beyond the axis there is nothing to read");
+}

@@ -1,9 +1,15 @@
 //! Ranges and scales of the axes of a plot, and conversion between values and positions.
 
-use dalembert_core::{Axis, Locale, Plot, Scale, Series, Text};
-use dalembert_units::{Style, Unit, unit, write_number, write_quantity};
+use dalembert_core::{Locale, Plot, Scale, Series};
+use dalembert_units::{Style, Unit, unit};
 
+pub use super::ruler::Ruler;
 use super::ticks::Span;
+
+/// Below the largest level, levels are seen over so many decibels.
+const DECIBELS: f64 = 80.0;
+/// The share of a linear axis at either end of it where a curve may plunge to nothing: of its levels there none is sought.
+const PLUNGE: f64 = 0.05;
 
 /// A plot with what its axes cover.
 #[derive(Clone, Debug)]
@@ -18,20 +24,6 @@ pub struct Axes<'a> {
     pub y: Ruler<'a>,
     /// Full range of the horizontal axis.
     pub whole: Span,
-}
-
-/// An axis with its unit and what it covers in it.
-#[derive(Clone, Debug)]
-pub struct Ruler<'a> {
-    /// The axis.
-    pub axis: &'a Axis,
-    /// The unit it is shown in.
-    pub unit: Unit,
-    /// Decibels of a factor of ten over one of the unit: 20 for amplitudes, 10 for what is a square of one. `None` for
-    /// the values themselves.
-    pub decibels: Option<f64>,
-    /// Range in that unit or in decibels.
-    pub span: Span,
 }
 
 /// Reading of a curve at the cursor.
@@ -103,11 +95,11 @@ impl<'a> Axes<'a> {
         Self::seen(plot, None, &PlotWindow::default())
     }
 
-    /// The same for a part of it, with the curves of a pinned plot in sight.
+    /// The same for a part of it, with the curves and the marks of a pinned plot in sight.
     pub fn seen(plot: &'a Plot, pinned: Option<&'a Plot>, view: &PlotWindow) -> Option<Self> {
         let (spread, x_scale) = (view.spread_of(plot), view.scale_across(plot));
-        let (across, up) =
-            (Ruler::of_axis(&plot.x, false), Ruler::of_axis(&plot.y, spread == Spread::Decibel));
+        let across = Ruler::of_axis(&plot.x, false);
+        let up = Ruler::of_axis(&plot.y, spread == Spread::Decibel);
         let scale = if spread == Spread::Log { Scale::Log } else { Scale::Linear };
         // A point counts where both of its values can be shown.
         let shown = |(x, y): (f64, f64)| {
@@ -116,32 +108,64 @@ impl<'a> Axes<'a> {
                 |value: f64, scale: Scale| value.is_finite() && (scale == Scale::Linear || value > 0.0);
             (shows(x, x_scale) && shows(y, scale)).then_some((x, y))
         };
-        let marks = plot.marks.iter().filter_map(|mark| shown(mark.at));
-        let curves = plot.series.iter().flat_map(|series| series.points.iter().copied().filter_map(shown));
-        let points: Vec<(f64, f64)> = curves.chain(marks).collect();
-        let whole = Span::of(points.iter().map(|at| at.0), x_scale)?;
+        let both = || [Some(plot), pinned].into_iter().flatten();
+        let marks: Vec<(f64, f64)> =
+            both().flat_map(|plot| &plot.marks).filter_map(|mark| shown(mark.at)).collect();
+        let points: Vec<(f64, f64)> =
+            plot.series.iter().flat_map(|series| &series.points).copied().filter_map(shown).collect();
+        let whole = Span::of(points.iter().chain(&marks).map(|at| at.0), x_scale)?;
         let window = view.window.and_then(|(from, to)| whole.part(across.value(from), across.value(to)));
         let x = window.unwrap_or(whole);
         // The vertical axis fits what is seen: the points inside, and where curves cross the edges.
-        let mut seen: Vec<f64> = match window {
-            None => points.iter().map(|at| at.1).collect(),
-            Some(_) => points.iter().filter(|at| x.from <= at.0 && at.0 <= x.to).map(|at| at.1).collect(),
-        };
-        let under = pinned.iter().flat_map(|pinned| &pinned.series).flat_map(|series| &series.points);
         let inside = |at: &(f64, f64)| x.from <= at.0 && at.0 <= x.to;
-        seen.extend(under.copied().filter_map(shown).filter(inside).map(|at| at.1));
+        let all = || both().flat_map(|plot| &plot.series);
+        let of = |joined: bool| {
+            let series = all().filter(move |series| series.joined == joined);
+            series.flat_map(|series| &series.points).copied().filter_map(shown).filter(inside)
+        };
+        let mut seen: Vec<(f64, f64)> = of(true).collect();
         if window.is_some() {
-            let all = pinned.iter().flat_map(|pinned| &pinned.series).chain(&plot.series);
-            for series in all.filter(|series| series.joined) {
+            for series in all().filter(|series| series.joined) {
                 seen.extend(series.points.windows(2).flat_map(|pair| {
                     let ends = shown(pair[0]).zip(shown(pair[1]));
-                    [x.from, x.to].into_iter().filter_map(move |edge| between(ends?, edge, &x, scale))
+                    let at = move |edge| Some((edge, between(ends?, edge, &x, scale)?));
+                    [x.from, x.to].into_iter().filter_map(at)
                 }));
             }
         }
-        let data = Span::of(seen, scale).or_else(|| Span::of(points.iter().map(|at| at.1), scale))?;
-        let y = levels(plot, &up, data).with_room();
-        Some(Self { plot, pinned, x: Ruler { span: x, ..across }, y: Ruler { span: y, ..up }, whole })
+        if spread != Spread::Linear {
+            let floor = floor(&seen, &x, window.is_none(), spread == Spread::Decibel);
+            seen.retain(|at| at.1 >= floor);
+        }
+        seen.extend(of(false).chain(marks.iter().copied().filter(inside)));
+        let data = Span::of(seen.iter().map(|at| at.1), scale)
+            .or_else(|| Span::of(points.iter().chain(&marks).map(|at| at.1), scale))?;
+        let y = up.clone().over(levels(plot, &up, data).with_room()).in_best_unit();
+        let whole = across.clone().over(whole).in_best_unit();
+        // A part is shown in the unit of the whole.
+        let convert = |value: f64| whole.value(across.si(value));
+        let part = window.map(|part| Span { from: convert(part.from), to: convert(part.to), ..whole.span });
+        let x = Ruler { span: part.unwrap_or(whole.span), ..whole.clone() };
+        Some(Self { plot, pinned, x, y, whole: whole.span })
+    }
+
+    /// True if its circles are to be round.
+    pub fn has_equal_scales(&self) -> bool {
+        let is_plain = |ruler: &Ruler<'_>| ruler.span.scale == Scale::Linear && ruler.decibels.is_none();
+        self.plot.equal && is_plain(&self.x) && is_plain(&self.y)
+    }
+
+    /// The vertical axis in an area of that width and height with at least as much to a length as the horizontal one
+    /// needs, for equal scales.
+    pub fn equal_up(&self, [across, up]: [f64; 2]) -> Span {
+        let (x, y) = (&self.x, &self.y);
+        wider(y.span, x.unit.factor * (x.span.to - x.span.from) / across * up / y.unit.factor)
+    }
+
+    /// The horizontal axis with as much to a length as a vertical one has.
+    pub fn equal_across(&self, span: &Span, [across, up]: [f64; 2]) -> Span {
+        let (x, y) = (&self.x, &self.y);
+        wider(x.span, y.unit.factor * (span.to - span.from) / up * across / x.unit.factor)
     }
 
     /// Cursor stops: every computed point and every mark, with its position on the axis.
@@ -234,7 +258,8 @@ impl<'a> Axes<'a> {
                 (false, _) => format!("{label} {sign} {value}"),
             });
         };
-        for mark in self.plot.marks.iter().filter(|mark| mark.at.0 == x && self.y.of(mark.at.1).is_some()) {
+        let is_here = |at: (f64, f64)| at.0 == x && self.y.of(at.1).is_some();
+        for mark in self.plot.marks.iter().filter(|mark| is_here(mark.at) && !mark.label.is_empty()) {
             found(mark.label.render(locale), CurveReading { y: mark.at.1, error: None });
         }
         for series in &self.plot.series {
@@ -243,68 +268,6 @@ impl<'a> Axes<'a> {
             }
         }
         parts
-    }
-}
-
-impl<'a> Ruler<'a> {
-    /// An axis that covers nothing in particular yet.
-    pub(super) fn of_axis(axis: &'a Axis, in_decibels: bool) -> Self {
-        // A density is a mean square over a bandwidth.
-        let factor = if axis.unit.ends_with("/Hz") { 10.0 } else { 20.0 };
-        let scale = if in_decibels { Scale::Linear } else { axis.scale };
-        Self {
-            axis,
-            unit: unit(axis.unit).unwrap_or(Unit::ONE),
-            decibels: in_decibels.then_some(factor),
-            span: Span { from: 0.0, to: 1.0, scale },
-        }
-    }
-
-    /// Axis value of a value in SI; not finite where it has no level.
-    pub fn value(&self, si: f64) -> f64 {
-        let value = self.unit.value(si);
-        self.decibels.map_or(value, |factor| factor * value.log10())
-    }
-
-    /// The value in SI that is shown so.
-    pub fn si(&self, value: f64) -> f64 {
-        self.unit.si(self.decibels.map_or(value, |factor| 10f64.powf(value / factor)))
-    }
-
-    /// Position of a value in SI: 0 at the lower end, 1 at the upper.
-    pub fn of(&self, si: f64) -> Option<f64> {
-        self.span.place(self.value(si)).filter(|place| place.is_finite())
-    }
-
-    /// A value in SI as it is read.
-    pub fn write(&self, si: f64, style: Style) -> String {
-        match self.decibels {
-            None => write_quantity(si, &self.unit, style),
-            Some(_) => format!("{} dB", write_number(self.value(si), style)),
-        }
-    }
-
-    /// Returns true if zero lies inside, away from both ends.
-    pub fn passes_zero(&self) -> bool {
-        self.span.scale == Scale::Linear && self.span.from < 0.0 && self.span.to > 0.0
-    }
-
-    /// `speed [rpm]`; a power of ten that the ticks leave out stands before the unit.
-    pub fn title(&self, ten: i32, locale: &Locale) -> String {
-        let label = self.axis.label.render(locale);
-        let unit = &self.unit;
-        let unit = unit.shown(locale.style.ascii);
-        if self.decibels.is_some() {
-            let of = Text::new("dB over 1 {unit}").with("unit", &unit).render(locale);
-            return format!("{label} [{}]", if unit.is_empty() { "dB" } else { &of });
-        }
-        let ten = if ten == 0 { String::new() } else { super::ticks::power_of_ten(ten, locale.style) };
-        match (ten.is_empty(), unit.is_empty()) {
-            (true, true) => label,
-            (true, false) => format!("{label} [{unit}]"),
-            (false, true) => format!("{label} [{ten}]"),
-            (false, false) => format!("{label} [{ten} {unit}]"),
-        }
     }
 }
 
@@ -327,6 +290,26 @@ fn between(((x0, y0), (x1, y1)): ((f64, f64), (f64, f64)), edge: f64, x: &Span, 
     })
 }
 
+/// Lowest value of curves that an axis of ratios has to show: of none where they plunge to nothing at an end of the whole
+/// plot, and no level far below the largest.
+fn floor(seen: &[(f64, f64)], x: &Span, is_whole: bool, in_decibels: bool) -> f64 {
+    let largest = seen.iter().map(|at| at.1).fold(f64::NEG_INFINITY, f64::max);
+    let least = if in_decibels { largest - DECIBELS } else { f64::NEG_INFINITY };
+    if !is_whole || x.scale == Scale::Log {
+        return least;
+    }
+    let is_inside = |at: f64| x.place(at).is_some_and(|place| (PLUNGE..=1.0 - PLUNGE).contains(&place));
+    let inner = seen.iter().filter(|at| is_inside(at.0)).map(|at| at.1).fold(f64::INFINITY, f64::min);
+    if inner.is_finite() { inner.max(least) } else { least }
+}
+
+/// A span of at least that width about the same middle.
+fn wider(span: Span, width: f64) -> Span {
+    let (middle, half) = (f64::midpoint(span.from, span.to), width / 2.0);
+    let (from, to) = (span.from.min(middle - half), span.to.max(middle + half));
+    if from.is_finite() && to.is_finite() { Span { from, to, ..span } } else { span }
+}
+
 /// The span with the levels, as long as the data keep a third of it: a limit far away is named at the edge instead.
 fn levels(plot: &Plot, ruler: &Ruler<'_>, data: Span) -> Span {
     let mut span = data;
@@ -340,4 +323,46 @@ fn levels(plot: &Plot, ruler: &Ruler<'_>, data: Span) -> Span {
         }
     }
     span
+}
+
+#[cfg(test)]
+mod tests {
+    use dalembert_core::Axis;
+
+    use super::*;
+
+    fn plot(points: Vec<(f64, f64)>) -> Plot {
+        Plot::new("", Axis::linear("f", "Hz"), Axis::linear("X", "mm"), vec![Series::line("X", points)])
+    }
+
+    fn in_decibels(plot: &Plot, window: Option<(f64, f64)>) -> Span {
+        let view = PlotWindow { window, spread: Some(Spread::Decibel), across: None };
+        Axes::seen(plot, None, &view).unwrap().y.span
+    }
+
+    /// An unbalance response begins at nothing: its levels are seen from about where the curve leaves the corner.
+    #[test]
+    fn levels_are_shown_where_the_curve_is() {
+        let at = |n: i32| {
+            let r = f64::from(n) / 100.0;
+            (r, r * r / ((1.0 - r * r).powi(2) + (0.1 * r).powi(2)).sqrt())
+        };
+        let unbalance = plot((1..=300).map(at).collect());
+        let span = in_decibels(&unbalance, None);
+        assert!(span.to > 79.0 && span.from > 20.0 && span.from < 50.0, "{span:?}");
+        // A part that is zoomed to is seen whole.
+
+        let close = in_decibels(&unbalance, Some((0.01, 0.1)));
+        assert!(close.from < -15.0, "{close:?}");
+        // An antiresonance is no plunge to nothing.
+        let notch = plot((0..=200).map(|n| (f64::from(n), (f64::from(n) - 100.2).abs() / 100.0)).collect());
+        assert!(in_decibels(&notch, None).from < 10.0, "{:?}", in_decibels(&notch, None));
+        // Nobody reads a level 80 dB below the largest.
+        let deep = plot((0..=200).map(|n| (f64::from(n), if n == 100 { 1e-9 } else { 1.0 })).collect());
+        let span = in_decibels(&deep, None);
+        assert!(span.to - span.from < 90.0, "{span:?}");
+        // A mark is an answer, and always seen.
+        let marked = plot((1..=300).map(at).collect()).mark("at rest", (0.02, 0.0004));
+        assert!(in_decibels(&marked, None).from < -7.9, "{:?}", in_decibels(&marked, None));
+    }
 }

@@ -3,10 +3,10 @@
 use dalembert_core::{Axis, Locale, Scale};
 
 use super::{
-    axes::Ruler,
     labels::width,
     letters,
     picture::{Anchor, Picture, PictureElement, Tone, WORDS},
+    ruler::Ruler,
     ticks::Span,
 };
 

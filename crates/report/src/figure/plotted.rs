@@ -13,17 +13,25 @@ use super::{
 const WIDTH: f64 = 640.0;
 /// The height of what is inside the axes.
 const INSIDE: f64 = 300.0;
+/// Room that the numbers of a vertical axis may take beside equal scales.
+const WIDEST: f64 = 90.0;
 /// A line of words.
 const LINE: f64 = 1.5 * WORDS;
 
 /// Picture of the visible part of a plot with axes, ticks, legend, names and cursor readings; `None` where there is
 /// nothing to draw.
 pub(super) fn picture(plot: &Plot, seen: &Seen<'_>, locale: &Locale) -> Option<Picture> {
-    let axes = Axes::seen(plot, seen.pinned, &seen.view)?;
-    let up = axes.y.span.ticks(7, locale.style);
+    let mut axes = Axes::seen(plot, seen.pinned, &seen.view)?;
     let longest = |ticks: &Ticks| ticks.ticks.iter().map(|tick| width(&tick.label)).fold(0.0, f64::max);
-    let left = longest(&up) + 16.0;
     let right = WIDTH - 20.0;
+    if axes.has_equal_scales() {
+        axes.y.span = axes.equal_up([right - WIDEST, INSIDE]);
+    }
+    let up = axes.y.span.ticks(7, locale.style);
+    let left = longest(&up) + 16.0;
+    if axes.has_equal_scales() {
+        axes.x.span = axes.equal_across(&axes.y.span, [right - left, INSIDE]);
+    }
     let across = axes.x.span.ticks_that_fit(10, locale.style, |ticks| {
         let labelled = ticks.ticks.iter().filter(|tick| !tick.label.is_empty()).count();
         (longest(ticks) + 14.0) * labelled as f64 <= right - left
@@ -43,6 +51,12 @@ pub(super) fn picture(plot: &Plot, seen: &Seen<'_>, locale: &Locale) -> Option<P
         area.curve(Tone::Curve(n), LineStyle::of_curve(n), series, &mut labels, &mut parts);
     }
     let readout = seen.cursor.map_or_else(Vec::new, |cursor| area.cursor(cursor, locale, &mut parts));
+    for mark in seen.pinned.iter().flat_map(|pinned| &pinned.marks) {
+        if let Some(at) = area.inside(mark.at) {
+            labels.avoid(&[at]);
+            parts.push(PictureElement::Disc { at, radius: 4.0, tone: Tone::Faint });
+        }
+    }
     for mark in &plot.marks {
         if let Some(at) = area.inside(mark.at) {
             labels.avoid(&[at]);
@@ -57,10 +71,10 @@ pub(super) fn picture(plot: &Plot, seen: &Seen<'_>, locale: &Locale) -> Option<P
     area.band_names(locale, &mut labels);
     parts.append(&mut labels.parts);
     let words = |at, anchor, text| PictureElement::Words { at, anchor, text, tone: Tone::Ink };
-    parts.push(words((12.0, LINE - 4.0), Anchor::Start, axes.y.title(up.ten, locale)));
+    parts.push(words((12.0, LINE - 4.0), Anchor::Start, axes.y.title(up.ten, locale).whole()));
     parts.extend(legend.parts);
     let foot = (f64::midpoint(left, right), area.bottom + 2.0 * LINE);
-    parts.push(words(foot, Anchor::Middle, axes.x.title(across.ten, locale)));
+    parts.push(words(foot, Anchor::Middle, axes.x.title(across.ten, locale).whole()));
     let mut below = area.bottom + 2.0 * LINE;
     for line in readout {
         below += LINE;

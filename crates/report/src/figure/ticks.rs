@@ -14,6 +14,8 @@ pub struct Span {
     pub to: f64,
     /// Spacing of values between the ends.
     pub scale: Scale,
+    /// True for angles in degrees, whose ticks are parts of a turn.
+    pub degrees: bool,
 }
 
 /// The ticks of an axis.
@@ -56,13 +58,13 @@ impl Span {
         // The outermost numbers there are: no end may be infinite, and a logarithm needs a positive one.
         let least = if scale == Scale::Log { f64::MIN_POSITIVE } else { f64::MIN };
         let (from, to) = (from.max(least), to.min(f64::MAX));
-        (from < to).then_some(Self { from, to, scale })
+        (from < to).then_some(Self { from, to, scale, degrees: false })
     }
 
     /// The same span with a twentieth more on both sides. A linear span that begins not far above zero begins at it.
     #[must_use]
     pub fn with_room(self) -> Self {
-        let Self { from, to, scale } = self;
+        let Self { from, to, scale, degrees } = self;
         match scale {
             Scale::Linear => {
                 let room = to / 20.0 - from / 20.0;
@@ -73,6 +75,7 @@ impl Span {
                     from: if from >= 0.0 && near_zero(from, to) { 0.0 } else { (from - room).max(f64::MIN) },
                     to: if to <= 0.0 && near_zero(to, from) { 0.0 } else { (to + room).min(f64::MAX) },
                     scale,
+                    degrees,
                 }
             }
             Scale::Log => {
@@ -81,6 +84,7 @@ impl Span {
                     from: (from * 10f64.powf(-room)).max(f64::MIN_POSITIVE),
                     to: (to * 10f64.powf(room)).min(f64::MAX),
                     scale,
+                    degrees,
                 }
             }
         }
@@ -112,8 +116,9 @@ impl Span {
         }
     }
 
-    /// At most `most` labelled ticks at round numbers: 1, 2 or 5 times a power of ten on a linear axis, decades on a
-    /// logarithmic one. A logarithmic axis over less than two decades is labelled at 1, 2, 5, or as a linear one.
+    /// At most `most` labelled ticks at round numbers: 1, 2 or 5 times a power of ten on a linear axis, parts of a turn on
+    /// one of degrees, decades on a logarithmic one. A logarithmic axis over less than two decades is labelled at 1, 2, 5,
+    /// or as a linear one.
     pub fn ticks(&self, most: usize, style: Style) -> Ticks {
         match self.scale {
             Scale::Linear => self.linear(most, style),
@@ -157,14 +162,18 @@ impl Span {
         if !least.is_finite() {
             return None;
         }
-        let sizes = (least as i32 - 1..).flat_map(|exponent| [1, 2, 5].map(|mantissa| (mantissa, exponent)));
-        sizes.take(16).find_map(|(mantissa, exponent)| {
+        let fits = |(mantissa, exponent): (i64, i32)| {
             let step = decimal(mantissa, exponent);
             // An end that is a multiple but for rounding counts as one.
             let (first, last) = ((self.from / step - 1e-9).ceil(), (self.to / step + 1e-9).floor());
             let fits = last - first < most as f64 && first.abs().max(last.abs()) < 1e15;
             fits.then_some((mantissa, exponent, first as i64, last as i64))
-        })
+        };
+        if self.degrees && least >= 0.0 {
+            return parts_of_a_turn().find_map(fits);
+        }
+        let sizes = (least as i32 - 1..).flat_map(|exponent| [1, 2, 5].map(|mantissa| (mantissa, exponent)));
+        sizes.take(16).find_map(fits)
     }
 
     fn decades(&self, most: usize, style: Style) -> Ticks {
@@ -206,6 +215,13 @@ impl Span {
     }
 }
 
+/// Steps of an axis in degrees, `mantissa × 10^exponent`: from one degree to a turn, then turns.
+fn parts_of_a_turn() -> impl Iterator<Item = (i64, i32)> {
+    let parts = [(1, 0), (2, 0), (5, 0), (1, 1), (15, 0), (3, 1), (45, 0), (9, 1), (18, 1)];
+    let turns = (1..300).flat_map(|exponent| [36, 72, 180].map(|mantissa| (mantissa, exponent)));
+    parts.into_iter().chain(turns)
+}
+
 /// `10⁻⁶`, or `1e-6` in ASCII; nothing for 10⁰.
 pub fn power_of_ten(exponent: i32, style: Style) -> String {
     match (exponent, style.ascii) {
@@ -230,7 +246,7 @@ mod tests {
     use super::*;
 
     fn labels(from: f64, to: f64, scale: Scale, most: usize) -> Vec<String> {
-        let ticks = Span { from, to, scale }.ticks(most, Style::default());
+        let ticks = Span { from, to, scale, degrees: false }.ticks(most, Style::default());
         ticks.ticks.into_iter().map(|tick| tick.label).filter(|label| !label.is_empty()).collect()
     }
 
@@ -244,20 +260,46 @@ mod tests {
     }
 
     #[test]
+    fn an_axis_of_degrees_is_ticked_in_parts_of_a_turn() {
+        let labels = |from, to, most| {
+            let ticks = Span { from, to, scale: Scale::Linear, degrees: true }.ticks(most, Style::default());
+            ticks.ticks.into_iter().map(|tick| tick.label).collect::<Vec<_>>().join(" ")
+        };
+        assert_eq!(labels(0.0, 360.0, 8), "0 90 180 270 360");
+        assert_eq!(labels(0.0, 360.0, 12), "0 45 90 135 180 225 270 315 360");
+        assert_eq!(labels(-189.0, 189.0, 5), "−180 −90 0 90 180");
+        assert_eq!(labels(0.0, 94.0, 4), "0 30 60 90");
+        assert_eq!(labels(0.0, 94.0, 8), "0 15 30 45 60 75 90");
+        assert_eq!(labels(3.0, 11.0, 5), "4 6 8 10");
+        assert_eq!(labels(0.0, 720.0, 5), "0 180 360 540 720");
+        assert_eq!(labels(0.0, 7300.0, 6), "0 1800 3600 5400 7200");
+        assert_eq!(labels(1.1, 1.6, 6), "1.1 1.2 1.3 1.4 1.5 1.6");
+    }
+
+    #[test]
     fn ticks_are_the_numbers_their_labels_say() {
-        for tick in (Span { from: 0.0, to: 1.0, scale: Scale::Linear }).ticks(11, Style::default()).ticks {
+        for tick in (Span { from: 0.0, to: 1.0, scale: Scale::Linear, degrees: false })
+            .ticks(11, Style::default())
+            .ticks
+        {
             assert_eq!(tick.at, tick.label.parse::<f64>().unwrap());
         }
     }
 
     #[test]
     fn long_numbers_share_a_power_of_ten() {
-        let ticks = Span { from: 0.0, to: 4.1e-6, scale: Scale::Linear }.ticks(5, Style::default());
+        let ticks =
+            Span { from: 0.0, to: 4.1e-6, scale: Scale::Linear, degrees: false }.ticks(5, Style::default());
         assert_eq!(ticks.ten, -6);
         let labels: Vec<_> = ticks.ticks.iter().map(|tick| tick.label.as_str()).collect();
         assert_eq!(labels, ["0", "1", "2", "3", "4"]);
         assert_eq!(ticks.ticks[3].at, 3e-6);
-        assert_eq!((Span { from: 0.0, to: 250e3, scale: Scale::Linear }).ticks(6, Style::default()).ten, 3);
+        assert_eq!(
+            (Span { from: 0.0, to: 250e3, scale: Scale::Linear, degrees: false })
+                .ticks(6, Style::default())
+                .ten,
+            3
+        );
     }
 
     #[test]
@@ -272,7 +314,8 @@ mod tests {
         assert_eq!(labels(0.9, 60.0, Scale::Log, 9).join(" "), "1 10");
         assert_eq!(labels(1.5, 60.0, Scale::Log, 9).join(" "), "2 5 10 20 50");
         assert_eq!(labels(3.1, 4.4, Scale::Log, 4).join(" "), "3.5 4");
-        let minor = Span { from: 1.0, to: 100.0, scale: Scale::Log }.ticks(5, Style::default());
+        let minor =
+            Span { from: 1.0, to: 100.0, scale: Scale::Log, degrees: false }.ticks(5, Style::default());
         assert_eq!(minor.ticks.len(), 19, "1, 2 … 9, 10, 20 … 90, 100");
     }
 
@@ -292,8 +335,8 @@ mod tests {
 
     #[test]
     fn room_keeps_zero() {
-        let span = |from, to| Span { from, to, scale: Scale::Linear }.with_room();
-        assert_eq!(span(0.2, 10.0), Span { from: 0.0, to: 10.49, scale: Scale::Linear });
+        let span = |from, to| Span { from, to, scale: Scale::Linear, degrees: false }.with_room();
+        assert_eq!(span(0.2, 10.0), Span { from: 0.0, to: 10.49, scale: Scale::Linear, degrees: false });
         assert_eq!(span(-10.0, -1.0).to, 0.0);
         assert!((span(8.0, 10.0).from - 7.9).abs() < 1e-12);
         assert!((span(-1.0, 1.0).to - 1.1).abs() < 1e-12);
@@ -307,15 +350,15 @@ mod tests {
             (1e-300, 1e300, Scale::Log),
             (0.5, 20.0, Scale::Log),
         ] {
-            let span = Span { from, to, scale };
+            let span = Span { from, to, scale, degrees: false };
             for n in 0..=10 {
                 let place = f64::from(n) / 10.0;
                 let back = span.place(span.value(place)).unwrap();
                 assert!((back - place).abs() < 1e-9, "{span:?} at {place}: {back}");
             }
         }
-        assert_eq!(Span { from: 1.0, to: 100.0, scale: Scale::Log }.place(10.0), Some(0.5));
-        assert_eq!(Span { from: 1.0, to: 100.0, scale: Scale::Log }.place(0.0), None);
+        assert_eq!(Span { from: 1.0, to: 100.0, scale: Scale::Log, degrees: false }.place(10.0), Some(0.5));
+        assert_eq!(Span { from: 1.0, to: 100.0, scale: Scale::Log, degrees: false }.place(0.0), None);
     }
 
     #[test]

@@ -3,10 +3,10 @@
 use dalembert_core::{Axis, Locale, Scale};
 
 use super::{
-    axes::Ruler,
     labels::width,
     letters,
     picture::{Anchor, LineStyle, Picture, PictureElement, Tone, WORDS},
+    ruler::Ruler,
     ticks::Span,
 };
 
@@ -76,7 +76,7 @@ pub fn tornado(
         parts.push(words((x, bottom + LINE), Anchor::Middle, tick.label.clone()));
     }
     let foot = (f64::midpoint(left, right), bottom + 2.0 * LINE);
-    parts.push(words(foot, Anchor::Middle, ruler.title(ticks.ten, locale)));
+    parts.push(words(foot, Anchor::Middle, ruler.title(ticks.ten, locale).whole()));
     let letters = in_letters(&title, &ruler, middle, bars, locale)?;
     Some(Picture { title, width: WIDTH, height: bottom + 2.0 * LINE + 10.0, parts, letters })
 }

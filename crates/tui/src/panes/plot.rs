@@ -178,22 +178,27 @@ impl Pane for Plot {
         seen.and_then(|(plot, _)| plot::readout(plot, &self.state, ui.locale)).unwrap_or_default()
     }
 
-    /// A click sets the cursor, a drag moves it or, where part of the axis is shown, that part, and the wheel zooms
-    /// about the pointer.
+    /// The curves are read under the pointer; a click sets the cursor, a drag moves it or, where part of the axis is
+    /// shown, that part, and the wheel zooms about the pointer.
     fn mouse(&mut self, problem: &Problem, ui: &Ui<'_>, gesture: Gesture, at: Position) -> bool {
         let Some((plot, _)) = problem.plot_at(self.at) else { return false };
         let state = self.state;
+        if gesture == Gesture::Leave {
+            self.state = state.with_pointer(plot, None);
+            return true;
+        }
         let place = plot::place_at(plot, &state, ui.look, ui.locale, ui.area, at.x);
         let Some((place, cells)) = place else { return false };
         self.state = match gesture {
             Gesture::Drag(held) if state.view.window.is_some() => {
                 state.panned(plot, (f64::from(held) - f64::from(at.x)) / f64::from(cells))
             }
-            Gesture::Press | Gesture::Drag(_) => state.with_pointer(plot, place),
+            Gesture::Hover | Gesture::Leave => state.with_pointer(plot, Some(place)),
+            Gesture::Press | Gesture::Drag(_) => state.with_cursor(plot, place),
             Gesture::WheelUp => state.zoomed_at(plot, place, NOTCH),
             Gesture::WheelDown => state.zoomed_at(plot, place, 1.0 / NOTCH),
         };
-        true
+        gesture != Gesture::Hover || self.state.pointer.is_some()
     }
 
     fn pictures(&self, problem: &Problem) -> usize {

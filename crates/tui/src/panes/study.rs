@@ -207,8 +207,12 @@ impl Pane for Study {
             let (input, answer) = self.plan.target(&of).ok()?;
             return Some(Question::Find { entry, record, input, answer });
         }
-        let plan = self.plan.read(&of).ok()?;
-        let answers = problem.found.solution.as_ref()?.answers.clone();
+        let mut plan = self.plan.read(&of).ok()?;
+        let solution = problem.found.solution.as_ref()?;
+        if self.plan.kind == Kind::Sweep {
+            plan.answers = answers::with_other_limits(solution, plan.answers);
+        }
+        let answers = solution.answers.clone();
         Some(Question::Study { entry, record, answers, plan: Box::new(plan), folder: self.folder(problem) })
     }
 

@@ -104,7 +104,10 @@ pub fn play(replay: &Replay, folder: &Path) -> Result<ReplayResult, ReplayFailur
                 }
             }
             Act::Wait(time) => pass(&mut harness, *time),
-            Act::UntilSolved => {}
+            Act::UntilSolved | Act::Pause => {}
+            Act::Caption(text) => {
+                harness.model.caption = Some(text.clone()).filter(|text| !text.is_empty());
+            }
             Act::Picture(name) => {
                 let text = harness.text();
                 pictures.push(Picture { name: name.clone(), text, svg: svg::screen(harness.draws()) });

@@ -5,6 +5,7 @@ use std::{
     time::{Duration, Instant},
 };
 
+use dalembert_core::Text;
 use ratatui::crossterm::event::{KeyCode, KeyEvent};
 
 use super::{Act, Replay, key_to_tab};
@@ -20,15 +21,31 @@ const CHARACTER: Duration = Duration::from_millis(70);
 const KEY: Duration = Duration::from_millis(350);
 /// `wait solved` waits no longer.
 const PATIENCE: Duration = Duration::from_secs(30);
+/// A session that is paused looks again after so long, which a key does before.
+const STANDING: Duration = Duration::from_hours(1);
+/// A key of the speed makes it so many times as large or small, within these limits.
+const FASTER: f64 = 1.5;
+const SPEEDS: (f64, f64) = (0.01, 100.0);
 
 /// A session on its way.
 #[derive(Debug)]
 pub(crate) struct Player {
     steps: VecDeque<Step>,
-    speed: f64,
+    playback: Playback,
     due: Instant,
     /// Since when everything is to be solved first.
     waiting: Option<Instant>,
+}
+
+/// State of a session that is played, as the line below the screen shows it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Playback {
+    /// Everything takes the so-manieth part of its time.
+    pub speed: f64,
+    /// True while it stands.
+    pub paused: bool,
+    /// True for the tour: any key is the user's, and acts.
+    pub is_tour: bool,
 }
 
 #[derive(Debug)]
@@ -39,32 +56,60 @@ enum Step {
     Tab(String, usize),
     Wait(Duration),
     UntilSolved,
+    Pause,
+    Caption(Text),
 }
 
 impl Player {
     /// Begins now; everything takes the `speed`-th part of its time.
-    pub(crate) fn new(replay: Replay, speed: f64) -> Self {
+    pub(crate) fn new(replay: Replay, speed: f64, is_tour: bool) -> Self {
         let steps = replay.acts.into_iter().flat_map(|(_, act)| match act {
             Act::Type(keys) => keys.into_iter().map(Step::Key).collect(),
             Act::Paste(text) => vec![Step::Paste(text)],
             Act::Tab(name) => vec![Step::Tab(name, panes::all().len() + 2)],
             Act::Wait(time) => vec![Step::Wait(time)],
             Act::UntilSolved => vec![Step::UntilSolved],
+            Act::Pause => vec![Step::Pause],
+            Act::Caption(text) => vec![Step::Caption(text)],
             // The window is the user's; a picture of it is hers as well, and what it shows she sees.
             Act::Resize(..) | Act::Picture(_) | Act::Expect(_) => Vec::new(),
         });
-        Self { steps: steps.collect(), speed, due: Instant::now() + KEY, waiting: None }
+        let playback = Playback { speed, paused: false, is_tour };
+        Self { steps: steps.collect(), playback, due: Instant::now() + KEY, waiting: None }
+    }
+
+    /// State to be shown.
+    pub(crate) fn playback(&self) -> Playback {
+        self.playback
     }
 
     /// Time of the next action; `None` at the end.
     pub(crate) fn due(&self) -> Option<Instant> {
+        if self.playback.paused {
+            return Some(Instant::now() + STANDING);
+        }
         (!self.steps.is_empty() || self.waiting.is_some()).then_some(self.due)
     }
 
-    /// The next thing, if it is due.
-    pub(crate) fn next(&mut self, model: &Model) -> Option<Msg> {
+    /// Steers by a key: Space stops and goes on, as do Enter, → and Page Down where it stands, `+` and `-` change the
+    /// speed. False for a key that does not steer; of a tour none does.
+    pub(crate) fn steers(&mut self, key: KeyEvent) -> bool {
+        let Playback { speed, paused, is_tour } = &mut self.playback;
+        match key.code {
+            _ if *is_tour => return false,
+            KeyCode::Char(' ') => *paused = !*paused,
+            KeyCode::Enter | KeyCode::Right | KeyCode::PageDown if *paused => *paused = false,
+            KeyCode::Char('+' | '=') => *speed = (*speed * FASTER).min(SPEEDS.1),
+            KeyCode::Char('-') => *speed = (*speed / FASTER).max(SPEEDS.0),
+            _ => return false,
+        }
+        true
+    }
+
+    /// The next thing, if it is due; a caption and a pause change the screen alone.
+    pub(crate) fn next(&mut self, model: &mut Model) -> Option<Msg> {
         let now = Instant::now();
-        if now < self.due {
+        if self.playback.paused || now < self.due {
             return None;
         }
         if let Some(since) = self.waiting {
@@ -96,8 +141,78 @@ impl Player {
                 self.waiting = Some(now);
                 (None, Duration::ZERO)
             }
+            Step::Pause => {
+                self.playback.paused = true;
+                (None, Duration::ZERO)
+            }
+            Step::Caption(text) => {
+                model.caption = Some(text).filter(|text| !text.is_empty());
+                (None, Duration::ZERO)
+            }
         };
-        self.due = now + pause.div_f64(self.speed);
+        self.due = now + pause.div_f64(self.playback.speed);
         msg
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::keys::notation::keys_of;
+
+    fn player(session: &str, is_tour: bool) -> Player {
+        Player::new(Replay::read(session).expect("a session"), 100.0, is_tour)
+    }
+
+    fn key(name: &str) -> KeyEvent {
+        keys_of(name).expect("a key")[0]
+    }
+
+    /// Everything that is due within a second, with the captions.
+    fn played(player: &mut Player, model: &mut Model) -> String {
+        let mut done = String::new();
+        for _ in 0..1000 {
+            let caption = model.caption.clone();
+            if let Some(Msg::Key(key)) = player.next(model) {
+                done += &crate::keys::notation::written(key);
+            }
+            if model.caption != caption {
+                done += &format!("({})", model.caption.as_ref().map_or_else(String::new, Text::english));
+            }
+            std::thread::sleep(Duration::from_micros(200));
+        }
+        done
+    }
+
+    fn model() -> Model {
+        let look = crate::look::Appearance::default();
+        Model::new(&[], dalembert_core::Language::English, look, crate::plot::Marker::Braille)
+    }
+
+    #[test]
+    fn a_session_stands_at_its_pauses_until_a_key_lets_it_go_on() {
+        let mut model = model();
+        let mut player = player("type a\ncaption The peak.\npause\ncaption\ntype b\n", false);
+        assert_eq!(played(&mut player, &mut model), "a(The peak.)");
+        assert!(player.playback().paused && player.due().is_some());
+        assert!(player.steers(key("<pgdn>")));
+        assert_eq!(played(&mut player, &mut model), "()b");
+        assert_eq!(player.due(), None, "the end");
+    }
+
+    #[test]
+    fn keys_steer_a_replay_and_none_a_tour() {
+        let mut replay = player("type a\n", false);
+        for (name, speed, paused) in
+            [("+", 150.0_f64.min(100.0), false), ("-", 100.0 / 1.5, false), ("<space>", 100.0 / 1.5, true)]
+        {
+            assert!(replay.steers(key(name)), "{name}");
+            assert!((replay.playback().speed - speed).abs() < 1e-9, "{name}: {:?}", replay.playback());
+            assert_eq!(replay.playback().paused, paused, "{name}");
+        }
+        assert!(!replay.steers(key("x")), "any other key takes over");
+        let mut tour = player("type a\n", true);
+        assert!([" ", "+", "-", "x"].iter().all(|_| !tour.steers(key("<space>"))));
+        assert!(!tour.steers(key("+")) && !tour.steers(key("x")));
     }
 }

@@ -1,8 +1,8 @@
 //! Mouse actions: nothing that a key cannot do.
 //!
 //! A click goes to what is clicked, and a second one opens, edits or takes it, as Enter does. The wheel moves what is
-//! under the pointer, whatever has the focus. On a plot a click sets the cursor, a drag moves it or, where part of the
-//! axis is shown, moves that part, and the wheel zooms about the pointer.
+//! under the pointer, whatever has the focus. On a plot the curves are read under the pointer, a click sets the cursor, a
+//! drag moves it or, where part of the axis is shown, moves that part, and the wheel zooms about the pointer.
 
 use ratatui::{
     crossterm::event::{MouseButton, MouseEvent, MouseEventKind},
@@ -36,6 +36,10 @@ pub(super) fn happened(model: &mut Model, event: MouseEvent) -> Vec<Intent> {
         }
         MouseEventKind::Up(_) => {
             model.held = None;
+            Vec::new()
+        }
+        MouseEventKind::Moved => {
+            hover(model, at);
             Vec::new()
         }
         MouseEventKind::ScrollUp => turn(model, at, true),
@@ -144,6 +148,20 @@ fn choose(model: &mut Model, offer: usize) -> Vec<Intent> {
 /// Lets a pane take what the mouse does on it; whether that means something there.
 fn is_touched(model: &mut Model, tab: Tab, inside: Rect, gesture: Gesture, at: Position) -> bool {
     model.with_pane(tab, inside, |pane, problem, ui| pane.mouse(problem, ui, gesture, at)).unwrap_or(false)
+}
+
+/// Lets the pane under the pointer read what is there, and the one that it came from forget it.
+fn hover(model: &mut Model, at: Position) {
+    let over = match view::spot(model, at) {
+        Some(HitTarget::Pane(tab, inside, _)) if is_touched(model, tab, inside, Gesture::Hover, at) => {
+            Some(tab)
+        }
+        _ => None,
+    };
+    let before = std::mem::replace(&mut model.hovered, over);
+    if let Some(tab) = before.filter(|tab| over != Some(*tab)) {
+        is_touched(model, tab, Rect::ZERO, Gesture::Leave, at);
+    }
 }
 
 /// Moves what is held by the mouse.

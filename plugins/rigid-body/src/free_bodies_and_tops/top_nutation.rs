@@ -494,6 +494,7 @@ fn from_above(motion: &Nutation) -> Plot {
         Axis::linear("tip along Y", "1"),
         vec![Series::line("tip of a unit axis", tips(motion, 400).into_iter().map(|p| (p.x, p.y)).collect())],
     )
+    .equal()
 }
 
 fn animation(motion: &Nutation) -> Exhibit {

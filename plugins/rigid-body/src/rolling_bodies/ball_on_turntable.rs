@@ -392,6 +392,7 @@ impl BallOnTurntable {
             Axis::linear("y", "m"),
             vec![Series::line("path", (0..=360).map(at).collect())],
         )
+        .equal()
         .mark("start", (start[0].x, start[0].y))
         .mark("at that time", (there.x, there.y))
     }

@@ -319,6 +319,7 @@ impl RollingMotion {
                         Series::line("centre", centre),
                     ],
                 )
+                .equal()
                 .over_answer("duration", "contact_x"),
             )
         });

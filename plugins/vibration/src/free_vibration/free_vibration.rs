@@ -347,6 +347,7 @@ fn root_locus(motion: &FreeMotion) -> Plot {
             Series::dots("here", roots(z).to_vec()),
         ],
     )
+    .equal()
 }
 
 /// Mass, spring and damper, or disc and shaft.

@@ -228,7 +228,7 @@ impl Excited {
         Plot::new(
             "Power spectral density of the absolute acceleration",
             Axis::log("frequency", "Hz"),
-            Axis::log("density", "m^2/s^4/Hz"),
+            Axis::log("spectral density", "m^2/s^4/Hz"),
             series,
         )
     }

@@ -488,7 +488,7 @@ impl<N: Real> Random<N> {
         Plot::new(
             "Power spectral density",
             Axis::log("frequency", "Hz"),
-            Axis::log("density", motion.of("m^2/s^4/Hz", "rad^2/s^4/Hz")),
+            Axis::log("spectral density", motion.of("m^2/s^4/Hz", "rad^2/s^4/Hz")),
             vec![Series::line(labels[0], excitation), Series::line(labels[1], response)],
         )
     }

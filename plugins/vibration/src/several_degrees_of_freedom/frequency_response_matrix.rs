@@ -434,6 +434,7 @@ impl FrequencyResponseMatrix {
                         Axis::linear("imaginary part", unit),
                         series.collect(),
                     )
+                    .equal()
                     .over_answer(ASKED, answer("real", curves[0].0)),
                 )
             });

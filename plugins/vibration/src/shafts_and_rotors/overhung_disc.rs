@@ -443,7 +443,10 @@ impl OverhungDisc {
                 Series::line("forward 1", curve(|[_, _, f, _]| f)).of("forward_whirl[1]"),
                 Series::line("backward 2", curve(|[b, _, _, _]| -b)).of("backward_whirl[2]"),
                 Series::line("forward 2", curve(|[_, _, _, f]| f)).of("forward_whirl[2]"),
-                Series::line("ω = Ω", vec![(0.0, 0.0), (last, last)]),
+                Series::line(
+                    Text::new("{order}× speed").with("order", 1_usize),
+                    vec![(0.0, 0.0), (last, last)],
+                ),
             ],
         )
         .over("speed");

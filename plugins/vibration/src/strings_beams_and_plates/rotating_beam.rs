@@ -295,7 +295,7 @@ impl RotatingBeam {
             let k = f64::from(k);
             let end = last.min(highest / k);
             let points = vec![(0.0, 0.0), (end * unit, k * end * unit)];
-            Series::line(Text::new("{k} times the speed").with("k", k as usize), points)
+            Series::line(Text::new("{order}× speed").with("order", k as usize), points)
         };
         let mut series: Vec<Series> = (0..self.modes).map(mode).collect();
         series.extend([1, 2, 4].map(order));

@@ -517,12 +517,15 @@ impl FiveBar {
             x.into_iter().zip(y).map(|((_, x), (_, y))| (x, y)).collect::<Vec<_>>()
         };
         sheet.show(|| {
-            Exhibit::Plot(Plot::new(
-                "Path of the common pin of the rods",
-                Axis::linear("x", "mm"),
-                Axis::linear("y", "mm"),
-                vec![Series::line("path", path())],
-            ))
+            Exhibit::Plot(
+                Plot::new(
+                    "Path of the common pin of the rods",
+                    Axis::linear("x", "mm"),
+                    Axis::linear("y", "mm"),
+                    vec![Series::line("path", path())],
+                )
+                .equal(),
+            )
         });
         sheet.show(|| {
             built::animation(

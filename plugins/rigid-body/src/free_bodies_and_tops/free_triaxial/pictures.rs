@@ -53,6 +53,7 @@ pub(super) fn herpolhode(body: &FreeBody, inertia: Vector3<f64>, start: Vector3<
         Axis::linear("normal to H and to the first", "rad/s"),
         vec![Series::line("herpolhode", points)],
     )
+    .equal()
 }
 
 /// Fixed axes with the third along the angular momentum; it is what all of the animation is drawn in.

@@ -51,6 +51,7 @@ impl Motion {
                         Series::line("horizon", circle.collect()),
                     ],
                 )
+                .equal()
                 .over_answer("duration", "axis.x"),
             )
         });

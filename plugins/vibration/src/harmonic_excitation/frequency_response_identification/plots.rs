@@ -81,7 +81,8 @@ pub(super) fn nyquist(
             Series::line("least squares", fitted(measured, fit, model).iter().map(in_plane).collect()),
             Series::dots("measured", measured.iter().map(in_plane).collect()),
         ],
-    );
+    )
+    .equal();
     let names = ["natural frequency", "lower half-power point", "upper half-power point"];
     for (name, z) in names.into_iter().zip(circle.marks) {
         plot = plot.mark(name, (z.re, z.im));

@@ -10,7 +10,7 @@ use dalembert_mechanics::rotor::{
     Assembled, Complex, Rotor, SupportType,
     campbell::Campbell,
     critical::Critical,
-    modes::{Spectrum, WhirlMode},
+    modes::{Spectrum, WhirlDirection, WhirlMode},
     response::{Orbit, unbalance_response},
 };
 
@@ -114,14 +114,13 @@ impl RotorFigures<'_> {
             .map(|point| point.1)
             .filter(|y| y.is_finite())
             .fold(slope * self.problem.speed, f64::max);
-        let mut line = |slope: f64, label: Text| {
-            let end = last.min(1.05 * top / slope);
-            series.push(Series::line(label, vec![(0.0, 0.0), (end, slope * end)]));
-        };
-        line(slope, Text::from("sΩ"));
-        if slope == 1.0 {
-            line(2.0, Text::from("2Ω"));
-        }
+        // Twice the speed is what a shaft that is not round excites.
+        let orders = if slope == 1.0 { vec![1.0, 2.0] } else { vec![slope] };
+        series.extend(orders.into_iter().map(|order| {
+            let end = last.min(1.05 * top / order);
+            let label = Text::new("{order}× speed").with_quantity("order", order, "1");
+            Series::line(label, vec![(0.0, 0.0), (end, order * end)])
+        }));
         let mut plot = Plot::new(
             "Campbell diagram",
             Axis::linear("speed", "rpm"),
@@ -274,7 +273,7 @@ fn phase(sweep: &[Sample]) -> Plot {
     .over("speed")
 }
 
-/// A curve for each mode.
+/// A curve for each mode, named by its whirl at the highest speed.
 fn branches(diagram: Option<&Campbell>, answer: &'static str, value: fn(&WhirlMode) -> f64) -> Vec<Series> {
     let Some(diagram) = diagram else { return Vec::new() };
     let branch = |(n, branch): (usize, &Vec<Option<WhirlMode>>)| {
@@ -283,7 +282,14 @@ fn branches(diagram: Option<&Campbell>, answer: &'static str, value: fn(&WhirlMo
             .iter()
             .zip(branch)
             .map(|(&speed, mode)| (speed, mode.as_ref().map_or(f64::INFINITY, value)));
-        Series::line(Text::new("mode {n}").with("n", n + 1), points.collect()).of(answer)
+        let whirl = branch.iter().rev().flatten().next().map(WhirlMode::direction);
+        let label = Text::new(match whirl {
+            Some(WhirlDirection::Forward) => "mode {n}, forward",
+            Some(WhirlDirection::Backward) => "mode {n}, backward",
+            Some(WhirlDirection::Mixed) => "mode {n}, mixed whirl",
+            Some(WhirlDirection::Planar) | None => "mode {n}",
+        });
+        Series::line(label.with("n", n + 1), points.collect()).of(answer)
     };
     diagram.branches.iter().enumerate().map(branch).collect()
 }

@@ -214,5 +214,5 @@ fn polar(label: Text, samples: &[Sample], force: impl Fn(&Sample) -> [f64; 2]) -
 
 fn in_ground_axes(title: &'static str, curves: Vec<Series>) -> Exhibit {
     let (x, y) = (Axis::linear("Force along x", "N"), Axis::linear("Force along y", "N"));
-    Exhibit::Plot(Plot::new(title, x, y, curves))
+    Exhibit::Plot(Plot::new(title, x, y, curves).equal())
 }

@@ -127,6 +127,7 @@ impl Solved<'_> {
             Axis::linear("y", "mm"),
             vec![Series::line("", points).of(format_args!("{answer}.y")).at(values)],
         )
+        .equal()
         .over_answer(self.input(), format_args!("{answer}.x"))
         .mark("here", at(self.state))
     }

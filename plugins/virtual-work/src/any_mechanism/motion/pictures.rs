@@ -49,6 +49,7 @@ impl Solved<'_> {
                         Axis::linear("y", "mm"),
                         vec![Series::line("", path).of(format_args!("{answer}.y")).at(times)],
                     )
+                    .equal()
                     .over_answer("duration", format_args!("{answer}.x")),
                 )
             });

@@ -178,6 +178,7 @@ impl View<'_> {
             Axis::linear("along its motion", "N"),
             vec![Series::line("over the cycle", points)],
         )
+        .equal()
     }
 
     /// The force on the main bearings in axes of the frame.
@@ -189,6 +190,7 @@ impl View<'_> {
             Axis::linear("across the stroke", "N"),
             vec![Series::line("over the cycle", points)],
         )
+        .equal()
     }
 
     fn loop_of(&self, of: impl Fn(&Forces) -> Point) -> Vec<Point> {

@@ -56,12 +56,15 @@ impl FourBar {
         };
         if self.point.is_some() {
             sheet.show(|| {
-                Exhibit::Plot(Plot::new(
-                    "Coupler curve",
-                    Axis::linear("x", "mm"),
-                    Axis::linear("y", "mm"),
-                    vec![Series::line("point of the coupler", path())],
-                ))
+                Exhibit::Plot(
+                    Plot::new(
+                        "Coupler curve",
+                        Axis::linear("x", "mm"),
+                        Axis::linear("y", "mm"),
+                        vec![Series::line("point of the coupler", path())],
+                    )
+                    .equal(),
+                )
             });
         }
         let least = || {
