@@ -70,6 +70,8 @@ pub struct Options {
     pub basic: bool,
     /// Path of the file that records the user's actions for a replay.
     pub record: Option<PathBuf>,
+    /// Field mode begins with the file, or with a blank job that is to be saved in the file of this name.
+    pub field: Option<Option<PathBuf>>,
     /// A session that is played first, so many times as fast as a user types.
     pub replay: Option<(Replay, f64)>,
 }
@@ -127,7 +129,8 @@ struct Runtime {
 
 fn workbench(options: Options) -> Result<(), TerminalError> {
     terminal::usable()?;
-    let Options { file, analysis, language, settings, faults, readonly, basic, record, replay } = options;
+    let Options { file, analysis, language, settings, faults, readonly, basic, record, field, replay } =
+        options;
     let mut capabilities = Capabilities::detect(&Environment::of_process());
     if settings.ascii || basic {
         capabilities.glyphs = Glyphs::Ascii;
@@ -160,6 +163,7 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
     model.playing &= !basic;
     model.readonly = readonly;
     model.is_replay = replay.is_some();
+    model.field = field;
     model.faults = Fault::allowed();
     let case_checker = case_checker(teller(&sender, &session, |(id, cases)| Msg::CheckedCase(id, cases)));
     let mut faulty: Vec<_> = faults.into_iter().filter(|(_, faults)| !faults.is_empty()).collect();

@@ -12,7 +12,9 @@ use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 pub use map::{Bound, KeyChange, KeyMap};
 pub use tables::{ALWAYS, COMMON, PANES, PROBLEM};
-use tables::{CELL, CELLS, EDIT, FILTER, FORM, HELP, LIST, PICKER, PLAN, PROMPT, RESULTS, SHEET};
+use tables::{
+    CELL, CELLS, EDIT, FILTER, FORM, HELP, JOB, JOB_TEXT, LIST, PICKER, PLAN, PROMPT, RESULTS, SHEET,
+};
 
 /// Action of a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -183,6 +185,10 @@ pub enum Action {
     Theme,
     /// Takes the mouse, or leaves it to the terminal.
     Mouse,
+    /// A job of field balancing, step by step.
+    FieldMode,
+    /// The job as a problem of the workbench.
+    Workbench,
 }
 
 /// A line of a table: keys, what they do, and how that is called.
@@ -253,6 +259,10 @@ pub enum KeyContext {
     Plan,
     /// A cell that is being typed in.
     Cell,
+    /// A page of field mode.
+    Job,
+    /// A line of text of field mode.
+    JobText,
 }
 
 impl KeyContext {
@@ -272,6 +282,8 @@ impl KeyContext {
             KeyContext::Cells => CELLS,
             KeyContext::Plan => PLAN,
             KeyContext::Cell => CELL,
+            KeyContext::Job => JOB,
+            KeyContext::JobText => JOB_TEXT,
         }
     }
 
@@ -291,6 +303,8 @@ impl KeyContext {
             KeyContext::Cells => "Check, sensitivity",
             KeyContext::Plan => "Study",
             KeyContext::Cell => "While typing in a cell",
+            KeyContext::Job => "Field balancing, step by step",
+            KeyContext::JobText => "Field balancing, while typing",
         }
     }
 
@@ -298,7 +312,12 @@ impl KeyContext {
     pub fn is_text(self) -> bool {
         matches!(
             self,
-            KeyContext::Filter | KeyContext::Edit | KeyContext::Prompt | KeyContext::Sheet | KeyContext::Cell
+            KeyContext::Filter
+                | KeyContext::Edit
+                | KeyContext::Prompt
+                | KeyContext::Sheet
+                | KeyContext::Cell
+                | KeyContext::JobText
         )
     }
 
@@ -322,7 +341,7 @@ impl KeyContext {
             .flatten()
             .chain(of(self.is_pane(), PANES))
             .chain(of(in_problem, PROBLEM))
-            .chain(of(in_problem || self == KeyContext::Picker, COMMON))
+            .chain(of(in_problem || matches!(self, KeyContext::Picker | KeyContext::Job), COMMON))
             .chain(ALWAYS)
     }
 }

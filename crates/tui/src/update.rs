@@ -9,6 +9,7 @@ mod closing;
 mod dialog;
 mod edit;
 mod export;
+mod field;
 mod files;
 mod form;
 mod mouse;
@@ -46,7 +47,8 @@ pub fn start(model: &mut Model, file: Option<PathBuf>, analysis: Option<&'static
         (None, Some(entry)) => Intent::OpenCase(entry, 0),
         (None, None) => Intent::Preview,
     };
-    let effects = carry_out(model, vec![first]);
+    let first = if model.field.is_some() && !matches!(first, Intent::Do(_)) { field::begin(model) } else { vec![first] };
+    let effects = carry_out(model, first);
     model.translate_for_bench();
     effects
 }
@@ -228,6 +230,7 @@ fn press(model: &mut Model, key: KeyEvent) -> Vec<Intent> {
             (place, KeyCode::Char(character)) if place.has_cells() => {
                 cells::begin_by_typing(model, character, request(key))
             }
+            (KeyContext::Job, KeyCode::Char(character)) => field::pick(model, character),
             (KeyContext::Sheet, _) => {
                 dialog::edit_sheet(model, key);
                 Vec::new()
@@ -262,6 +265,7 @@ fn act(model: &mut Model, place: KeyContext, action: Action) -> Vec<Intent> {
         KeyContext::List | KeyContext::Prompt | KeyContext::Sheet | KeyContext::Help => {
             return dialog::act(model, action);
         }
+        KeyContext::Job | KeyContext::JobText => return field::act(model, action),
         _ => {}
     }
     if let Some(intents) = bench::act(model, place, action) {
@@ -299,6 +303,7 @@ fn everywhere(model: &mut Model, action: Action) -> Option<Vec<Intent>> {
         }
         Action::NextProblem => vec![Intent::NextProblem],
         Action::CloseProblem => vec![Intent::Leave(After::Close)],
+        Action::FieldMode => field::begin(model),
         Action::Theme => settings::ask_theme(model),
         Action::Mouse => settings::turn_mouse(model),
         Action::Open => vec![Intent::Show(Dialog::prompt(Purpose::Open, String::new()))],
@@ -481,6 +486,14 @@ fn type_in(model: &mut Model, requests: &[InputRequest]) -> Vec<Intent> {
         return vec![Intent::Preview];
     }
     let Some(bench) = &mut model.bench else { return Vec::new() };
+    if let Some(field) = &mut bench.field {
+        if std::mem::take(&mut field.proposed) && matches!(requests, [InputRequest::InsertChar(_), ..]) {
+            field.input.reset();
+        }
+        field.fault = None;
+        handle(&mut field.input);
+        return Vec::new();
+    }
     if let Some(input) = &mut bench.edit {
         return if has_room(input) && handle(input) { cells::typed(model) } else { Vec::new() };
     }

@@ -2,6 +2,7 @@
 
 mod bars;
 mod dialog;
+mod field;
 mod form;
 mod picker;
 mod tabs;
@@ -47,6 +48,7 @@ pub fn view(model: &Model, frame: &mut Frame<'_>) {
         return;
     }
     let mut cursor = match model.shown_bench() {
+        Some(bench) if bench.field.is_some() => field::draw(model, bench, area, buffer),
         Some(bench) => {
             let areas = areas_in(area, model, bench, bench.focus);
             bars::title(model, areas.title, buffer);
@@ -222,7 +224,7 @@ pub fn tempo(model: &Model) -> Option<Duration> {
 
 /// The animation on the screen: its pane, its frames, and their time.
 pub(crate) fn animation(model: &Model) -> Option<(Tab, usize, f64)> {
-    let bench = model.shown_bench().filter(|bench| !bench.problem.is_stale())?;
+    let bench = model.shown_bench().filter(|bench| !bench.problem.is_stale() && bench.field.is_none())?;
     let tab = bench.animated()?;
     let areas = areas_of(model, bench, bench.focus);
     let is_seen = areas.picture.is_some() || (areas.pane.is_some() && bench.tab == tab);

@@ -55,6 +55,7 @@ pub(crate) fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<
         readonly: arguments.readonly,
         basic: arguments.basic,
         record: arguments.record.clone(),
+        field: None,
         replay: None,
     }))
 }

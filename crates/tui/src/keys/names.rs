@@ -94,6 +94,8 @@ impl Action {
             Action::Edit => "edit",
             Action::Theme => "theme",
             Action::Mouse => "mouse",
+            Action::FieldMode => "field-mode",
+            Action::Workbench => "workbench",
         }
     }
 }
@@ -115,6 +117,8 @@ impl KeyContext {
             KeyContext::Cells => "cells",
             KeyContext::Plan => "study",
             KeyContext::Cell => "cell",
+            KeyContext::Job => "job",
+            KeyContext::JobText => "job-line",
         }
     }
 }
