@@ -25,6 +25,10 @@ const CHORDS: u32 = 120;
 const TICK: f64 = 0.08;
 /// Length of the head of an arrow over the radius, and half of its opening.
 const HEAD: (f64, f64) = (0.2, 0.45);
+/// Names whose direction has a larger cosine stand beside the rim, not above or below it.
+const SIDEWAYS: f64 = 0.3;
+/// The least radius, in rows, of a dial with words at its arrows.
+const ROOMY: f64 = 4.0;
 /// Names closer than this stand side by side.
 const TOGETHER: f64 = 0.3;
 
@@ -118,7 +122,7 @@ pub fn render(dial: &Dial, look: &Appearance, area: Rect, buffer: &mut Buffer) {
         place.hand(&mut dots, *direction, look.ink(*ink));
     }
     dots.draw(buffer);
-    for arrow in dial.arrows.iter().filter(|arrow| !arrow.words.is_empty()) {
+    for arrow in dial.arrows.iter().filter(|arrow| !arrow.words.is_empty() && place.radius >= ROOMY) {
         let middle = arrow.from + arrow.sweep / 2.0;
         let at = place.cell(middle, arrow.radius * 0.5);
         place.words(buffer, at, 0.5, &arrow.words, look.ink(arrow.ink));
@@ -139,7 +143,8 @@ pub fn render(dial: &Dial, look: &Appearance, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// Names with those in nearly the same direction joined, in the ink of the last.
+/// Names with those in nearly the same direction joined, in the ink of the last. At the sides, where width is dear, what
+/// is faint gives way.
 fn together(names: &[DialName]) -> Vec<DialName> {
     let mut joined: Vec<DialName> = Vec::new();
     for name in names.iter().filter(|name| !name.words.is_empty()) {
@@ -149,7 +154,12 @@ fn together(names: &[DialName]) -> Vec<DialName> {
         };
         match joined.iter_mut().find(|other| apart(other) < TOGETHER) {
             Some(other) => {
-                other.words = format!("{} {}", other.words, name.words);
+                let gives_way = other.ink == Ink::Faint && other.direction.cos().abs() > SIDEWAYS;
+                other.words = if gives_way {
+                    name.words.clone()
+                } else {
+                    format!("{} {}", other.words, name.words)
+                };
                 other.ink = name.ink;
             }
             None => joined.push(name.clone()),
@@ -160,11 +170,11 @@ fn together(names: &[DialName]) -> Vec<DialName> {
 
 impl Place {
     fn of(names: &[DialName], look: &Appearance, area: Rect) -> Option<Self> {
-        let widest = |sideways: bool| {
-            let beside = |name: &&DialName| (name.direction.cos().abs() > 0.3) == sideways;
+        let widest = {
+            let beside = |name: &&DialName| name.direction.cos().abs() > SIDEWAYS;
             names.iter().filter(beside).map(|name| name.words.width()).max().unwrap_or(0)
         };
-        let beside = widest(true) as f64 + 1.0;
+        let beside = widest as f64 + 1.0;
         let rows = (f64::from(area.height) - 2.0) / 2.0;
         let columns = (f64::from(area.width) - 2.0 * beside) / 4.0;
         let radius = rows.min(columns) - 0.5;

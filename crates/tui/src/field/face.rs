@@ -9,7 +9,7 @@ use super::{FieldPage, entry, words};
 use crate::problem::Problem;
 
 /// How far the arrow of the rotation goes, rad.
-const ROTATION: f64 = 1.9;
+const ROTATION: f64 = 1.4;
 
 /// How the rotor is seen: which way it turns on the screen, and which way its scale goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,7 +76,7 @@ fn rotor(face: Face, title: &Text, locale: &Locale) -> Dial {
     names.push(DialName { direction: mark, words: Text::from("mark").render(locale), ink: Ink::Motion });
     let sense = if face.turns_clockwise { -1.0 } else { 1.0 };
     let rotation = ArcArrow {
-        radius: 0.55,
+        radius: 0.64,
         from: -FRAC_PI_2 - sense * ROTATION / 2.0,
         sweep: sense * ROTATION,
         words: Text::from("rotation").render(locale),
@@ -92,6 +92,14 @@ fn seen_from(problem: &Problem) -> Text {
         Some(1) => "Seen from the opposite end".into(),
         _ => "Seen from the drive end".into(),
     }
+}
+
+fn plane_seen(problem: &Problem, plane: usize) -> Text {
+    let said = match entry::chosen(problem, "view.end") {
+        Some(1) => "Plane {n} from the opposite end",
+        _ => "Plane {n} from the drive end",
+    };
+    Text::new(said).with("n", plane)
 }
 
 /// The habits of instrument and technician; that of the line under the cursor is pointed out.
@@ -143,8 +151,7 @@ fn high_spots(problem: &Problem, face: Face, locale: &Locale) -> Dial {
 
 /// The trial weight of a run.
 fn trial(problem: &Problem, face: Face, run: usize, locale: &Locale) -> Dial {
-    let title = Text::new("Plane {n}, {seen}").with("n", run).with_text("seen", seen_from(problem));
-    let mut dial = rotor(face, &title, locale);
+    let mut dial = rotor(face, &plane_seen(problem, run), locale);
     let row = format!("{}[{run}]", entry::RUNS);
     if let Some(angle) = entry::si_at(problem, &format!("{row}.angle")) {
         let words = words::localised(entry::text_at(problem, &format!("{row}.mass")), locale);
@@ -162,7 +169,10 @@ fn correction(
     mass: &words::Mounted<'_>,
     locale: &Locale,
 ) -> Dial {
-    let title = Text::new("Plane {n}, {seen}").with("n", mass.plane).with_text("seen", seen_from(problem));
+    let title = Text::new("Plane {n}: {mass} at {angle}")
+        .with("n", mass.plane)
+        .with("mass", words::quantity(mass.mass, locale))
+        .with("angle", words::degrees(mass.angle, locale));
     let mut dial = rotor(face, &title, locale);
     let stays = entry::chosen(problem, "measured.influence.runs.after") == Some(1);
     let row = (1..=entry::rows(problem, entry::RUNS))
@@ -173,9 +183,7 @@ fn correction(
         hand(&mut dial, face.direction(angle), Text::from("trial weight").render(locale), Ink::Force);
     }
     let direction = face.direction(mass.angle.si().unwrap_or_default());
-    let words =
-        format!("{} @ {}", words::quantity(mass.mass, locale), words::degrees(mass.angle, locale));
-    hand(&mut dial, direction, words, Ink::Result);
+    hand(&mut dial, direction, words::degrees(mass.angle, locale), Ink::Result);
     dial
 }
 

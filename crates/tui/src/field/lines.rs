@@ -253,7 +253,7 @@ fn trial(problem: &Problem, run: usize) -> Vec<FieldLine> {
     }));
     if run == 1 && entry::rows(problem, entry::RUNS) > 0 {
         lines.push(choice(
-            "Trial weight afterwards",
+            "After the run",
             "Taken off after its run; or left on, also in all later runs and under the correction",
             Choice::OneOf("measured.influence.runs.after"),
             &["taken off", "left on"],

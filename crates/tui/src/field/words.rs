@@ -28,10 +28,10 @@ pub(crate) enum Tone {
 pub(crate) fn title(page: FieldPage, is_short: bool) -> Text {
     let (long, short, number) = match page {
         FieldPage::Job => ("The job", "Job", 0),
-        FieldPage::Instrument => ("Instrument and angles", "Instrument", 0),
+        FieldPage::Instrument => ("Instrument and angles", "Setup", 0),
         FieldPage::Initial => ("Run 0: as found", "Run 0", 0),
         FieldPage::Trial(run) => ("Trial run, plane {n}", "Trial {n}", run),
-        FieldPage::Correction(0) => ("Correction", "Correction", 0),
+        FieldPage::Correction(0) => ("Correction", "Mount", 0),
         FieldPage::Correction(trim) => ("Trim correction {n}", "Trim {n}", trim),
         FieldPage::Check(run) => ("Check run {n}", "Check {n}", run),
         FieldPage::Report => ("Report", "Report", 0),
@@ -61,10 +61,14 @@ pub(crate) fn intro(problem: &Problem, page: FieldPage, locale: &Locale) -> Text
             Text::new(said).with("n", run).with("before", run.saturating_sub(1)).with("speed", speed(problem, locale))
         }
         FieldPage::Correction(0) if entry::answer(problem, "trim[1]").is_some() => {
-            "Stop and lock. Leave the trial weights on, and add:".into()
+            mount("Stop and lock. Leave the trial weights on and add, at radius {radius}:", problem, locale)
         }
-        FieldPage::Correction(0) => "Stop and lock. Take every trial weight off, then mount:".into(),
-        FieldPage::Correction(_) => "Stop and lock. Leave everything on the rotor, and add:".into(),
+        FieldPage::Correction(0) => {
+            mount("Stop and lock. Take every trial weight off and mount, at radius {radius}:", problem, locale)
+        }
+        FieldPage::Correction(_) => {
+            mount("Stop and lock. Leave everything on the rotor and add, at radius {radius}:", problem, locale)
+        }
         FieldPage::Check(_) => {
             Text::new("Run at {speed} with the weights mounted.").with("speed", speed(problem, locale))
         }
@@ -115,13 +119,11 @@ fn hindrance(problem: &Problem) -> Option<(Tone, Text)> {
 fn trial(problem: &Problem, run: usize, locale: &Locale) -> Vec<(Tone, Text)> {
     if let Some(effect) = entry::answer(problem, &format!("trial_effect[{run}]")) {
         let said = Text::new("The trial weight changed the vibration by {change}.");
-        return vec![(Tone::Good, said.with("change", quantity(effect, locale)))];
+        let percent = format!("{:.0} %", 100.0 * effect.si().unwrap_or_default());
+        return vec![(Tone::Good, said.with("change", percent))];
     }
     let Some(careful) = entry::answer(problem, "trial_mass") else { return Vec::new() };
-    let radius = entry::si_at(problem, "radius").map(|radius| {
-        let unit = dalembert_units::unit("mm").expect("a unit");
-        write_quantity(radius, &unit, digits(locale))
-    });
+    let radius = localised(entry::text_at(problem, "radius"), locale);
     let clear = entry::answer(problem, "clear_trial_mass").filter(|clear| clear.si() > careful.si());
     let said = match clear {
         Some(_) => Text::new(
@@ -129,7 +131,7 @@ fn trial(problem: &Problem, run: usize, locale: &Locale) -> Vec<(Tone, Text)> {
         ),
         None => Text::new("Proposed: {careful} at {radius} (a force of 10 % of the weight on the plane)."),
     };
-    let said = said.with("careful", quantity(careful, locale)).with("radius", radius.unwrap_or_default());
+    let said = said.with("careful", quantity(careful, locale)).with("radius", radius);
     let clear = clear.map_or_else(String::new, |clear| quantity(clear, locale));
     vec![(Tone::Plain, said.with("clear", clear))]
 }
@@ -170,6 +172,16 @@ impl Mounted<'_> {
             .with("plane", plane)
             .with("mass", quantity(self.mass, locale))
             .with("angle", degrees(self.angle, locale));
+        let turned = part("from_mark").filter(|from| {
+            let apart = (from.si().unwrap_or_default() - self.angle.si().unwrap_or_default()).abs();
+            self.mass.name.is(&format!("correction[{plane}]")) && apart.to_degrees() > 0.5
+        });
+        let whole = match turned {
+            Some(from) => Text::new("{whole}, which is {angle} from the mark with the rotation")
+                .with_text("whole", whole)
+                .with("angle", degrees(from, locale)),
+            None => whole,
+        };
         match split {
             [Some(first), Some(one), Some(second), Some(two)] if is_next => {
                 Text::new("{whole}: {one} at position {first}, {two} at position {second}")
@@ -215,6 +227,10 @@ fn checked(problem: &Problem, run: usize, locale: &Locale) -> Vec<(Tone, Text)> 
         None => {}
     }
     all
+}
+
+fn mount(said: &'static str, problem: &Problem, locale: &Locale) -> Text {
+    Text::new(said).with("radius", localised(entry::text_at(problem, "radius"), locale))
 }
 
 fn speed(problem: &Problem, locale: &Locale) -> String {

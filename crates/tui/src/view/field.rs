@@ -30,6 +30,8 @@ const LEAST_FACE: u16 = 9;
 const LEAST_WIDTH: u16 = 22;
 /// Columns of the widest labels.
 const LABEL: usize = 34;
+/// Cells between two steps.
+const GAP: usize = 1;
 /// From so many rows on the help has two.
 const ROOMY: u16 = 16;
 /// Columns of the widest body: longer lines are hard to read.
@@ -51,7 +53,7 @@ pub(super) fn draw(model: &Model, bench: &Bench, area: Rect, buffer: &mut Buffer
     draw_steps(model, bench, field, steps, buffer);
     let faces = face::faces(&bench.problem, field.page, field.line, &model.locale);
     let (text, picture) = areas(body, field.page, faces.len());
-    let mut page = Page { lines: Vec::new(), cursor: None };
+    let mut page = Page::default();
     page.write(model, bench, field, usize::from(text.width));
     let used = page.lines.len() as u16;
     let first = page.first(usize::from(text.height));
@@ -63,8 +65,8 @@ pub(super) fn draw(model: &Model, bench: &Bench, area: Rect, buffer: &mut Buffer
     draw_faces(model, &faces, picture, buffer);
     draw_help(model, bench, field, help, buffer);
     bars::footer(model, footer, buffer);
-    page.cursor.and_then(|(row, column)| {
-        let y = text.y + u16::try_from(row.checked_sub(first)?).ok()?;
+    page.cursor.and_then(|column| {
+        let y = text.y + u16::try_from(page.focus.checked_sub(first)?).ok()?;
         Some(Position::new(text.x + column as u16, y)).filter(|at| text.contains(*at))
     })
 }
@@ -93,7 +95,7 @@ fn draw_steps(model: &Model, bench: &Bench, field: &FieldMode, area: Rect, buffe
         let one = |(n, page): (usize, &FieldPage)| {
             let name = field::title(*page, true).render(&model.locale);
             let is_done = n < at;
-            let mark = if is_done { format!("{} ", look.glyph(Glyph::Good)) } else { String::new() };
+            let mark = if is_done { look.glyph(Glyph::Good) } else { "" };
             match n == at {
                 true => (format!(" {name} "), look.focus()),
                 false if is_short => (if is_done { look.glyph(Glyph::Good) } else { look.glyph(Glyph::Hollow) }.to_owned(), look.dim()),
@@ -103,28 +105,29 @@ fn draw_steps(model: &Model, bench: &Bench, field: &FieldMode, area: Rect, buffe
         all.iter().enumerate().map(one).collect()
     };
     let room = usize::from(area.width).saturating_sub(2);
-    let cells = |names: &[(String, Style)]| names.iter().map(|(name, _)| width(name) + 2).sum::<usize>();
+    let cells = |names: &[(String, Style)]| names.iter().map(|(name, _)| width(name) + GAP).sum::<usize>();
     let long = names(false);
-    let shown = if cells(&long) <= room { long } else { names(true) };
+    let shown = if cells(&long) <= room + GAP { long } else { names(true) };
     let mut line = Line::default();
     for (name, style) in shown {
         line.push_span(Span::styled(name, style));
-        line.push_span(Span::raw("  "));
+        line.push_span(Span::raw(" ".repeat(GAP)));
     }
     buffer.set_line(area.x + 2, area.y, &line, room as u16);
 }
 
-/// The text of a page, and the line and column of the cursor in it.
+/// The text of a page, the line that has the keys, and the column of the cursor in it, where it is one of text.
+#[derive(Default)]
 struct Page {
     lines: Vec<Line<'static>>,
-    cursor: Option<(usize, usize)>,
+    focus: usize,
+    cursor: Option<usize>,
 }
 
 impl Page {
     /// The first line that is shown: the one with the cursor is in sight.
     fn first(&self, height: usize) -> usize {
-        let row = self.cursor.map_or(0, |(row, _)| row);
-        (row + 2).saturating_sub(height).min(self.lines.len().saturating_sub(height))
+        (self.focus + 2).saturating_sub(height).min(self.lines.len().saturating_sub(height))
     }
 
     fn write(&mut self, model: &Model, bench: &Bench, field: &FieldMode, room: usize) {
@@ -137,15 +140,23 @@ impl Page {
             tone == Tone::Order || tone == Tone::Plain && matches!(field.page, FieldPage::Trial(_))
         };
         let is_report = field.page == FieldPage::Report;
+        if is_report {
+            self.lines.push(Line::default());
+        }
         for (tone, text) in remarks.iter().filter(|(tone, _)| is_before(*tone) || is_report) {
             self.remark(model, *tone, &text.render(locale), room);
         }
-        self.lines.push(Line::default());
+        // Where pictures stand below the text, every line counts.
+        let is_close = matches!(field.page, FieldPage::Correction(_));
+        if !is_close {
+            self.lines.push(Line::default());
+        }
         let lines = field.lines(problem);
         let label = lines.iter().map(|line| width(&line.label.render(locale))).max().unwrap_or(0);
         let label = label.min(LABEL).min(room / 2);
         for (n, line) in lines.iter().enumerate() {
-            if matches!(line.kind, LineKind::Go(_)) && n > 0 && !matches!(lines[n - 1].kind, LineKind::Go(_)) {
+            let is_go = |line: &FieldLine| matches!(line.kind, LineKind::Go(_));
+            if !is_close && n > 0 && is_go(line) && !is_go(&lines[n - 1]) {
                 self.lines.push(Line::default());
             }
             self.line(model, bench, field, (n, line), (label, room));
@@ -200,7 +211,7 @@ impl Page {
             let style = if is_here { look.focus() } else { look.dim() };
             spans.push(Span::styled(format!(" {} ", fit(&name, room.saturating_sub(4), look)), style));
             if is_here {
-                self.cursor = Some((self.lines.len(), 2));
+                self.focus = self.lines.len();
             }
             self.lines.push(Line::from(spans));
             return;
@@ -215,7 +226,7 @@ impl Page {
                 let options: Vec<Line<'static>> =
                     self.options(model, options, chosen, is_here, room.saturating_sub(begins));
                 if is_here {
-                    self.cursor = Some((self.lines.len(), 0));
+                    self.focus = self.lines.len();
                 }
                 for (row, more) in options.into_iter().enumerate() {
                     let mut whole = if row == 0 { spans.clone() } else { vec![Span::raw(" ".repeat(begins))] };
@@ -230,7 +241,7 @@ impl Page {
                 let style = if field.proposed && !text.is_empty() { look.focus() } else { look.focus().remove_modifier(Modifier::REVERSED).add_modifier(Modifier::UNDERLINED) };
                 let shown = fit(&text, cells, look);
                 let column = begins + field.input.visual_cursor().min(cells.saturating_sub(1));
-                self.cursor = Some((self.lines.len(), column));
+                (self.focus, self.cursor) = (self.lines.len(), Some(column));
                 let blank = " ".repeat(14usize.saturating_sub(width(&shown)).min(cells.saturating_sub(width(&shown))));
                 spans.push(Span::styled(shown, style));
                 spans.push(Span::styled(blank, Style::new().add_modifier(Modifier::UNDERLINED)));

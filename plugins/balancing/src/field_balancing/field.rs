@@ -237,7 +237,9 @@ impl Analysis for Field {
         if let Method::Limits { .. } = self.method {
             limits::nearest(&numbers, &weights, &limits, sheet);
         }
-        condition(squares.condition, &numbers, &factors, sheet);
+        if numbers.alpha.ncols() > 1 {
+            condition(squares.condition, &numbers, &factors, sheet);
+        }
         sheet.verify(|| {
             let choice = match self.method {
                 Method::MinMax { limit } | Method::Limits { limit, .. } => Choice::MinMax(limit),
@@ -427,7 +429,11 @@ impl Field {
         let mean =
             sheet.numerical("r_rms", unit, mean, "Root mean square of all predicted residual readings");
         sheet.answer("largest_residual", "Maximum predicted residual vibration", largest);
-        sheet.answer("rms_residual", "RMS of the predicted residual vibration", mean);
+        // As many planes as readings leave nothing: one line says so.
+        let leaves = left.len() > weights.len();
+        if leaves {
+            sheet.answer("rms_residual", "RMS of the predicted residual vibration", mean);
+        }
         sheet.verify(|| {
             let (mut most, mut sum, mut reach) = (0.0f64, 0.0, 0.0f64);
             for (row, (reading, kept)) in numbers.first.iter().zip(&left).enumerate() {
@@ -447,7 +453,9 @@ impl Field {
             sheet.check_sum(what, largest.powi(2), most.into(), reach);
             sheet.check_sum(what, mean.powi(2), (sum / left.len() as f64).into(), reach);
         });
-        sheet.answer_list("residual", "Predicted residual vibration", unit, &sizes);
+        if leaves {
+            sheet.answer_list("residual", "Predicted residual vibration", unit, &sizes);
+        }
         left
     }
 }
