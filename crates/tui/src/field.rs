@@ -12,14 +12,17 @@ mod words;
 use std::path::PathBuf;
 
 use dalembert_core::{Draft, Entry, Text};
+use dalembert_units::Style;
 use tui_input::Input;
 
 use self::entry::{rows, text_at};
-pub use self::lines::{Choice, FieldLine, Go, LineKind};
+pub use self::{
+    lines::{Choice, FieldLine, Go, LineKind, lines},
+    words::title,
+};
 pub(crate) use self::{
     entry::{TypedLine, choose, is_answered, option, take, written},
-    lines::lines,
-    words::{Tone, intro, remarks, title},
+    words::{Tone, intro, remarks},
 };
 use crate::{keys::KeyContext, problem::Problem};
 
@@ -117,14 +120,14 @@ fn resumed(problem: &Problem) -> FieldPage {
 
 impl FieldMode {
     /// Field mode where a job goes on; `None` for a problem of another analysis.
-    pub fn of(problem: &Problem, path: Option<PathBuf>, decimal_comma: bool) -> Option<Self> {
+    pub fn of(problem: &Problem, path: Option<PathBuf>, style: Style) -> Option<Self> {
         if problem.entry().about.id != ANALYSIS {
             return None;
         }
         let page = resumed(problem);
         let mut mode =
             Self { page, line: 0, input: Input::default(), proposed: false, fault: None, path };
-        mode.turn_to(problem, page, decimal_comma);
+        mode.turn_to(problem, page, style);
         Some(mode)
     }
 
@@ -147,7 +150,7 @@ impl FieldMode {
     }
 
     /// Shows a page, with the cursor on its first line that is still to be answered.
-    pub fn turn_to(&mut self, problem: &Problem, page: FieldPage, decimal_comma: bool) {
+    pub fn turn_to(&mut self, problem: &Problem, page: FieldPage, style: Style) {
         self.page = page;
         let all = lines(problem, page);
         let open = |line: &FieldLine| {
@@ -155,14 +158,14 @@ impl FieldMode {
                 || line.required && !is_answered(problem, line)
         };
         let last = all.iter().position(|line| matches!(line.kind, LineKind::Go(_))).unwrap_or(0);
-        self.go_to(problem, all.iter().position(open).unwrap_or(last), decimal_comma);
+        self.go_to(problem, all.iter().position(open).unwrap_or(last), style);
     }
 
     /// Puts the cursor on a line, with its text to be typed over.
-    pub fn go_to(&mut self, problem: &Problem, line: usize, decimal_comma: bool) {
+    pub fn go_to(&mut self, problem: &Problem, line: usize, style: Style) {
         self.line = line;
         self.fault = None;
-        let text = self.shown(problem).map_or_else(String::new, |line| written(problem, &line, decimal_comma));
+        let text = self.shown(problem).map_or_else(String::new, |line| written(problem, &line, style));
         (self.proposed, self.input) = (true, text.into());
     }
 

@@ -422,6 +422,8 @@ fn solved(model: &mut Model, outcome: JobOutcome) -> Vec<Intent> {
     let found = shown.map(|problem| &problem.found).filter(|found| found.revealed.is_none());
     let warnings = found.and_then(|found| found.solution.as_ref()).map_or(&[][..], |found| &found.warnings);
     let new = before.and_then(|before| warnings.iter().find(|warning| !before.contains(warning)).cloned());
+    // A page of field mode says it itself.
+    let new = new.filter(|_| model.shown_bench().is_none_or(|bench| bench.field.is_none()));
     let said = |warning| Intent::Complain(Text::new("new warning: {warning}").with_text("warning", warning));
     let bring = (is_new && shown.is_some()).then_some(Intent::BringResults);
     new.map(said).into_iter().chain(bring).collect()

@@ -2,6 +2,7 @@
 
 mod asking;
 mod data_entry;
+mod field;
 mod mouse;
 mod new_files;
 mod panes;

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{Answer, Draft, FieldError, Shape, Text, Value, draft};
-use dalembert_units::with_point;
+use dalembert_units::{Decimal, Style, with_point};
 
 use super::lines::{Choice, FieldLine, LineKind, READING_UNITS, WEIGHT_UNITS};
 use crate::problem::Problem;
@@ -137,12 +137,8 @@ pub(crate) fn is_answered(problem: &Problem, line: &FieldLine) -> bool {
 }
 
 /// The text of a line as a user reads and types it.
-pub(crate) fn written(problem: &Problem, line: &FieldLine, decimal_comma: bool) -> String {
-    let text = |path: &str| {
-        let text = text_at(problem, path).replace(" deg", "°").replace("um", "µm");
-        let text = text.strip_suffix(" 1").unwrap_or(&text).to_owned();
-        if decimal_comma { text.replace('.', ",") } else { text }
-    };
+pub(crate) fn written(problem: &Problem, line: &FieldLine, style: Style) -> String {
+    let text = |path: &str| in_style(text_at(problem, path), style);
     match &line.kind {
         LineKind::Title => problem.document.title.clone(),
         LineKind::Value(path, _) => text(path),
@@ -150,6 +146,15 @@ pub(crate) fn written(problem: &Problem, line: &FieldLine, decimal_comma: bool) 
             format!("{} @ {}", text(size), text(angle))
         }
         _ => String::new(),
+    }
+}
+
+/// A text of an input in the decimal mark and the signs of a user.
+pub(crate) fn in_style(text: &str, style: Style) -> String {
+    let text = if style.ascii { text.to_owned() } else { text.replace(" deg", "°").replace("um", "µm") };
+    match style.decimal {
+        Decimal::Comma => text.replace('.', ","),
+        Decimal::Point => text,
     }
 }
 
@@ -259,9 +264,12 @@ impl TypedLine {
         problem: &Problem,
         line: &FieldLine,
         text: &str,
-        decimal_comma: bool,
+        style: Style,
     ) -> Result<Self, Text> {
-        let point = |text: &str| if decimal_comma { with_point(text).into_owned() } else { text.to_owned() };
+        let point = |text: &str| match style.decimal {
+            Decimal::Comma => with_point(text).into_owned(),
+            Decimal::Point => text.to_owned(),
+        };
         match &line.kind {
             LineKind::Title => Ok(Self::Title(text.trim().to_owned())),
             LineKind::Value(_, _) if text.trim().is_empty() && line.required => {

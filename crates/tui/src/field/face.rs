@@ -49,7 +49,13 @@ impl Face {
 }
 
 /// The faces of a page: one for each plane where weights are to be mounted, else one or none.
-pub(crate) fn faces(problem: &Problem, page: FieldPage, line: usize, locale: &Locale) -> Vec<Dial> {
+/// With little room the planes share one.
+pub(crate) fn faces(
+    problem: &Problem,
+    (page, line): (FieldPage, usize),
+    is_narrow: bool,
+    locale: &Locale,
+) -> Vec<Dial> {
     let face = Face::of(problem);
     match page {
         FieldPage::Job | FieldPage::Check(_) | FieldPage::Report => Vec::new(),
@@ -58,6 +64,9 @@ pub(crate) fn faces(problem: &Problem, page: FieldPage, line: usize, locale: &Lo
         FieldPage::Trial(run) => vec![trial(problem, face, run, locale)],
         FieldPage::Correction(trims) => {
             let all = words::mounted(problem, trims);
+            if is_narrow && all.len() > 1 {
+                return vec![together(face, &all, locale)];
+            }
             all.iter().map(|mass| correction(problem, face, trims, mass, locale)).collect()
         }
     }
@@ -68,7 +77,7 @@ fn rotor(face: Face, title: &Text, locale: &Locale) -> Dial {
     let ticks = (0..12).map(|tick| f64::from(tick) * PI / 6.0).collect();
     let scale = |quarter: i32| DialName {
         direction: face.direction(f64::from(quarter) * FRAC_PI_2),
-        words: format!("{}°", 90 * quarter),
+        words: if locale.style.ascii { (90 * quarter).to_string() } else { format!("{}°", 90 * quarter) },
         ink: Ink::Faint,
     };
     let mut names: Vec<DialName> = (0..4).map(scale).collect();
@@ -184,6 +193,17 @@ fn correction(
     }
     let direction = face.direction(mass.angle.si().unwrap_or_default());
     hand(&mut dial, direction, words::degrees(mass.angle, locale), Ink::Result);
+    dial
+}
+
+/// The masses to mount in all planes.
+fn together(face: Face, all: &[words::Mounted<'_>], locale: &Locale) -> Dial {
+    let mut dial = rotor(face, &Text::from("Planes 1, 2"), locale);
+    for mass in all {
+        let direction = face.direction(mass.angle.si().unwrap_or_default());
+        let words = format!("{}: {}", mass.plane, words::degrees(mass.angle, locale));
+        hand(&mut dial, direction, words, Ink::Result);
+    }
     dial
 }
 

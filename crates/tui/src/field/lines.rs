@@ -95,7 +95,7 @@ fn go(label: &'static str, to: Go) -> FieldLine {
 }
 
 /// The lines of a page.
-pub(crate) fn lines(problem: &Problem, page: FieldPage) -> Vec<FieldLine> {
+pub fn lines(problem: &Problem, page: FieldPage) -> Vec<FieldLine> {
     match page {
         FieldPage::Job => job(problem),
         FieldPage::Instrument => instrument(problem),
@@ -107,21 +107,21 @@ pub(crate) fn lines(problem: &Problem, page: FieldPage) -> Vec<FieldLine> {
         FieldPage::Trial(run) => trial(problem, run),
         FieldPage::Correction(_) => {
             let positions = value(
-                "Holes or blades (optional)",
-                "How many positions there are, number 1 at 0°: the weight is then split between two of them",
+                "Holes or blades",
+                "If any, how many: number 1 at 0°, the others as angles grow; the weight is split between two",
                 "positions.count",
                 "",
             );
-            vec![positions.optional(), go("Mounted: on to the check run", Go::Next)]
+            vec![positions.optional(), go("Next: check run", Go::Next)]
         }
         FieldPage::Check(run) => {
             let mut lines = readings(problem, |sensor| check(run, sensor));
             match is_met(problem) {
                 Some(false) => lines.extend([
                     go("Trim correction", Go::Next),
-                    go("Leave it so: on to the report", Go::End),
+                    go("Leave it: report", Go::End),
                 ]),
-                _ => lines.push(go("On to the report", Go::End)),
+                _ => lines.push(go("Next: report", Go::End)),
             }
             lines
         }
@@ -208,7 +208,7 @@ fn instrument(problem: &Problem) -> Vec<FieldLine> {
         ),
         choice(
             "Phase",
-            "The way the instrument counts, see its manual: when a weight is moved 30° with the rotation, lead reads 30° more and lag 30° less",
+            "Move a weight 30° with the rotation: lead reads 30° more, lag 30° less; or see the manual",
             Choice::OneOf("phase"),
             &["lead", "lag"],
         ),
@@ -217,7 +217,7 @@ fn instrument(problem: &Problem) -> Vec<FieldLine> {
     for sensor in 1..=entry::sensors(problem).unwrap_or(0) {
         lines.push(value(
             Text::new("Sensor {n} at").with("n", sensor),
-            "From the pickup of the mark to the sensor, in the direction of rotation. It shows the high spots; the correction does not depend on it",
+            "From pickup to sensor with the rotation; only shows the high spots, the correction does not need it",
             format!("view.sensors[{sensor}].angle"),
             "deg",
         ));

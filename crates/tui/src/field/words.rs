@@ -16,6 +16,8 @@ pub(crate) enum Tone {
     Plain,
     /// The thing to do.
     Order,
+    /// More about the thing to do.
+    Detail,
     /// Good news.
     Good,
     /// Doubtful.
@@ -25,7 +27,7 @@ pub(crate) enum Tone {
 }
 
 /// The name of a page; the short one for the line of steps.
-pub(crate) fn title(page: FieldPage, is_short: bool) -> Text {
+pub fn title(page: FieldPage, is_short: bool) -> Text {
     let (long, short, number) = match page {
         FieldPage::Job => ("The job", "Job", 0),
         FieldPage::Instrument => ("Instrument and angles", "Setup", 0),
@@ -81,7 +83,7 @@ pub(crate) fn remarks(problem: &Problem, page: FieldPage, locale: &Locale) -> Ve
     let mut all = match page {
         FieldPage::Trial(run) => trial(problem, run, locale),
         FieldPage::Correction(trims) => {
-            mounted(problem, trims).iter().map(|mass| (Tone::Order, mass.order(problem, locale))).collect()
+            mounted(problem, trims).iter().flat_map(|mass| mass.orders(problem, locale)).collect()
         }
         FieldPage::Check(run) => checked(problem, run, locale),
         FieldPage::Report => {
@@ -163,35 +165,28 @@ pub(crate) fn mounted(problem: &Problem, trims: usize) -> Vec<Mounted<'_>> {
 
 impl Mounted<'_> {
     /// What to do with it.
-    fn order(&self, problem: &Problem, locale: &Locale) -> Text {
+    fn orders(&self, problem: &Problem, locale: &Locale) -> Vec<(Tone, Text)> {
         let plane = self.plane;
         let part = |name: &str| entry::answer(problem, &format!("{name}[{plane}]"));
         let is_next = entry::rows(problem, "measured.checks") == 0 || self.mass.name.is(&format!("trim_correction[{plane}]"));
         let split = [part("position"), part("position_mass"), part("next_position"), part("next_position_mass")];
-        let whole = Text::new("Plane {plane}: {mass} at {angle}")
-            .with("plane", plane)
-            .with("mass", quantity(self.mass, locale))
-            .with("angle", degrees(self.angle, locale));
-        let turned = part("from_mark").filter(|from| {
-            let apart = (from.si().unwrap_or_default() - self.angle.si().unwrap_or_default()).abs();
-            self.mass.name.is(&format!("correction[{plane}]")) && apart.to_degrees() > 0.5
-        });
-        let whole = match turned {
-            Some(from) => Text::new("{whole}, which is {angle} from the mark with the rotation")
-                .with_text("whole", whole)
-                .with("angle", degrees(from, locale)),
-            None => whole,
+        let whole = |said: &'static str| {
+            Text::new(said)
+                .with("plane", plane)
+                .with("mass", quantity(self.mass, locale))
+                .with("angle", degrees(self.angle, locale))
         };
         match split {
             [Some(first), Some(one), Some(second), Some(two)] if is_next => {
-                Text::new("{whole}: {one} at position {first}, {two} at position {second}")
-                    .with_text("whole", whole)
+                let parts = Text::new("Plane {plane}: {one} at position {first}, {two} at position {second}")
+                    .with("plane", plane)
                     .with("first", first.si().unwrap_or_default())
                     .with("one", quantity(one, locale))
                     .with("second", second.si().unwrap_or_default())
-                    .with("two", quantity(two, locale))
+                    .with("two", quantity(two, locale));
+                vec![(Tone::Order, parts), (Tone::Detail, whole("together {mass} at {angle}"))]
             }
-            _ => whole,
+            _ => vec![(Tone::Order, whole("Plane {plane}: {mass} at {angle}"))],
         }
     }
 }
@@ -200,6 +195,13 @@ impl Mounted<'_> {
 fn checked(problem: &Problem, run: usize, locale: &Locale) -> Vec<(Tone, Text)> {
     let checks = entry::rows(problem, "measured.checks");
     let mut all = Vec::new();
+    match is_met(problem).filter(|_| run == checks) {
+        Some(true) => all.push((Tone::Good, "Requirement met: the rotor is balanced.".into())),
+        Some(false) => {
+            all.push((Tone::Warning, "Requirement not met yet: go on with the trim.".into()));
+        }
+        None => {}
+    }
     for sensor in 1..=entry::sensors(problem).unwrap_or(0) {
         let before = entry::text_at(problem, &format!("measured.first[{sensor}].amplitude"));
         let now = entry::text_at(problem, &lines::check(run, sensor).0);
@@ -216,15 +218,10 @@ fn checked(problem: &Problem, run: usize, locale: &Locale) -> Vec<(Tone, Text)> 
         let residual = entry::answer(problem, &format!("residual_unbalance[{plane}]"));
         let permissible = entry::answer(problem, "permissible");
         if let (Some(residual), Some(permissible)) = (residual, permissible) {
-            let said = Text::new("Plane {n}: residual unbalance {residual}, permissible {permissible}");
+            let said = Text::new("Plane {n}: residual {residual}, permissible {permissible}");
             let said = said.with("n", plane).with("residual", quantity(residual, locale));
             all.push((Tone::Plain, said.with("permissible", quantity(permissible, locale))));
         }
-    }
-    match is_met(problem) {
-        Some(true) => all.push((Tone::Good, "Requirement met: the rotor is balanced.".into())),
-        Some(false) => all.push((Tone::Warning, "Requirement not met yet: a trim correction brings it closer.".into())),
-        None => {}
     }
     all
 }
@@ -241,11 +238,7 @@ fn speed(problem: &Problem, locale: &Locale) -> String {
 }
 
 pub(crate) fn localised(text: &str, locale: &Locale) -> String {
-    let text = text.replace("um", "µm");
-    match locale.style.decimal {
-        dalembert_units::Decimal::Comma => text.replace('.', ","),
-        dalembert_units::Decimal::Point => text,
-    }
+    entry::in_style(text, locale.style)
 }
 
 fn digits(locale: &Locale) -> Style {

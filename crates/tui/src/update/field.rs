@@ -1,7 +1,6 @@
 //! Keys of field mode: lines are answered, pages follow one another, the job is saved on the way.
 
-use dalembert_core::{Locale, Text};
-use dalembert_units::Decimal;
+use dalembert_core::Text;
 
 use crate::{
     dialog::{Dialog, Purpose},
@@ -17,11 +16,11 @@ const LONGEST_NAME: usize = 40;
 
 /// Field mode of the job that is shown, or of a blank one.
 pub(super) fn begin(model: &mut Model) -> Vec<Intent> {
-    let comma = has_comma(&model.locale);
+    let style = model.locale.style;
     let is_shown = model.screen == Screen::Bench;
     if let Some(bench) = model.bench.as_mut().filter(|_| is_shown && model.field.is_none()) {
         bench.problem.inputs.form.keep();
-        if let Some(field) = FieldMode::of(&bench.problem, None, comma) {
+        if let Some(field) = FieldMode::of(&bench.problem, None, style) {
             bench.field = Some(field);
             return Vec::new();
         }
@@ -39,7 +38,7 @@ pub(super) fn begin(model: &mut Model) -> Vec<Intent> {
 /// Field mode of a problem that is opened, where it is to begin with one.
 pub(super) fn wanted(model: &mut Model, problem: &Problem) -> Option<FieldMode> {
     let path = model.field.take()?;
-    let field = FieldMode::of(problem, path, has_comma(&model.locale));
+    let field = FieldMode::of(problem, path, model.locale.style);
     if field.is_none() {
         model.report_error("field mode needs a problem of field balancing; this is another one");
     }
@@ -77,10 +76,6 @@ pub(super) fn pick(model: &mut Model, character: char) -> Vec<Intent> {
         go_on(model);
     }
     intents
-}
-
-fn has_comma(locale: &Locale) -> bool {
-    locale.style.decimal == Decimal::Comma
 }
 
 /// Chooses an option of the line under the cursor, by the place of the one that is chosen now.
@@ -126,11 +121,11 @@ fn enter(model: &mut Model) -> Vec<Intent> {
 
 /// Takes the text of the line under the cursor, where it was changed, and does something then.
 fn settled(model: &mut Model, then: impl FnOnce(&mut Model) -> Vec<Intent>) -> Vec<Intent> {
-    let comma = has_comma(&model.locale);
+    let style = model.locale.style;
     let Some((problem, field)) = parts(model) else { return Vec::new() };
     let mut intents = Vec::new();
     if let Some(line) = field.shown(problem).filter(|line| line.is_text() && !field.proposed) {
-        match TypedLine::read(problem, &line, field.input.value(), comma) {
+        match TypedLine::read(problem, &line, field.input.value(), style) {
             Ok(typed) => {
                 field::take(problem, typed);
                 intents.push(Intent::Changed);
@@ -141,7 +136,7 @@ fn settled(model: &mut Model, then: impl FnOnce(&mut Model) -> Vec<Intent>) -> V
             }
         }
         let at = field.line;
-        field.go_to(problem, at, comma);
+        field.go_to(problem, at, style);
     }
     intents.extend(then(model));
     intents
@@ -149,7 +144,7 @@ fn settled(model: &mut Model, then: impl FnOnce(&mut Model) -> Vec<Intent>) -> V
 
 /// Goes to the next line that is to be answered, or to the way on.
 fn go_on(model: &mut Model) {
-    let comma = has_comma(&model.locale);
+    let style = model.locale.style;
     let Some((problem, field)) = parts(model) else { return };
     let line = field.shown(problem);
     let is_open = line.is_some_and(|line| line.required && !field::is_answered(problem, &line));
@@ -158,17 +153,17 @@ fn go_on(model: &mut Model) {
         return;
     }
     let next = field.next_line(problem);
-    field.go_to(problem, next, comma);
+    field.go_to(problem, next, style);
 }
 
 /// Moves the cursor by so many lines.
 fn step(model: &mut Model, by: isize) -> Vec<Intent> {
     settled(model, |model| {
-        let comma = has_comma(&model.locale);
+        let style = model.locale.style;
         let Some((problem, field)) = parts(model) else { return Vec::new() };
         let last = field.lines(problem).len().saturating_sub(1);
         let line = field.line.saturating_add_signed(by).min(last);
-        field.go_to(problem, line, comma);
+        field.go_to(problem, line, style);
         Vec::new()
     })
 }
@@ -179,11 +174,11 @@ fn go(model: &mut Model, to: Go) -> Vec<Intent> {
         Go::Report => vec![Intent::AskPath(Purpose::Export)],
         Go::Workbench => leave(model),
         Go::Next | Go::End => {
-            let comma = has_comma(&model.locale);
+            let style = model.locale.style;
             let Some((problem, field)) = parts(model) else { return Vec::new() };
             let open = |line: &FieldLine| line.required && !field::is_answered(problem, line);
             if let Some(line) = field.lines(problem).iter().position(open) {
-                field.go_to(problem, line, comma);
+                field.go_to(problem, line, style);
                 field.fault = Some("this is still to be answered".into());
                 return Vec::new();
             }
@@ -191,7 +186,7 @@ fn go(model: &mut Model, to: Go) -> Vec<Intent> {
             let all = field::pages(problem);
             let at = all.iter().position(|page| *page == from).unwrap_or(0);
             let next = if to == Go::End { all.len() - 1 } else { (at + 1).min(all.len() - 1) };
-            field.turn_to(problem, all[next], comma);
+            field.turn_to(problem, all[next], style);
             save(model, from)
         }
     }
@@ -225,7 +220,7 @@ fn file_name(title: &str) -> String {
 /// The page before or after; not beyond one that is not complete.
 fn turn_page(model: &mut Model, by: isize) -> Vec<Intent> {
     settled(model, |model| {
-        let comma = has_comma(&model.locale);
+        let style = model.locale.style;
         let Some((problem, field)) = parts(model) else { return Vec::new() };
         let all = field::pages(problem);
         let at = all.iter().position(|page| *page == field.page).unwrap_or(0);
@@ -233,19 +228,19 @@ fn turn_page(model: &mut Model, by: isize) -> Vec<Intent> {
             return Intent::say("answer what is asked on this page first");
         }
         let Some(page) = at.checked_add_signed(by).and_then(|at| all.get(at)) else { return Vec::new() };
-        field.turn_to(problem, *page, comma);
+        field.turn_to(problem, *page, style);
         Vec::new()
     })
 }
 
 /// The text as it was; else the page before, and from the first the list.
 fn back(model: &mut Model) -> Vec<Intent> {
-    let comma = has_comma(&model.locale);
+    let style = model.locale.style;
     let Some((problem, field)) = parts(model) else { return Vec::new() };
     let is_text = field.shown(problem).is_some_and(|line| line.is_text());
     if is_text && !field.proposed {
         let line = field.line;
-        field.go_to(problem, line, comma);
+        field.go_to(problem, line, style);
         return Vec::new();
     }
     if field.page == FieldPage::Job {

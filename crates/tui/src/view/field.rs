@@ -17,19 +17,26 @@ use crate::{
     layout,
     look::Glyph,
     model::Model,
+    problem::Problem,
     text::{fit, padded, shortened, width, wrapped},
 };
 
 /// From so many columns on a picture stands beside the lines.
 const BESIDE: u16 = 72;
+/// From so many columns on a small one does, where lines are short.
+const NARROW: u16 = 52;
+/// Columns of a small picture.
+const SMALL: u16 = 26;
 /// Columns of the widest picture beside the lines.
 const WIDEST: u16 = 46;
 /// The least rows in which a face can be read.
 const LEAST_FACE: u16 = 9;
 /// The least columns of a face.
 const LEAST_WIDTH: u16 = 22;
-/// Columns of the widest labels.
-const LABEL: usize = 34;
+/// Columns before and after a label.
+const AROUND: usize = 4;
+/// The fewest columns of the labels.
+const LABEL: usize = 10;
 /// Cells between two steps.
 const GAP: usize = 1;
 /// From so many rows on the help has two.
@@ -51,7 +58,8 @@ pub(super) fn draw(model: &Model, bench: &Bench, area: Rect, buffer: &mut Buffer
     .areas(body);
     let help = Rect { y: more.y, height: more.height + help.height, ..help };
     draw_steps(model, bench, field, steps, buffer);
-    let faces = face::faces(&bench.problem, field.page, field.line, &model.locale);
+    let is_narrow = area.width < BESIDE + 4;
+    let faces = face::faces(&bench.problem, (field.page, field.line), is_narrow, &model.locale);
     let (text, picture) = areas(body, field.page, faces.len());
     let mut page = Page::default();
     page.write(model, bench, field, usize::from(text.width));
@@ -76,10 +84,11 @@ fn areas(body: Rect, page: FieldPage, faces: usize) -> (Rect, Option<Rect>) {
     let inside = Rect { x: body.x + 2, width: body.width.saturating_sub(4), ..body };
     // Weights of several planes are shown side by side below what to do.
     let is_below = matches!(page, FieldPage::Correction(_)) && faces > 1;
-    if faces == 0 || is_below || inside.width < BESIDE {
+    let is_small = matches!(page, FieldPage::Instrument | FieldPage::Correction(_)) && inside.width >= NARROW;
+    if faces == 0 || is_below || (inside.width < BESIDE && !is_small) {
         return (Rect { width: inside.width.min(if is_below { inside.width } else { BODY }), ..inside }, None);
     }
-    let picture = (inside.width * 2 / 5).min(WIDEST);
+    let picture = if inside.width < BESIDE { SMALL } else { (inside.width * 2 / 5).min(WIDEST) };
     let [text, _, picture] =
         Layout::horizontal([Constraint::Fill(1), Constraint::Length(2), Constraint::Length(picture)])
             .areas(inside);
@@ -133,11 +142,14 @@ impl Page {
     fn write(&mut self, model: &Model, bench: &Bench, field: &FieldMode, room: usize) {
         let (look, problem, locale) = (&model.look, &bench.problem, &model.locale);
         self.lines.push(Line::styled(field::title(field.page, false).render(locale), look.title()));
-        self.words(&field::intro(problem, field.page, locale).render(locale), Style::new(), room);
+        // In little room the picture says it.
+        if field.page != FieldPage::Instrument || room >= usize::from(SMALL) + 6 {
+            self.words(&field::intro(problem, field.page, locale).render(locale), Style::new(), room);
+        }
         let remarks = field::remarks(problem, field.page, locale);
         // What to do stands before the lines, what follows from them behind.
         let is_before = |tone: Tone| {
-            tone == Tone::Order || tone == Tone::Plain && matches!(field.page, FieldPage::Trial(_))
+            matches!(tone, Tone::Order | Tone::Detail) || tone == Tone::Plain && matches!(field.page, FieldPage::Trial(_))
         };
         let is_report = field.page == FieldPage::Report;
         if is_report {
@@ -152,8 +164,7 @@ impl Page {
             self.lines.push(Line::default());
         }
         let lines = field.lines(problem);
-        let label = lines.iter().map(|line| width(&line.label.render(locale))).max().unwrap_or(0);
-        let label = label.min(LABEL).min(room / 2);
+        let label = label_width(model, problem, &lines, room);
         for (n, line) in lines.iter().enumerate() {
             let is_go = |line: &FieldLine| matches!(line.kind, LineKind::Go(_));
             if !is_close && n > 0 && is_go(line) && !is_go(&lines[n - 1]) {
@@ -181,11 +192,13 @@ impl Page {
         let (glyph, style) = match tone {
             Tone::Plain => (None, Style::new()),
             Tone::Order => (Some(Glyph::Pointer), look.answer()),
+            Tone::Detail => (None, look.dim()),
             Tone::Good => (Some(Glyph::Good), look.good()),
             Tone::Warning => (Some(Glyph::Warning), look.warning()),
             Tone::Wrong => (Some(Glyph::Bad), look.error()),
         };
-        let head = glyph.map_or_else(String::new, |glyph| format!("{} ", look.glyph(glyph)));
+        let indent = if tone == Tone::Detail { "  " } else { "" };
+        let head = glyph.map_or_else(|| indent.to_owned(), |glyph| format!("{} ", look.glyph(glyph)));
         let hang = width(&head);
         let text = filter_untrusted(text).into_owned();
         for (n, line) in wrapped(&text, room.saturating_sub(hang)).into_iter().enumerate() {
@@ -219,17 +232,26 @@ impl Page {
         let style = if is_here { look.title() } else { Style::new() };
         spans.push(Span::styled(padded(&name, label, look), style));
         spans.push(Span::raw("  "));
-        let begins = label + 4;
+        let begins = label + AROUND;
         match &line.kind {
             LineKind::Choice(choice, options) => {
                 let chosen = field::option(problem, *choice);
-                let options: Vec<Line<'static>> =
-                    self.options(model, options, chosen, is_here, room.saturating_sub(begins));
+                let longest = options.iter().map(|option| width(&option.render(&model.locale))).max();
+                let is_wide = begins + longest.unwrap_or(0) + 2 <= room;
+                let begins = if is_wide { begins } else { 6 };
+                let options = options_of(model, options, chosen, is_here, room.saturating_sub(begins));
                 if is_here {
                     self.focus = self.lines.len();
                 }
-                for (row, more) in options.into_iter().enumerate() {
-                    let mut whole = if row == 0 { spans.clone() } else { vec![Span::raw(" ".repeat(begins))] };
+                let mut before = spans;
+                for more in options {
+                    if !is_wide && !before.is_empty() {
+                        self.lines.push(Line::from(std::mem::take(&mut before)));
+                    }
+                    let mut whole = std::mem::take(&mut before);
+                    if whole.is_empty() {
+                        whole.push(Span::raw(" ".repeat(begins)));
+                    }
                     whole.extend(more.spans);
                     self.lines.push(Line::from(whole));
                 }
@@ -247,7 +269,7 @@ impl Page {
                 spans.push(Span::styled(blank, Style::new().add_modifier(Modifier::UNDERLINED)));
             }
             _ => {
-                let text = field::written(problem, line, model.locale.style.decimal == dalembert_units::Decimal::Comma);
+                let text = field::written(problem, line, model.locale.style);
                 let text = filter_untrusted(&text).into_owned();
                 let text = if text.is_empty() { look.glyph(Glyph::Dot).to_owned() } else { text };
                 spans.push(Span::raw(fit(&text, room.saturating_sub(begins), look)));
@@ -262,10 +284,19 @@ impl Page {
             }
         }
     }
+}
 
-    /// The options of a line, by their digits; as many on a row as fit.
-    fn options(
-        &self,
+    /// Columns of the labels of a page: as they need, where the values have room behind them.
+fn label_width(model: &Model, problem: &Problem, lines: &[FieldLine], room: usize) -> usize {
+    let named = || lines.iter().filter(|line| !matches!(line.kind, LineKind::Go(_)));
+    let longest = |text: &dyn Fn(&FieldLine) -> String| named().map(|line| width(&text(line))).max();
+    let label = longest(&|line| line.label.render(&model.locale)).unwrap_or(0);
+    let value = longest(&|line| field::written(problem, line, model.locale.style)).unwrap_or(0);
+    label.min(room.saturating_sub(value + AROUND).max(LABEL))
+}
+
+/// The options of a line, by their digits; as many on a row as fit.
+    fn options_of(
         model: &Model,
         options: &[Text],
         chosen: Option<usize>,
@@ -294,14 +325,12 @@ impl Page {
         }
         rows.into_iter().map(|(row, _)| row).collect()
     }
-}
 
 /// What the line under the cursor means, and the reading of what is typed in it.
 fn draw_help(model: &Model, bench: &Bench, field: &FieldMode, area: Rect, buffer: &mut Buffer) {
     let Some(line) = field.shown(&bench.problem) else { return };
-    let comma = model.locale.style.decimal == dalembert_units::Decimal::Comma;
     let typed = field.input.value();
-    let wrong = match TypedLine::read(&bench.problem, &line, typed, comma) {
+    let wrong = match TypedLine::read(&bench.problem, &line, typed, model.locale.style) {
         Err(why) if line.is_text() && !field.proposed && !typed.trim().is_empty() => Some(why),
         _ => None,
     };
