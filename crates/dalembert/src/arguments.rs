@@ -63,6 +63,8 @@ pub(crate) enum Command {
     Schema(Schema),
     /// Answer requests of another program
     Serve(Serve),
+    /// Balance a rotor in the field, step by step
+    Field(Field),
     /// Replay a recorded or written session of the workbench
     Replay(Replay),
     /// Watch a tour of 90 seconds in the workbench; any key takes over
@@ -75,6 +77,13 @@ pub(crate) enum Command {
     Info,
     /// Print a settings template
     Settings,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Field {
+    /// The file of the job: it is gone on with, or begun under this name
+    #[arg(value_name = "FILE")]
+    pub(crate) file: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

@@ -1,6 +1,7 @@
 //! One file a subcommand.
 
 pub(crate) mod completions;
+pub(crate) mod field;
 pub(crate) mod find;
 pub(crate) mod info;
 pub(crate) mod list;

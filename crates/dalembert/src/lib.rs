@@ -123,6 +123,7 @@ fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, F
         Some(Command::Verify(verify)) => commands::verify::run(verify, console),
         Some(Command::Schema(schema)) => commands::schema::run(schema, console),
         Some(Command::Serve(_)) => commands::serve::run(console),
+        Some(Command::Field(field)) => commands::field::run(field, arguments, set, console),
         Some(Command::Replay(replay)) => commands::replay::run(replay, set, console),
         Some(Command::Tour(tour)) => commands::tour::run(tour, set, console),
         Some(Command::Completions(completions)) => commands::completions::run(completions),

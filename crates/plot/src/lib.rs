@@ -27,6 +27,7 @@
 //! assert_eq!(plot::readout(&motion, &state, &Locale::english()).unwrap(), "t = 1 s   Displacement = 9.6017 mm");
 //! ```
 
+pub mod dial;
 pub mod drawing;
 pub mod look;
 pub mod plot;

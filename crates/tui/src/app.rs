@@ -74,6 +74,8 @@ pub struct Options {
     pub basic: bool,
     /// Path of the file that records the user's actions for a replay.
     pub record: Option<PathBuf>,
+    /// Field mode begins with the file, or with a blank job that is to be saved in the file of this name.
+    pub field: Option<Option<PathBuf>>,
     /// A session that is played first, so many times as fast as a user types.
     pub replay: Option<(Replay, f64)>,
     /// The session is the tour: it ends in one of the user's own, and any key is hers.
@@ -133,7 +135,7 @@ struct Runtime {
 
 fn workbench(options: Options) -> Result<(), TerminalError> {
     terminal::usable()?;
-    let Options { file, analysis, language, settings, faults, readonly, basic, record, replay, tour } =
+    let Options { file, analysis, language, settings, faults, readonly, basic, record, field, replay, tour } =
         options;
     let mut capabilities = Capabilities::detect(&Environment::of_process());
     if settings.ascii || basic {
@@ -167,6 +169,7 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
     model.playing &= !basic;
     model.readonly = readonly;
     model.is_replay = replay.is_some();
+    model.field = field;
     model.faults = Fault::allowed();
     let case_checker = case_checker(teller(&sender, &session, |(id, cases)| Msg::CheckedCase(id, cases)));
     let mut faulty: Vec<_> = faults.into_iter().filter(|(_, faults)| !faults.is_empty()).collect();

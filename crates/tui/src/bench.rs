@@ -5,6 +5,7 @@ use std::any::Any;
 use dalembert_core::{Locale, Text};
 
 use crate::{
+    field::FieldMode,
     glyphs::filter_untrusted,
     keys::KeyContext,
     layout::Focus,
@@ -38,6 +39,8 @@ pub struct Bench {
     pub turned_to: String,
     /// The number of the job that a pane waits for, and which.
     pub pending: Option<(u64, Tab)>,
+    /// Field mode, while the problem is worked on in it.
+    pub field: Option<FieldMode>,
 }
 
 impl Bench {
@@ -55,6 +58,7 @@ impl Bench {
             edit: None,
             turned_to: String::new(),
             pending: None,
+            field: None,
         }
     }
 
@@ -90,6 +94,9 @@ impl Bench {
 
     /// The place where keys are typed.
     pub fn place(&self) -> KeyContext {
+        if let Some(field) = &self.field {
+            return field.place(&self.problem);
+        }
         match self.focus {
             Focus::Form if self.problem.inputs.form.edit.is_some() => KeyContext::Edit,
             Focus::Form => KeyContext::Form,

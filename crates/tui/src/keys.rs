@@ -12,7 +12,9 @@ use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 pub use map::{Bound, KeyChange, KeyMap};
 pub use tables::{ALWAYS, COMMON, PANES, PROBLEM};
-use tables::{CELL, CELLS, EDIT, FILTER, FORM, HELP, LIST, PICKER, PLAN, PROMPT, RESULTS, SHEET};
+use tables::{
+    CELL, CELLS, EDIT, FILTER, FORM, HELP, JOB, JOB_TEXT, LIST, PICKER, PLAN, PROMPT, RESULTS, SHEET,
+};
 
 /// Action of a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -187,6 +189,10 @@ pub enum Action {
     Theme,
     /// Takes the mouse, or leaves it to the terminal.
     Mouse,
+    /// A job of field balancing, step by step.
+    FieldMode,
+    /// The job as a problem of the workbench.
+    Workbench,
 }
 
 /// A line of a table: keys, what they do, and how that is called.
@@ -257,6 +263,10 @@ pub enum KeyContext {
     Plan,
     /// A cell that is being typed in.
     Cell,
+    /// A page of field mode.
+    Job,
+    /// A line of text of field mode.
+    JobText,
 }
 
 impl KeyContext {
@@ -276,6 +286,8 @@ impl KeyContext {
             KeyContext::Cells => CELLS,
             KeyContext::Plan => PLAN,
             KeyContext::Cell => CELL,
+            KeyContext::Job => JOB,
+            KeyContext::JobText => JOB_TEXT,
         }
     }
 
@@ -295,6 +307,8 @@ impl KeyContext {
             KeyContext::Cells => "Check, sensitivity",
             KeyContext::Plan => "Study",
             KeyContext::Cell => "While typing in a cell",
+            KeyContext::Job => "Field balancing, step by step",
+            KeyContext::JobText => "Field balancing, while typing",
         }
     }
 
@@ -308,6 +322,7 @@ impl KeyContext {
                 | KeyContext::Sheet
                 | KeyContext::Help
                 | KeyContext::Cell
+                | KeyContext::JobText
         )
     }
 
@@ -331,7 +346,7 @@ impl KeyContext {
             .flatten()
             .chain(of(self.is_pane(), PANES))
             .chain(of(in_problem, PROBLEM))
-            .chain(of(in_problem || self == KeyContext::Picker, COMMON))
+            .chain(of(in_problem || matches!(self, KeyContext::Picker | KeyContext::Job), COMMON))
             .chain(ALWAYS)
     }
 }

@@ -8,6 +8,7 @@ pub mod ask;
 pub mod bench;
 pub mod dialog;
 pub mod effect;
+pub mod field;
 pub mod files;
 pub mod form;
 pub mod harness;

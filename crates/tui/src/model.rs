@@ -98,6 +98,8 @@ pub struct Model {
     pub generation: u64,
     /// Percentage of the job under way that is done, where it is known.
     pub progress: Option<u32>,
+    /// Field mode is to begin with the first problem, or a blank one that is to be saved at this path.
+    pub field: Option<Option<PathBuf>>,
 }
 
 /// A screen.
@@ -263,6 +265,7 @@ impl Model {
             reloading: None,
             generation: 0,
             progress: None,
+            field: None,
         };
         model.set_language(language);
         model

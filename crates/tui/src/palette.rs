@@ -26,6 +26,7 @@ pub(crate) fn command(typed: &str) -> Option<(Action, &str)> {
 pub(crate) fn matching_actions<'m>(model: &'m Model, typed: &str) -> Vec<(KeyContext, &'m Bound)> {
     // What is done where the keys are now comes before the same thing elsewhere.
     let places: Vec<KeyContext> = match (model.screen, &model.bench) {
+        (Screen::Bench, Some(bench)) if bench.field.is_some() => vec![bench.place()],
         (Screen::Bench, Some(bench)) => {
             let of_problem = |place: &KeyContext| *place == KeyContext::Form || place.is_pane();
             [bench.place()].into_iter().chain(model.keys.places().filter(of_problem)).collect()

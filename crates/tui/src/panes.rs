@@ -46,6 +46,8 @@ pub fn places() -> Vec<KeyContext> {
         KeyContext::Cells,
         KeyContext::Plan,
         KeyContext::Cell,
+        KeyContext::Job,
+        KeyContext::JobText,
     ]);
     places
 }

@@ -14,6 +14,7 @@ use dalembert_core::{
 use tui_input::Input;
 
 use crate::{
+    field::ANALYSIS,
     remembered::{Progress, Remembered},
     solver::CheckedCase,
 };
@@ -82,6 +83,8 @@ pub enum Heading {
     Recent,
     /// Lists of exercises.
     Exercises,
+    /// Field balancing, step by step: it is begun, not opened.
+    Field,
     /// One of them.
     Set(usize),
     /// A family.
@@ -167,7 +170,7 @@ impl Picker {
     pub fn is_open(&self, heading: Heading, listings: &[Listing]) -> bool {
         let from_the_start = match heading {
             Heading::Pinned | Heading::Recent | Heading::Family(_) => true,
-            Heading::Exercises | Heading::Set(_) => false,
+            Heading::Exercises | Heading::Set(_) | Heading::Field => false,
             Heading::Topic(..) => listings.len() <= FEW,
         };
         from_the_start != self.turned.contains(&heading)
@@ -215,6 +218,7 @@ impl<'m> Contents<'m> {
     pub fn headings(self) -> Vec<Heading> {
         let mut headings = vec![Heading::Pinned, Heading::Recent, Heading::Exercises];
         headings.retain(|heading| !self.below(*heading).is_empty() || !self.leaves(*heading).is_empty());
+        headings.extend(self.place(ANALYSIS).map(|_| Heading::Field));
         for listing in self.listings {
             let family = Heading::Family(listing.entry.family());
             if !headings.contains(&family) {
@@ -272,7 +276,7 @@ impl<'m> Contents<'m> {
                 let places = 0..self.listings.len();
                 places.filter(|at| self.listings[*at].topic() == heading).map(|at| leaf(at, None)).collect()
             }
-            Heading::Exercises | Heading::Family(_) => Vec::new(),
+            Heading::Exercises | Heading::Family(_) | Heading::Field => Vec::new(),
         }
     }
 
@@ -316,6 +320,7 @@ impl<'m> Contents<'m> {
             Heading::Pinned => Text::from("Pinned analyses").render(self.locale),
             Heading::Recent => Text::from("Recent analyses").render(self.locale),
             Heading::Exercises => Text::from("Exercise lists").render(self.locale),
+            Heading::Field => Text::from("Field balancing, step by step").render(self.locale),
             Heading::Set(set) => {
                 self.sets.get(set).map_or_else(String::new, |set| set.title(self.locale.language).to_owned())
             }

@@ -45,6 +45,11 @@ impl TextEntry {
         &self.input
     }
 
+    /// True if the text is another than it began with.
+    pub fn is_changed(&self) -> bool {
+        self.value() != self.original
+    }
+
     /// True while all of it is selected.
     pub fn is_selected(&self) -> bool {
         self.is_selected

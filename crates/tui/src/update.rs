@@ -9,6 +9,7 @@ mod closing;
 mod dialog;
 mod edit;
 mod export;
+mod field;
 mod files;
 mod form;
 mod mouse;
@@ -48,7 +49,12 @@ pub fn start(model: &mut Model, file: Option<PathBuf>, analysis: Option<&'static
         (None, Some(entry)) => Intent::OpenCase(entry, 0),
         (None, None) => Intent::Preview,
     };
-    let effects = carry_out(model, vec![first]);
+    let first = if model.field.is_some() && !matches!(first, Intent::Do(_)) {
+        field::begin(model)
+    } else {
+        vec![first]
+    };
+    let effects = carry_out(model, first);
     model.translate_for_bench();
     effects
 }
@@ -230,6 +236,7 @@ fn press(model: &mut Model, key: KeyEvent) -> Vec<Intent> {
             (place, KeyCode::Char(character)) if place.has_cells() => {
                 cells::begin_by_typing(model, character, request(key))
             }
+            (KeyContext::Job, KeyCode::Char(character)) => field::pick(model, character),
             (KeyContext::Sheet, _) => {
                 dialog::edit_sheet(model, key);
                 Vec::new()
@@ -264,6 +271,7 @@ fn act(model: &mut Model, place: KeyContext, action: Action) -> Vec<Intent> {
         KeyContext::List | KeyContext::Prompt | KeyContext::Sheet | KeyContext::Help => {
             return dialog::act(model, action);
         }
+        KeyContext::Job | KeyContext::JobText => return field::act(model, action),
         _ => {}
     }
     if let Some(intents) = bench::act(model, place, action) {
@@ -301,6 +309,7 @@ fn everywhere(model: &mut Model, action: Action) -> Option<Vec<Intent>> {
         }
         Action::NextProblem => vec![Intent::NextProblem],
         Action::CloseProblem => vec![Intent::Leave(After::Close)],
+        Action::FieldMode => field::begin(model),
         Action::Theme => settings::ask_theme(model),
         Action::Mouse => settings::turn_mouse(model),
         Action::Open => vec![Intent::Show(Dialog::prompt(Purpose::Open, String::new()))],
@@ -419,6 +428,8 @@ fn solved(model: &mut Model, outcome: JobOutcome) -> Vec<Intent> {
     let found = shown.map(|problem| &problem.found).filter(|found| found.revealed.is_none());
     let warnings = found.and_then(|found| found.solution.as_ref()).map_or(&[][..], |found| &found.warnings);
     let new = before.and_then(|before| warnings.iter().find(|warning| !before.contains(warning)).cloned());
+    // A page of field mode says it itself.
+    let new = new.filter(|_| model.shown_bench().is_none_or(|bench| bench.field.is_none()));
     let said = |warning| Intent::Complain(Text::new("new warning: {warning}").with_text("warning", warning));
     let bring = (is_new && shown.is_some()).then_some(Intent::BringResults);
     new.map(said).into_iter().chain(bring).collect()
@@ -483,6 +494,12 @@ fn type_in(model: &mut Model, requests: &[InputRequest]) -> Vec<Intent> {
         return vec![Intent::Preview];
     }
     let Some(bench) = &mut model.bench else { return Vec::new() };
+    if let Some(field) = &mut bench.field {
+        if enter(&mut field.input) {
+            field.fault = None;
+        }
+        return Vec::new();
+    }
     if let Some(entry) = &mut bench.edit {
         return if enter(entry) { cells::typed(model) } else { Vec::new() };
     }

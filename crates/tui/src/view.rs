@@ -3,6 +3,7 @@
 mod arrangement;
 mod bars;
 mod dialog;
+mod field;
 mod form;
 mod help;
 mod picker;
@@ -76,6 +77,7 @@ pub fn view(model: &Model, frame: &mut Frame<'_>) {
         return;
     }
     let mut cursor = match model.shown_bench() {
+        Some(bench) if bench.field.is_some() => field::draw(model, bench, area, buffer),
         Some(bench) => {
             let areas = areas_in(area, model, bench, bench.focus);
             bars::title(model, areas.title, buffer);
@@ -221,7 +223,7 @@ pub fn tempo(model: &Model) -> Option<Duration> {
 
 /// The animation on the screen: its pane, its frames, and their time.
 pub(crate) fn animation(model: &Model) -> Option<(Tab, usize, f64)> {
-    let bench = model.shown_bench().filter(|bench| !bench.problem.is_stale())?;
+    let bench = model.shown_bench().filter(|bench| !bench.problem.is_stale() && bench.field.is_none())?;
     let tab = bench.animated()?;
     let is_seen = areas_of(model, bench, bench.focus).area_of(tab).is_some();
     let (frames, period) = bench.pane(tab).frames(&bench.problem);

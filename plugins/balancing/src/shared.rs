@@ -3,4 +3,6 @@
 pub mod crank;
 pub mod reading;
 pub mod rotor;
+pub(crate) mod split;
+pub(crate) mod tolerance;
 pub(crate) mod views;

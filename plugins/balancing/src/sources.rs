@@ -79,3 +79,13 @@ pub(crate) static DEN_HARTOG: Source = Source {
 /// Manual of an instrument for field balancing.
 pub(crate) static EZ_BALANCE: Source =
     Source { short: "eZ-Balance", full: "Measurement Computing, eZ-Balance User Manual, rev. 9.0" };
+
+/// V. Wowk, Machinery Vibration: Balancing.
+pub(crate) static WOWK: Source =
+    Source { short: "Wowk", full: "V. Wowk, Machinery Vibration: Balancing, McGraw-Hill, 1995" };
+
+/// Note on balancing with portable instruments.
+pub(crate) static BRUEL_KJAER: Source = Source {
+    short: "Brüel & Kjær",
+    full: "M. MacCamhaoil, Static and Dynamic Balancing of Rigid Rotors, Brüel & Kjær application note BO 0276",
+};

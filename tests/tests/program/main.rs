@@ -2,6 +2,7 @@
 
 mod cli;
 mod faults;
+mod field;
 mod json;
 mod optimise;
 #[cfg(feature = "parquet")]

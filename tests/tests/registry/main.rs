@@ -8,6 +8,7 @@ mod engines;
 mod examples;
 mod exhibits;
 mod extremes;
+mod field_conventions;
 mod file_forms;
 mod glossary;
 mod gravity_and_tables;

@@ -2,6 +2,7 @@
 
 mod asking;
 mod data_entry;
+mod field;
 mod first_screen;
 mod mouse;
 mod new_files;

@@ -104,6 +104,8 @@ impl Action {
             Action::Edit => "edit",
             Action::Theme => "theme",
             Action::Mouse => "mouse",
+            Action::FieldMode => "field-mode",
+            Action::Workbench => "workbench",
         }
     }
 }
@@ -125,6 +127,8 @@ impl KeyContext {
             KeyContext::Cells => "cells",
             KeyContext::Plan => "study",
             KeyContext::Cell => "cell",
+            KeyContext::Job => "job",
+            KeyContext::JobText => "job-line",
         }
     }
 }

@@ -257,6 +257,36 @@ pub const PROBLEM: &[Binding] = &[
     bind(Action::Back, ESC, "cancel a running solve, or back", "back"),
 ];
 
+/// Keys of a page of field mode.
+pub(super) const JOB: BindingTable = &[
+    &[
+        bind(Action::Enter, ENTER, "go on", "go on"),
+        bind(Action::Up, UP, "line up", ""),
+        bind(Action::Down, DOWN, "line down", "lines"),
+        bind(Action::Left, LEFT, "previous option", ""),
+        bind(Action::Right, RIGHT, "next option", "choose"),
+        bind(Action::PageUp, PAGE_UP, "previous step", ""),
+        bind(Action::PageDown, PAGE_DOWN, "next step", "steps"),
+        bind(Action::Back, ESC, "previous step, or back", "back"),
+        bind(Action::Save, &[typed('s'), ctrl('s')], "save", ""),
+        bind(Action::Export, &[typed('X')], "write the report", ""),
+        bind(Action::Workbench, &[typed('w')], "open the job in the workbench", ""),
+        bind(Action::Undo, &[typed('z')], "undo", ""),
+    ],
+    ENDS,
+];
+
+/// Keys of a line of text of field mode.
+pub(super) const JOB_TEXT: BindingTable = &[&[
+    bind(Action::Enter, ENTER, "take it and go on", "take it"),
+    bind(Action::Up, &[plain(KeyCode::Up), plain(KeyCode::BackTab)], "line up", ""),
+    bind(Action::Down, &[plain(KeyCode::Down), plain(KeyCode::Tab)], "line down", "lines"),
+    bind(Action::PageUp, &[plain(KeyCode::PageUp)], "previous step", ""),
+    bind(Action::PageDown, &[plain(KeyCode::PageDown)], "next step", "steps"),
+    bind(Action::Save, &[ctrl('s')], "save", ""),
+    bind(Action::Back, ESC, "as it was; previous step, or back", "back"),
+]];
+
 /// Keys of a list to choose from.
 pub(super) const LIST: BindingTable = &[
     &[bind(Action::Enter, ENTER, "choose", "choose"), bind(Action::Back, ESC, "close", "close")],
@@ -302,6 +332,7 @@ pub const COMMON: &[Binding] = &[
     bind(Action::Language, &[typed('L')], "em português", ""),
     bind(Action::Theme, &[], "theme", ""),
     bind(Action::Mouse, &[], "mouse: use it here, or leave it to the terminal", ""),
+    bind(Action::FieldMode, &[], "field balancing, step by step", ""),
     bind(Action::Quit, &[typed('q')], "quit", "quit"),
 ];
 

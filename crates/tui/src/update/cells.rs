@@ -66,7 +66,7 @@ pub(super) fn end_edit(model: &mut Model) -> Vec<Intent> {
 /// Ends what is typed in a cell, which has the text again that it had before.
 fn give_up(model: &mut Model) -> Vec<Intent> {
     let Some(edit) = model.bench.as_mut().and_then(|bench| bench.edit.take()) else { return Vec::new() };
-    if edit.value() == edit.original() {
+    if !edit.is_changed() {
         return Vec::new();
     }
     with_shown(model, |pane, problem, _| pane.typed(problem, edit.original().to_owned()));

@@ -71,7 +71,9 @@ fn to_list(model: &mut Model) -> Vec<Intent> {
 /// Opens a heading, or goes on to the cases.
 fn right(model: &mut Model) -> Vec<Intent> {
     match model.picker.chosen(model.contents()) {
-        Some(Row::Heading(heading)) if !model.picker.is_open(heading, &model.listings) => {
+        Some(Row::Heading(heading))
+            if heading != Heading::Field && !model.picker.is_open(heading, &model.listings) =>
+        {
             turn(model, heading)
         }
         Some(Row::Heading(_)) => step(model, 1),
@@ -164,6 +166,7 @@ fn show(model: &mut Model, listing: usize) {
 
 fn enter(model: &mut Model) -> Vec<Intent> {
     let leaf = match model.picker.chosen(model.contents()) {
+        Some(Row::Heading(Heading::Field)) => return super::field::begin(model),
         Some(Row::Heading(heading)) => return turn(model, heading),
         Some(Row::Leaf(leaf)) => leaf,
         None => return Vec::new(),

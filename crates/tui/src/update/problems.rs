@@ -41,7 +41,9 @@ pub(super) fn replace(model: &mut Model, mut problem: Problem) -> Vec<Intent> {
 }
 
 fn show(model: &mut Model, problem: Problem) {
-    model.bench = Some(Bench::new(problem, model.marker));
+    let mut bench = Bench::new(problem, model.marker);
+    bench.field = super::field::wanted(model, &bench.problem);
+    model.bench = Some(bench);
     model.screen = Screen::Bench;
     model.dialog = None;
 }

@@ -135,7 +135,7 @@ fn of_heading(model: &Model, row: Row, heading: Heading, chosen: bool, room: usi
     let (count, done) = contents.count(heading);
     let count = match heading {
         Heading::Exercises | Heading::Set(_) => format!("{done}/{count}"),
-        Heading::Pinned | Heading::Recent => String::new(),
+        Heading::Pinned | Heading::Recent | Heading::Field => String::new(),
         Heading::Family(_) | Heading::Topic(..) => count.to_string(),
     };
     let indent = " ".repeat(row.depth());

@@ -48,6 +48,9 @@ pub(crate) fn spot(model: &Model, at: Position) -> Option<HitTarget> {
     let Some(bench) = model.shown_bench() else {
         return body.contains(at).then(|| picker::spot(model, body, at)).flatten();
     };
+    if bench.field.is_some() {
+        return None;
+    }
     let areas = areas_of(model, bench, bench.focus);
     if areas.parts.contains(at) {
         let bar = tabs::of_parts(model, bench, areas.parts.width);

@@ -7,41 +7,41 @@ use dalembert_mechanics::{
         self,
         influence::{self, InfluenceError},
         minimax::min_max,
-        spread::{self, Choice, ReadingSpread},
+        spread::{Choice, ReadingSpread},
     },
 };
-use dalembert_numerics::{intervals::IntervalSet, linalg::LinalgError};
+use dalembert_numerics::linalg::LinalgError;
 use nalgebra::{Complex, DMatrix};
-use std::{
-    f64::consts::{PI, TAU},
-    ops::Bound,
-};
+use std::f64::consts::PI;
 
+mod checks;
+mod initial;
 mod limits;
 mod numbers;
+mod positions;
+mod ranges;
 mod readings;
+mod rotor;
 mod show;
+mod view;
 mod worked;
 
-pub use self::readings::{InfluenceSource, KnownCoefficient, Measurements, TrialRunInput, TrialWeights};
 use self::{
     numbers::Numbers,
+    ranges::ranges,
     readings::{Influence, Job},
+};
+pub use self::{
+    positions::Positions,
+    readings::{CheckRun, InfluenceSource, KnownCoefficient, Measurements, TrialRunInput, TrialWeights},
+    rotor::{Requirement, Rotor},
+    view::{Rotation, RotorView, SensorPosition, ViewedEnd},
 };
 
 use crate::{
-    shared::rotor,
-    sources::{BOYD, DARLOW, GOODMAN, RAO},
+    shared::rotor::by_pairs,
+    sources::{BOYD, BRUEL_KJAER, DARLOW, GOODMAN, ISO_TOLERANCES, RAO, WOWK},
 };
-
-/// Number of Monte Carlo samples from which the ranges are computed.
-const SAMPLES: usize = 400;
-
-/// As many unknowns times readings a min-max problem may have for its samples to be found while a key is typed.
-const QUICK: usize = 200;
-
-/// Beside its weight a range wider than this is no longer what linear propagation makes it, and covers less.
-const WIDE: f64 = 0.3;
 
 /// Runs, conventions, and how the weights are chosen.
 #[derive(Clone, Debug, Inputs)]
@@ -55,6 +55,15 @@ pub struct Field {
     /// Angles of weights.
     /// Measured from the phase reference mark. The positions of the sensors do not matter: their angles cancel.
     pub angles: WeightSense,
+    /// Rotor as it is seen.
+    /// For the pictures, the high spots and the angles from the mark; the corrections do not depend on it.
+    pub view: Option<RotorView>,
+    /// Rotor and requirement.
+    /// For the trial weight and the tolerance; the corrections do not depend on it.
+    pub rotor: Option<Rotor>,
+    /// Positions for weights.
+    /// If there are holes, bolts or blades, the masses are split between two of them.
+    pub positions: Option<Positions>,
     /// Method for the correction masses.
     pub method: Method,
     /// Radius of the weights.
@@ -152,11 +161,22 @@ impl Analysis for Field {
         title: "Field balancing",
         topic: "Field balancing",
         summary: "Correction masses from measured vibrations, by influence coefficients: runs with trial weights, any number of planes, sensors and speeds, with uncertainties.",
-        main: &["correction", "correction_angle", "trim", "trim_angle", "largest_residual"],
+        main: &[
+            "trim_correction",
+            "trim_correction_angle",
+            "correction",
+            "correction_angle",
+            "trim",
+            "trim_angle",
+            "conformity",
+            "trial_mass",
+            "largest_residual",
+        ],
         keywords: "balanceamento em campo balanceamento no local coeficientes de influência peso de prova massa de teste \
                    influence coefficients trial weight single plane two plane least squares min-max trim vector fase \
-                   balancear ventilador exaustor ventoinha rebolo turbina fan balancing blower in situ on site",
-        sources: &[&RAO, &GOODMAN, &DARLOW, &BOYD],
+                   balancear ventilador exaustor ventoinha rebolo turbina fan balancing blower in situ on site \
+                   check run residual unbalance corrida de verificação desbalanceamento residual",
+        sources: &[&RAO, &GOODMAN, &DARLOW, &BOYD, &ISO_TOLERANCES, &WOWK, &BRUEL_KJAER],
         cases: include_str!("../../cases/field.toml"),
     };
 
@@ -164,6 +184,16 @@ impl Analysis for Field {
         let job = self.measured.job(&given.measured, sheet)?;
         let opposed = (self.phase == PhaseSense::Lag) != (self.angles == WeightSense::Against);
         let spread = ReadingSpread { amplitude: self.amplitude_uncertainty, phase: self.phase_uncertainty };
+        let demand = match (&self.rotor, &given.rotor) {
+            (Some(rotor), Some(given_rotor)) => Some(rotor::demand(rotor, given_rotor, given.radius, sheet)),
+            _ => None,
+        };
+        if let (Some(view), Some(given)) = (&self.view, &given.view) {
+            view::high_spots(view, given, (&job.first, opposed, self.angles), sheet)?;
+        }
+        if let Influence::NotYet = job.influence {
+            return initial::evaluate(self, (&job, opposed), demand.as_ref(), sheet);
+        }
         let numbers = Numbers::new(&job, opposed, spread, sheet)?;
         let factors = self.factors(numbers.first.len())?;
         let limits = self.limits(numbers.first.len())?;
@@ -196,12 +226,29 @@ impl Analysis for Field {
         let weights: Vec<Complex<f64>> =
             corrections.iter().map(|w| Complex::from_polar(w.mass.value(), w.angle.value())).collect();
         self.answers(&corrections, given.radius, &numbers, &factors, sheet);
-        trim(&numbers, &weights, sheet);
+        if let Some(view) = &given.view {
+            for (n, found) in (1..).zip(&corrections) {
+                view::from_mark(view, self.angles, (n, found.angle), sheet);
+            }
+        }
+        let added = trim(&numbers, &weights, sheet);
+        let checked = checks::judge(
+            (&numbers, &factors),
+            (&job.checks, opposed, job.units),
+            (demand.as_ref(), given.radius),
+            sheet,
+        )?;
+        if let (Some(positions), Some(given)) = (&self.positions, &given.positions) {
+            let next = checked.map(|checked| checked.trim).or(added).unwrap_or(corrections);
+            positions::split(positions, given, &next, sheet);
+        }
         let left = self.predict(&numbers, &weights, job.units.reading, sheet);
         if let Method::Limits { .. } = self.method {
             limits::nearest(&numbers, &weights, &limits, sheet);
         }
-        condition(squares.condition, &numbers, &factors, sheet);
+        if numbers.alpha.ncols() > 1 {
+            condition(squares.condition, &numbers, &factors, sheet);
+        }
         sheet.verify(|| {
             let choice = match self.method {
                 Method::MinMax { limit } | Method::Limits { limit, .. } => Choice::MinMax(limit),
@@ -209,12 +256,17 @@ impl Analysis for Field {
             };
             ranges((&numbers, &limits), choice, spread, &weights, job.units.reading, sheet);
         });
-        show::all(&numbers, &weights, &left, &factors, job.units, sheet);
+        show::all(self, (&numbers, &factors), (&weights, &left), job.units, sheet);
         Ok(())
     }
 }
 
 impl Field {
+    /// A vector on the scale of the weights as it is drawn: as the rotor is seen, or counter-clockwise from the right.
+    fn seen(&self, vector: Complex<f64>) -> Complex<f64> {
+        self.view.as_ref().map_or(vector, |view| view.seen(self.angles, vector))
+    }
+
     fn factors(&self, readings: usize) -> Result<Vec<f64>, Refusal> {
         match &self.method {
             Method::Weighted { factors } if factors.len() != readings => Err(Refusal::because(
@@ -386,7 +438,11 @@ impl Field {
         let mean =
             sheet.numerical("r_rms", unit, mean, "Root mean square of all predicted residual readings");
         sheet.answer("largest_residual", "Maximum predicted residual vibration", largest);
-        sheet.answer("rms_residual", "RMS of the predicted residual vibration", mean);
+        // As many planes as readings leave nothing: one line says so.
+        let leaves = left.len() > weights.len();
+        if leaves {
+            sheet.answer("rms_residual", "RMS of the predicted residual vibration", mean);
+        }
         sheet.verify(|| {
             let (mut most, mut sum, mut reach) = (0.0f64, 0.0, 0.0f64);
             for (row, (reading, kept)) in numbers.first.iter().zip(&left).enumerate() {
@@ -395,7 +451,7 @@ impl Field {
                     let influence = numbers.alpha[(row, plane)];
                     vectors.push((influence.norm() * weight.norm(), influence.arg() + weight.arg()));
                 }
-                let (squared, scale) = rotor::by_pairs(&vectors);
+                let (squared, scale) = by_pairs(&vectors);
                 reach = reach.max(scale);
                 if *kept != Complex::ZERO {
                     most = most.max(squared);
@@ -406,7 +462,9 @@ impl Field {
             sheet.check_sum(what, largest.powi(2), most.into(), reach);
             sheet.check_sum(what, mean.powi(2), (sum / left.len() as f64).into(), reach);
         });
-        sheet.answer_list("residual", "Predicted residual vibration", unit, &sizes);
+        if leaves {
+            sheet.answer_list("residual", "Predicted residual vibration", unit, &sizes);
+        }
         left
     }
 }
@@ -461,10 +519,11 @@ fn orthogonal<W: Worksheet>(
 }
 
 /// The weights to add where the trial weights are still on the rotor.
-fn trim<W: Worksheet>(numbers: &Numbers, weights: &[Complex<f64>], sheet: W) {
+fn trim<W: Worksheet>(numbers: &Numbers, weights: &[Complex<f64>], sheet: W) -> Option<Vec<Found<W::Num>>> {
     if !numbers.stay {
-        return;
+        return None;
     }
+    let mut found = Vec::new();
     let mut added = Vec::new();
     for (plane, weight) in weights.iter().enumerate() {
         let on: Complex<f64> =
@@ -486,6 +545,7 @@ fn trim<W: Worksheet>(numbers: &Numbers, weights: &[Complex<f64>], sheet: W) {
         sheet.answer(("trim", n), "Mass to add with the trial weights retained, plane", mass);
         sheet.answer(("trim_angle", n), "Angle of the mass to add, plane", angle);
         added.push(Complex::from_polar(mass.value(), angle.value()));
+        found.push(Found { mass, angle });
     }
     sheet.verify(|| {
         let planes: Vec<usize> = numbers.runs.iter().map(|run| run.plane).collect();
@@ -500,6 +560,7 @@ fn trim<W: Worksheet>(numbers: &Numbers, weights: &[Complex<f64>], sheet: W) {
             sheet.check_zero(what, (left - again).norm().into(), size);
         }
     });
+    Some(found)
 }
 
 fn condition<W: Worksheet>(condition: f64, numbers: &Numbers, factors: &[f64], sheet: W) {
@@ -512,71 +573,4 @@ fn condition<W: Worksheet>(condition: f64, numbers: &Numbers, factors: &[f64], s
         let what = "square root of the ratio of the eigenvalues of the normal equations";
         sheet.check_residual(what, condition - again, again, error);
     });
-}
-
-/// Ranges of weights and predictions by the uncertainty of the readings. These are no numbers of the plain reading,
-/// which somebody may repeat a million times.
-fn ranges<W: Worksheet>(
-    (numbers, limits): (&Numbers, &[f64]),
-    choice: Choice<'_>,
-    spread: ReadingSpread,
-    weights: &[Complex<f64>],
-    unit: &'static str,
-    sheet: W,
-) {
-    if spread.amplitude == 0.0 && spread.phase == 0.0 {
-        return;
-    }
-    if matches!(choice, Choice::MinMax(_)) && weights.len() * numbers.first.len() > QUICK {
-        sheet.warn(|| {
-            Text::new(
-                "the ranges of the weights are left out: to solve the min-max problem of {readings} readings and {planes}                  planes again for each of {samples} samples takes too long; least squares gives its ranges at once",
-            )
-            .with("readings", numbers.first.len())
-            .with("planes", weights.len())
-            .with("samples", SAMPLES)
-        });
-        return;
-    }
-    let over = numbers.over(limits);
-    let measured = over.measured(choice, spread);
-    let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    let Some(ranges) = spread::ranges(&measured, weights, SAMPLES, threads) else { return };
-    let between = |[low, high]: [f64; 2]| IntervalSet::interval(Bound::Included(low), Bound::Included(high));
-    for (n, (size, angle)) in (1..).zip(ranges.sizes.iter().zip(&ranges.angles)) {
-        let label = "95 % interval of the correction mass in plane";
-        sheet.answer_set(("correction_range", n), label, "g", &between(*size), Vec::new());
-        // Both ends positive, as angles are marked: 350° to 370° about the mark.
-        let turn = if angle[0] < 0.0 { TAU } else { 0.0 };
-        let any = angle[1] - angle[0] > TAU * (1.0 - 1e-9);
-        let angles = if any { IntervalSet::all() } else { between(angle.map(|a| a + turn)) };
-        let label = "95 % interval of the angle of the correction in plane";
-        sheet.answer_set(("angle_range", n), label, "deg", &angles, Vec::new());
-        let weight = weights[n - 1].norm();
-        let width = size[1] - size[0];
-        if width > WIDE * weight && width <= weight {
-            sheet.warn(|| {
-                Text::new(
-                    "the interval of the correction in plane {n} is wide compared with the correction itself: fewer than 95 of 100 such jobs lie within their intervals (87 of simulated ones); repeat the runs, or use a larger trial weight",
-                )
-                .with("n", n)
-            });
-        }
-        if width > weight {
-            sheet.warn(|| {
-                Text::new(
-                    "the uncertainty of the readings allows a correction in plane {n} from {low} to {high}: use a larger trial weight or more stable readings before the next start",
-                )
-                .with("n", n)
-                .with_quantity("low", size[0], "g")
-                .with_quantity("high", size[1], "g")
-            });
-        }
-    }
-    sheet.answer_list(
-        "residual_limit",
-        "95 % upper limit of the residual vibration",
-        unit,
-        &ranges.residuals.iter().zip(limits).map(|(ratio, limit)| ratio * limit).collect::<Vec<_>>(),
-    );
 }

@@ -5,10 +5,14 @@ use dalembert_mechanics::{
     Real,
     balance::{self, Phasor},
 };
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 use crate::{
-    shared::{rotor, views::dial},
+    shared::{
+        rotor,
+        split::{self, Adjacent},
+        views::dial,
+    },
     sources::RIUL,
 };
 
@@ -157,10 +161,8 @@ fn places_of<W: Worksheet>(
 ) -> Result<[W::Num; 2], Refusal> {
     match (places, given) {
         (Places::Around { count, .. }, PlacesGiven::Around { start, .. }) => {
-            let pitch = TAU / *count as f64;
-            let before = ((angle.value() - start.value()) / pitch + 1e-12).floor();
-            let number = before.rem_euclid(*count as f64) + 1.0;
-            let next = number % *count as f64 + 1.0;
+            let Adjacent { numbers: [number, next], pitch } =
+                split::adjacent(*count, start.value(), angle.value());
             let step = sheet.numerical(
                 "δ",
                 "deg",

@@ -14,7 +14,7 @@ use dalembert_mechanics::{
 };
 
 use crate::{
-    shared::rotor,
+    shared::{rotor, tolerance},
     sources::{ISO_TOLERANCES, MIL_STD_167},
 };
 
@@ -318,14 +318,10 @@ impl Analysis for Tolerance {
         };
         let measured = self.measured(given, total, limits, sheet);
         if let Some(trial) = &given.trial {
-            let carried = if limits.is_some() { 0.5 } else { 1.0 };
-            let unbalance = trial.share * given.mass * given.gravity * carried / given.speed.powi(2);
-            let why = if limits.is_some() {
-                "Its force is that share of half the weight"
-            } else {
-                "Its force is that share of the weight"
-            };
-            let unbalance = sheet.step("U_t", "g*mm", unbalance, why);
+            let planes = if limits.is_some() { 2 } else { 1 };
+            let carried = 1.0 / planes as f64;
+            let rotor = (given.mass, given.gravity, given.speed);
+            let unbalance = tolerance::trial_unbalance(trial.share, rotor, planes, sheet);
             let mass = sheet.step("m_t", "g", unbalance / trial.radius, "Trial weight at its radius");
             sheet.answer("trial_unbalance", "Trial unbalance", unbalance);
             sheet.answer("trial_mass", "Trial weight", mass);
@@ -354,19 +350,13 @@ impl Analysis for Tolerance {
 
 /// The total permissible unbalance, and over the mass.
 fn permissible<W: Worksheet>(given: &ToleranceGiven<W>, sheet: W) -> (W::Num, W::Num) {
-    let whole = |displacement: W::Num| {
-        let why = ("Specific unbalance times mass", ISO_TOLERANCES.at(""));
-        (sheet.step("U_per", "g*mm", displacement * given.mass, why), displacement)
-    };
-    let by_grade = |grade: W::Num| {
-        let why = ("The centre of mass moves at the speed of the grade", ISO_TOLERANCES.at(""));
-        whole(sheet.step("e_per", "µm", grade / given.speed, why))
-    };
+    let by_grade = |grade: W::Num| tolerance::by_grade(grade, given.mass, given.speed, sheet);
     match &given.criterion {
         CriterionGiven::Grade { grade } => by_grade(*grade),
         CriterionGiven::Machine { machine } => by_grade(machine.grade()),
         CriterionGiven::Specific { displacement } => {
-            whole(sheet.step("e_per", "µm", *displacement * 1.0, "Required specific unbalance"))
+            let displacement = sheet.step("e_per", "µm", *displacement * 1.0, "Required specific unbalance");
+            (tolerance::whole(displacement, given.mass, sheet), displacement)
         }
         CriterionGiven::Total { unbalance } => {
             let total = sheet.step("U_per", "g*mm", *unbalance * 1.0, "Required unbalance");

@@ -61,6 +61,9 @@ fn of_heading(model: &Model, heading: Heading, area: Rect, buffer: &mut Buffer) 
                 .with("done", done)
                 .with("key", model.key(KeyContext::Picker, Action::Toggle))
         }
+        Heading::Field => Text::from(
+            "Balancing in the field: run 0, trial runs, correction and check run on pages that ask for one thing at a time. Enter begins.",
+        ),
         _ if count == 1 => Text::from("1 analysis"),
         _ => Text::new("{count} analyses"),
     };

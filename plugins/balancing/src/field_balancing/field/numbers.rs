@@ -23,6 +23,11 @@ const NO_EFFECT: f64 = 2.0;
 const WEAK_EFFECT: f64 = 5.0;
 /// Planes whose effects are that parallel are doubtful.
 const ALIKE: f64 = 0.98;
+/// A trial run that changes every reading by less than this share of it is repeated with more, by the rule of
+/// 30 per cent or 30 degrees, which is half of it as a vector.
+const LITTLE_CHANGE: f64 = 0.25;
+/// The share that a trial weight ought to change a reading by.
+const GOOD_CHANGE: f64 = 0.3;
 /// A condition number above this is doubtful.
 const POOR_CONDITION: f64 = 10.0;
 
@@ -44,24 +49,10 @@ impl Numbers {
         spread: ReadingSpread,
         sheet: W,
     ) -> Result<Self, Refusal> {
-        let reading = |reading: &WorkedReading<W::Num>| {
-            let phase = reading.phase.value();
-            Complex::from_polar(reading.amplitude.value(), if opposed { -phase } else { phase })
-        };
-        let first: Vec<Complex<f64>> = job.first.iter().map(reading).collect();
-        if first.iter().all(|v| v.norm() == 0.0) {
-            return Err(Refusal::because(
-                "every amplitude of the initial run is 0, so there is nothing to balance; check sensors and filter",
-            ));
-        }
-        for (n, v) in (1..).zip(&first) {
-            if v.norm() == 0.0 {
-                sheet.warn(|| {
-                    Text::new("reading {n} of the initial run is 0: is its sensor connected?").with("n", n)
-                });
-            }
-        }
+        let reading = |reading: &WorkedReading<W::Num>| vector(reading, opposed);
+        let first = initial(job, opposed, sheet)?;
         match &job.influence {
+            Influence::NotYet => Err(Refusal::because("there is no trial run yet: make one for each plane")),
             Influence::Known(coefficients) => {
                 let alpha = known(coefficients, first.len())?;
                 Ok(Self { first, runs: Vec::new(), stay: false, known: true, alpha })
@@ -189,6 +180,34 @@ impl Numbers {
         };
         Measurement { first: &self.first, influence, choice, spread }
     }
+}
+
+/// A reading in the sense of the weights.
+pub(super) fn vector<N: Real>(reading: &WorkedReading<N>, opposed: bool) -> Complex<f64> {
+    let phase = reading.phase.value();
+    Complex::from_polar(reading.amplitude.value(), if opposed { -phase } else { phase })
+}
+
+/// The readings of the initial run; warns of those that are 0, and refuses them where all are.
+pub(super) fn initial<W: Worksheet>(
+    job: &Job<W::Num>,
+    opposed: bool,
+    sheet: W,
+) -> Result<Vec<Complex<f64>>, Refusal> {
+    let first: Vec<Complex<f64>> = job.first.iter().map(|reading| vector(reading, opposed)).collect();
+    if first.iter().all(|v| v.norm() == 0.0) {
+        return Err(Refusal::because(
+            "every amplitude of the initial run is 0, so there is nothing to balance; check sensors and filter",
+        ));
+    }
+    for (n, v) in (1..).zip(&first) {
+        if v.norm() == 0.0 {
+            sheet.warn(|| {
+                Text::new("reading {n} of the initial run is 0: is its sensor connected?").with("n", n)
+            });
+        }
+    }
+    Ok(first)
 }
 
 /// Two planes act alike: which.
@@ -335,9 +354,39 @@ fn judge_trials<W: Worksheet>(
                 .with("effect", format!("{effect:.2}"))
             });
         }
+        let change = change(n, &run.readings, before, sheet);
+        if effect >= WEAK_EFFECT && change < LITTLE_CHANGE {
+            sheet.warn(|| {
+                Text::new("trial weight {n} changed the vibration by only {change} %: repeat the run with about {times} times the mass, or at another angle")
+                    .with("n", n)
+                    .with("change", format!("{:.0}", 100.0 * change))
+                    .with("times", format!("{:.1}", GOOD_CHANGE / change))
+            });
+        }
         if stay {
             before = &run.readings;
         }
     }
     Ok(())
+}
+
+/// The largest change of a reading by a trial weight, as a vector over the reading before it.
+fn change<W: Worksheet>(run: usize, now: &[Complex<f64>], before: &[Complex<f64>], sheet: W) -> f64 {
+    let pairs = || now.iter().zip(before).filter(|(_, before)| before.norm() > 0.0);
+    let largest = pairs().map(|(now, before)| (now - before).norm() / before.norm()).fold(0.0, f64::max);
+    let how = "Largest change of a reading by the trial weight, as a vector, over the reading before it";
+    let change = sheet.numerical(("ε", run), "%", largest, how);
+    sheet.answer(("trial_effect", run), "Change of the vibration by trial weight", change);
+    sheet.verify(|| {
+        let squared = |(now, before): (&Complex<f64>, &Complex<f64>)| {
+            let ratio = now.norm() / before.norm();
+            1.0 + ratio * ratio - 2.0 * ratio * (now.arg() - before.arg()).cos()
+        };
+        let again = pairs().map(squared).fold(0.0, f64::max);
+        let scale =
+            pairs().map(|(now, before)| (1.0 + now.norm() / before.norm()).powi(2)).fold(0.0, f64::max);
+        let what = "square of the change by the law of cosines";
+        sheet.check_sum(what, change.powi(2), again.into(), scale);
+    });
+    largest
 }

@@ -22,6 +22,18 @@ pub struct Measurements {
     /// run, in the same order. Subtracted as a vector from all readings of that sensor; omit it for sensors on the casing.
     #[input("s")]
     pub slow_roll: Vec<SlowRollReading>,
+    /// Check runs.
+    /// With the corrections in place, one after another: the last one gives the residual unbalance and the trim.
+    pub checks: Vec<CheckRun>,
+}
+
+/// A run with the corrections in place.
+#[derive(Clone, Debug, Inputs)]
+pub struct CheckRun {
+    /// Readings.
+    /// The same sensors and speeds in the same order as in the initial run.
+    #[input(min = 1)]
+    pub readings: Vec<SensorReading>,
 }
 
 /// Reading of a sensor at slow roll.
@@ -57,6 +69,9 @@ pub enum InfluenceSource {
         #[input(table)]
         coefficients: Vec<KnownCoefficient>,
     },
+    /// No trial run yet
+    /// The initial run is evaluated, and a trial weight proposed.
+    NotYet,
 }
 
 /// Fate of a trial weight after its run: removed or left on.
@@ -132,6 +147,7 @@ pub(super) enum Influence<N> {
     },
     /// Plane and reading counted from 1, size, angle.
     Known(Vec<(f64, f64, f64, f64)>),
+    NotYet,
 }
 
 /// All that was measured as numbers of a worksheet.
@@ -139,6 +155,7 @@ pub(super) struct Job<N> {
     pub(super) units: Units,
     pub(super) first: Vec<WorkedReading<N>>,
     pub(super) influence: Influence<N>,
+    pub(super) checks: Vec<Vec<WorkedReading<N>>>,
 }
 
 /// The units of readings and coefficients.
@@ -182,23 +199,29 @@ impl Measurements {
             (InfluenceSource::Known { coefficients }, _) => Influence::Known(
                 coefficients.iter().map(|c| (c.plane, c.reading, c.size.si, c.angle)).collect(),
             ),
-            (InfluenceSource::Runs { .. }, InfluenceSourceGiven::Known { .. }) => {
-                Influence::Known(Vec::new())
-            }
+            (InfluenceSource::NotYet, _) => Influence::NotYet,
+            (InfluenceSource::Runs { .. }, _) => Influence::Known(Vec::new()),
         };
         let mut first = readings(&self.first, &given.first);
+        let check = |(own, given): (&CheckRun, &CheckRunGiven<W>)| readings(&own.readings, &given.readings);
+        let mut checks: Vec<_> = self.checks.iter().zip(&given.checks).map(check).collect();
         if let Some(run_out) = run_out {
             for (n, found) in (1..).zip(run_out.taken_from(&mut first, None, reading, sheet)) {
                 sheet.answer(("compensated", n), "Reading without run-out", found.amplitude);
                 sheet.answer(("compensated_phase", n), "Phase of the reading without run-out", found.phase);
             }
+            let mut trials = 0;
             if let Influence::Runs { runs, .. } = &mut influence {
+                trials = runs.len();
                 for (run, worked) in (1..).zip(runs) {
                     run_out.taken_from(&mut worked.readings, Some(run), reading, sheet);
                 }
             }
+            for (run, readings) in (trials + 1..).zip(&mut checks) {
+                run_out.taken_from(readings, Some(run), reading, sheet);
+            }
         }
-        Ok(Job { units: Units { reading, coefficient }, first, influence })
+        Ok(Job { units: Units { reading, coefficient }, first, influence, checks })
     }
 }
 

@@ -6,17 +6,16 @@ use dalembert_core::{
 use dalembert_mechanics::balance::{self, influence};
 use nalgebra::{Complex, DMatrix};
 
-use super::{Numbers, readings::Units};
+use super::{Field, Numbers, readings::Units};
 use crate::shared::{rotor::letter, views::dial};
 
 /// The most vector triangles that are drawn.
 const MOST_TRIANGLES: usize = 4;
 
 pub(super) fn all<W: Worksheet>(
-    numbers: &Numbers,
-    weights: &[Complex<f64>],
-    left: &[Complex<f64>],
-    factors: &[f64],
+    field: &Field,
+    (numbers, factors): (&Numbers, &[f64]),
+    (weights, left): (&[Complex<f64>], &[Complex<f64>]),
     units: Units,
     sheet: W,
 ) {
@@ -28,7 +27,7 @@ pub(super) fn all<W: Worksheet>(
     if numbers.first.len() > 1 {
         sheet.show(|| Exhibit::Plot(before_and_after(&numbers.first, left, units.reading)));
     }
-    sheet.show(|| Exhibit::Drawing(polar(numbers, weights)));
+    sheet.show(|| Exhibit::Drawing(polar(field, numbers, weights)));
     for (row, first) in numbers.first.iter().enumerate().take(MOST_TRIANGLES) {
         if first.norm() > 0.0 {
             sheet.show(|| Exhibit::Drawing(triangle(numbers, row, *first)));
@@ -83,6 +82,20 @@ fn readings(first: &[Complex<f64>], left: &[Complex<f64>], unit: &'static str) -
     }
 }
 
+/// The readings of the initial run, in the sense of the weights.
+pub(super) fn initial(first: &[Complex<f64>], unit: &'static str) -> TableExhibit {
+    let row = |(n, reading): (usize, &Complex<f64>)| {
+        let angle = balance::marked_angle_found(reading.arg());
+        vec![Cell::Text(Text::new(n.to_string())), reading.norm().into(), angle.into()]
+    };
+    TableExhibit {
+        title: "Readings of the initial run".into(),
+        columns: vec![column("reading", ""), column("before", unit), column("angle before", "deg")],
+        rows: (1..).zip(first).map(row).collect(),
+        foot: Vec::new(),
+    }
+}
+
 /// Table of the residual readings if one correction plane is omitted.
 fn left_out(numbers: &Numbers, factors: &[f64], unit: &'static str) -> TableExhibit {
     let planes = numbers.alpha.ncols();
@@ -133,11 +146,14 @@ fn before_and_after(first: &[Complex<f64>], left: &[Complex<f64>], unit: &'stati
 }
 
 /// Weights around the shaft.
-fn polar(numbers: &Numbers, weights: &[Complex<f64>]) -> Drawing {
+fn polar(field: &Field, numbers: &Numbers, weights: &[Complex<f64>]) -> Drawing {
     let reach = numbers.runs.iter().map(|run| run.weight.norm()).chain(weights.iter().map(|w| w.norm()));
     let reach = reach.fold(0.0, f64::max);
     let mut sketch = dial("Trial weights (m) and corrections (W) around the shaft");
-    let at = |weight: Complex<f64>| (weight.re / reach, weight.im / reach);
+    let at = |weight: Complex<f64>| {
+        let seen = field.seen(weight / reach);
+        (seen.re, seen.im)
+    };
     for (n, run) in (1..).zip(&numbers.runs) {
         let name = format!("{} ∠ {}", letter("m", n), letter("θ", n));
         sketch.force(Text::verbatim(name), (0.0, 0.0), at(run.weight));

@@ -1,0 +1,221 @@
+//! The clock-face of the rotor: the rotor as the technician sees it, with the scale of the weights.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use dalembert_core::{Ink, Locale, Text};
+use dalembert_plot::dial::{ArcArrow, Dial, DialName, Spot};
+
+use super::{FieldPage, entry, words};
+use crate::problem::Problem;
+
+/// How far the arrow of the rotation goes, rad.
+const ROTATION: f64 = 1.4;
+
+/// How the rotor is seen: which way it turns on the screen, and which way its scale goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Face {
+    /// The rotor turns clockwise.
+    pub(crate) turns_clockwise: bool,
+    /// Angles of weights grow clockwise.
+    pub(crate) grows_clockwise: bool,
+    /// The phase of the instrument grows when a weight is moved clockwise.
+    pub(crate) phase_clockwise: bool,
+    /// Angle of the mark on the scale.
+    pub(crate) mark: f64,
+}
+
+impl Face {
+    /// The face of a job, with usual conventions where nothing is chosen.
+    pub(crate) fn of(problem: &Problem) -> Self {
+        let is = |path: &str, at: usize| entry::chosen(problem, path).unwrap_or(0) == at;
+        let turns_clockwise = is("view.rotation", 0) == is("view.end", 0);
+        Self {
+            turns_clockwise,
+            grows_clockwise: turns_clockwise == is("angles", 0),
+            phase_clockwise: turns_clockwise == is("phase", 0),
+            mark: entry::si_at(problem, "view.mark").unwrap_or(0.0),
+        }
+    }
+
+    /// The direction on the screen of an angle on the scale, counter-clockwise from the right: the scale begins at the top.
+    pub(crate) fn direction(self, angle: f64) -> f64 {
+        FRAC_PI_2 + if self.grows_clockwise { -angle } else { angle }
+    }
+
+    /// The direction on the screen that lies so far from the mark in the direction of rotation.
+    pub(crate) fn after_mark(self, angle: f64) -> f64 {
+        self.direction(self.mark) + if self.turns_clockwise { -angle } else { angle }
+    }
+}
+
+/// The faces of a page: one for each plane where weights are to be mounted, else one or none.
+/// With little room the planes share one.
+pub(crate) fn faces(
+    problem: &Problem,
+    (page, line): (FieldPage, usize),
+    is_narrow: bool,
+    locale: &Locale,
+) -> Vec<Dial> {
+    let face = Face::of(problem);
+    match page {
+        FieldPage::Job | FieldPage::Check(_) | FieldPage::Report => Vec::new(),
+        FieldPage::Instrument => vec![conventions(problem, face, line, locale)],
+        FieldPage::Initial => vec![high_spots(problem, face, locale)],
+        FieldPage::Trial(run) => vec![trial(problem, face, run, locale)],
+        FieldPage::Correction(trims) => {
+            let all = words::mounted(problem, trims);
+            if is_narrow && all.len() > 1 {
+                return vec![together(face, &all, locale)];
+            }
+            all.iter().map(|mass| correction(problem, face, trims, mass, locale)).collect()
+        }
+    }
+}
+
+/// Rim, scale, mark and direction of rotation.
+fn rotor(face: Face, title: &Text, locale: &Locale) -> Dial {
+    let ticks = (0..12).map(|tick| f64::from(tick) * PI / 6.0).collect();
+    let scale = |quarter: i32| DialName {
+        direction: face.direction(f64::from(quarter) * FRAC_PI_2),
+        words: if locale.style.ascii { (90 * quarter).to_string() } else { format!("{}°", 90 * quarter) },
+        ink: Ink::Faint,
+    };
+    let mut names: Vec<DialName> = (0..4).map(scale).collect();
+    let mark = face.direction(face.mark);
+    names.push(DialName { direction: mark, words: Text::from("mark").render(locale), ink: Ink::Motion });
+    let sense = if face.turns_clockwise { -1.0 } else { 1.0 };
+    let rotation = ArcArrow {
+        radius: 0.64,
+        from: -FRAC_PI_2 - sense * ROTATION / 2.0,
+        sweep: sense * ROTATION,
+        words: Text::from("rotation").render(locale),
+        ink: Ink::Motion,
+    };
+    let spot = Spot { direction: mark, distance: 1.0, sign: ('◆', 'v'), ink: Ink::Motion };
+    Dial {
+        title: title.render(locale),
+        ticks,
+        names,
+        hands: Vec::new(),
+        spots: vec![spot],
+        arrows: vec![rotation],
+    }
+}
+
+/// From where the rotor is seen.
+fn seen_from(problem: &Problem) -> Text {
+    match entry::chosen(problem, "view.end") {
+        Some(1) => "Seen from the opposite end".into(),
+        _ => "Seen from the drive end".into(),
+    }
+}
+
+fn plane_seen(problem: &Problem, plane: usize) -> Text {
+    let said = match entry::chosen(problem, "view.end") {
+        Some(1) => "Plane {n} from the opposite end",
+        _ => "Plane {n} from the drive end",
+    };
+    Text::new(said).with("n", plane)
+}
+
+/// The habits of instrument and technician; that of the line under the cursor is pointed out.
+fn conventions(problem: &Problem, face: Face, line: usize, locale: &Locale) -> Dial {
+    let mut dial = rotor(face, &seen_from(problem), locale);
+    let pointed_out = match line {
+        2 => Some(("angle grows", face.grows_clockwise)),
+        3 => Some(("phase grows", face.phase_clockwise)),
+        _ => None,
+    };
+    if let Some((words, clockwise)) = pointed_out {
+        let sense = if clockwise { -1.0 } else { 1.0 };
+        dial.arrows.push(ArcArrow {
+            radius: 0.82,
+            from: face.direction(face.mark) + sense * 0.2,
+            sweep: sense * FRAC_PI_2,
+            words: Text::from(words).render(locale),
+            ink: Ink::Result,
+        });
+    }
+    for sensor in 1..=entry::sensors(problem).unwrap_or(0) {
+        let angle = entry::si_at(problem, &format!("view.sensors[{sensor}].angle")).unwrap_or(0.0);
+        let direction = face.after_mark(angle);
+        dial.names.push(DialName { direction, words: format!("S{sensor}"), ink: Ink::Force });
+    }
+    dial
+}
+
+fn with_high_spots(problem: &Problem, face: Face, dial: &mut Dial) {
+    let spots = (1..)
+        .map_while(|sensor| Some((sensor, entry::answer(problem, &format!("high_spot[{sensor}]"))?.si()?)));
+    for (sensor, spot) in spots {
+        let direction = face.direction(spot);
+        dial.names.push(DialName { direction, words: format!("H{sensor}"), ink: Ink::Danger });
+        dial.spots.push(Spot { direction, distance: 1.0, sign: ('○', 'o'), ink: Ink::Danger });
+    }
+}
+
+fn high_spots(problem: &Problem, face: Face, locale: &Locale) -> Dial {
+    let title = match entry::answer(problem, "high_spot[1]") {
+        Some(_) => "H: high spot, nearest to the sensor at the peak".into(),
+        None => seen_from(problem),
+    };
+    let mut dial = rotor(face, &title, locale);
+    with_high_spots(problem, face, &mut dial);
+    dial
+}
+
+/// The trial weight of a run.
+fn trial(problem: &Problem, face: Face, run: usize, locale: &Locale) -> Dial {
+    let mut dial = rotor(face, &plane_seen(problem, run), locale);
+    let row = format!("{}[{run}]", entry::RUNS);
+    if let Some(angle) = entry::si_at(problem, &format!("{row}.angle")) {
+        let words = words::localised(entry::text_at(problem, &format!("{row}.mass")), locale);
+        hand(&mut dial, face.direction(angle), words, Ink::Force);
+    }
+    with_high_spots(problem, face, &mut dial);
+    dial
+}
+
+/// The mass to mount in a plane, and the trial weight if it stays on.
+fn correction(
+    problem: &Problem,
+    face: Face,
+    trims: usize,
+    mass: &words::Mounted<'_>,
+    locale: &Locale,
+) -> Dial {
+    let title = Text::new("Plane {n}: {mass} at {angle}")
+        .with("n", mass.plane)
+        .with("mass", words::quantity(mass.mass, locale))
+        .with("angle", words::degrees(mass.angle, locale));
+    let mut dial = rotor(face, &title, locale);
+    let stays = entry::chosen(problem, "measured.influence.runs.after") == Some(1);
+    let row = (1..=entry::rows(problem, entry::RUNS))
+        .map(|row| format!("{}[{row}]", entry::RUNS))
+        .find(|row| entry::text_at(problem, &format!("{row}.plane")) == mass.plane.to_string());
+    let trial = row.and_then(|row| entry::si_at(problem, &format!("{row}.angle")));
+    if let Some(angle) = trial.filter(|_| stays && trims == 0) {
+        hand(&mut dial, face.direction(angle), Text::from("trial weight").render(locale), Ink::Force);
+    }
+    let direction = face.direction(mass.angle.si().unwrap_or_default());
+    hand(&mut dial, direction, words::degrees(mass.angle, locale), Ink::Result);
+    dial
+}
+
+/// The masses to mount in all planes.
+fn together(face: Face, all: &[words::Mounted<'_>], locale: &Locale) -> Dial {
+    let mut dial = rotor(face, &Text::from("Planes 1, 2"), locale);
+    for mass in all {
+        let direction = face.direction(mass.angle.si().unwrap_or_default());
+        let words = format!("{}: {}", mass.plane, words::degrees(mass.angle, locale));
+        hand(&mut dial, direction, words, Ink::Result);
+    }
+    dial
+}
+
+/// A weight: a hand to it, and what it is.
+fn hand(dial: &mut Dial, direction: f64, words: String, ink: Ink) {
+    dial.hands.push((direction, ink));
+    dial.spots.push(Spot { direction, distance: 1.0, sign: ('●', '@'), ink });
+    dial.names.push(DialName { direction, words, ink });
+}
