@@ -23,7 +23,7 @@ pub use self::{
     lines::{Choice, FieldLine, Go, LineKind, lines},
     words::title,
 };
-use crate::{keys::KeyContext, problem::Problem};
+use crate::{keys::KeyContext, problem::Problem, text_entry::TextEntry};
 
 dalembert_core::messages!("../locales/field.pt-BR.ftl");
 

@@ -158,8 +158,9 @@ fn a_scene_in_space_is_turned_by_keys_and_keeps_its_side() {
 fn what_is_seen_is_exported() {
     let folder = tempfile::tempdir().expect("a folder");
     let name = |name: &str| folder.path().join(name).display().to_string();
+    let mut narrow = Person::at(80, 24).opens("vibration/rotating-unbalance");
+    assert!(narrow.types("P").sees().contains("no plot or drawing on the screen"), "{}", narrow.sees());
     let mut person = Person::at(120, 40).opens("vibration/rotating-unbalance");
-    assert!(person.types("P").sees().contains("no plot or drawing on the screen"), "{}", person.sees());
     person.types("<tab>]]aa<right>++P").types(&name("seen.csv")).types("<enter>");
     assert!(person.sees().contains("plot or drawing written to"), "{}", person.sees());
     let csv = std::fs::read_to_string(name("seen.csv")).expect("it is written");
@@ -206,7 +207,7 @@ fn a_frequency_axis_may_be_logarithmic() {
 #[test]
 fn a_tall_screen_shows_two_plots() {
     let id = "rigid-body/motion";
-    let shown = Person::at(200, 60).opens(id).sees();
+    let shown = Person::at(200, 80).opens(id).sees();
     assert!(shown.contains("Plot 1/") && shown.contains(" 2/"), "{shown}");
     let low = Person::at(160, 40).opens(id).sees();
     assert!(low.contains("Plot 1/") && !low.contains(" 2/"), "{low}");
