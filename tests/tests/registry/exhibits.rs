@@ -16,8 +16,8 @@ fn every_mark_equals_an_answer_or_a_point_of_a_curve() {
 }
 
 #[test]
-fn every_axis_can_be_read() {
-    let read = plots::every_axis_can_be_read(registry());
+fn every_axis_is_read_back() {
+    let read = plots::every_axis_is_read_back(registry());
     assert!(read > 4000, "{read} axes");
 }
 
