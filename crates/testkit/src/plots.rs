@@ -21,7 +21,7 @@ const SIZES: [(u16, u16); 4] = [(38, 8), (38, 14), (56, 18), (110, 30)];
 /// Reads both axes of every plot back from the screen, in several sizes, in English and Portuguese, with and without ASCII:
 /// no unit and no power of ten is cut, so that the largest number at an axis is one of the size of the data. Returns the
 /// number of axes.
-pub fn every_axis_can_be_read(entries: &[&'static Entry]) -> usize {
+pub fn every_axis_is_read_back(entries: &[&'static Entry]) -> usize {
     let (mut read, mut wrong) = (0, Vec::new());
     for (entry, solution) in first_solutions(entries) {
         for plot in plots(&solution) {

@@ -1,6 +1,7 @@
 //! The run loop: the one place where effects happen.
 
 mod editor;
+mod playing;
 mod watch;
 mod wheel;
 
@@ -17,11 +18,11 @@ use dalembert_core::{Entry, Language, Text, catalogue};
 
 use self::{
     watch::WatchedFile,
-    wheel::{is_movement, limit_wheel},
+    wheel::{is_moved, limit_wheel},
 };
 use crate::{
     bench::Bench,
-    dialog::{After, Editing},
+    dialog::Editing,
     effect::Effect,
     files::{self, Autosave, Memory},
     glyphs::{Capabilities, Colors, Environment, Glyphs, PlotMarker},
@@ -49,9 +50,6 @@ const ANIMATION_SHARE: u32 = 4;
 const PROGRESS_EVERY: Duration = Duration::from_millis(250);
 /// Nothing is expected: until then the loop sleeps.
 const LONG: Duration = Duration::from_hours(24);
-/// Notice at the end of a replay, and of the tour.
-const ENDED: &str = "replay ended: the keyboard is active again; the replay is read-only";
-const TOURED: &str = "end of the tour: the keyboard is yours";
 /// The exit code when the terminal cannot be had.
 const NO_TERMINAL: u8 = 2;
 
@@ -306,7 +304,7 @@ impl Runtime {
             let mut waiting: Vec<Effect> = Vec::new();
             for input in limit_wheel(inputs) {
                 // A movement over nothing that is read there changes no cell.
-                let (moves, hovered) = (is_movement(&input), model.hovered);
+                let (moves, before) = (is_moved(&input), model.under_pointer);
                 let msg = match input {
                     TerminalInput::Key(key) => Msg::Key(key),
                     TerminalInput::Paste(text) => Msg::Paste(text),
@@ -325,7 +323,7 @@ impl Runtime {
                     not_recorded(model, &error);
                 }
                 let effects = update(model, msg);
-                stale |= !moves || hovered.or(model.hovered).is_some();
+                stale |= !moves || before.or(model.under_pointer).is_some();
                 for effect in effects {
                     waiting.retain(|older| !older.is_idle_after(&effect));
                     waiting.push(effect);
@@ -340,48 +338,6 @@ impl Runtime {
                 return Ok(());
             }
         }
-    }
-
-    /// The next thing that the session does, and whether the screen changes otherwise. A key that does not steer takes
-    /// over, and does no more; in a tour it acts.
-    fn play(&mut self, model: &mut Model, inputs: &mut Vec<TerminalInput>) -> (Option<Msg>, bool) {
-        let Some(player) = &mut self.player else { return (None, false) };
-        let is_tour = player.playback().is_tour;
-        let mut stopped = false;
-        inputs.retain(|input| match input {
-            TerminalInput::Key(key) if !stopped && player.steers(*key) => false,
-            TerminalInput::Key(_) | TerminalInput::Paste(_) => {
-                stopped = true;
-                is_tour
-            }
-            _ => true,
-        });
-        if stopped || player.due().is_none() {
-            self.hand_over(model, stopped);
-            return (None, true);
-        }
-        let before = (model.playback, model.caption.clone());
-        let msg = player.next(model);
-        model.playback = Some(player.playback());
-        (msg, before != (model.playback, model.caption.clone()))
-    }
-
-    /// The keys are the user's from now on: after a tour so is what it has left.
-    fn hand_over(&mut self, model: &mut Model, stopped: bool) {
-        let is_tour = self.player.take().is_some_and(|player| player.playback().is_tour);
-        (model.is_replay, model.after_save) = (false, After::Stay);
-        (model.playback, model.caption) = (None, None);
-        if is_tour {
-            model.readonly = false;
-            for bench in model.bench.iter_mut().chain(&mut model.others) {
-                bench.problem.mark_saved();
-            }
-        }
-        model.say(match (is_tour, stopped) {
-            (true, _) => TOURED,
-            (false, true) => "replay stopped: the keyboard is active again; the replay is read-only",
-            (false, false) => ENDED,
-        });
     }
 
     /// Does what is to be done; whether the program ends.

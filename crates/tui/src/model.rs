@@ -73,7 +73,7 @@ pub struct Model {
     /// The column that a plot is held at by the mouse.
     pub held: Option<u16>,
     /// The pane that reads what is under the mouse.
-    pub hovered: Option<Tab>,
+    pub under_pointer: Option<Tab>,
     /// True if animations play.
     pub playing: bool,
     /// Playback speed of animations, over their own.
@@ -252,7 +252,7 @@ impl Model {
             decimal: None,
             mouse: false,
             held: None,
-            hovered: None,
+            under_pointer: None,
             playing: false,
             animation_speed: 1.0,
             size: (80, 24),

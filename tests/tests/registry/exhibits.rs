@@ -31,8 +31,8 @@ fn every_symbol_of_the_form_stands_in_a_drawing() {
 }
 
 #[test]
-fn every_axis_can_be_read() {
-    let read = plots::every_axis_can_be_read(registry());
+fn every_axis_is_read_back() {
+    let read = plots::every_axis_is_read_back(registry());
     assert!(read > 4000, "{read} axes");
 }
 

@@ -1,6 +1,7 @@
 //! The workbench before a user: what is typed or clicked, and the screens that follow.
 
 mod asking;
+mod branches;
 mod data_entry;
 mod field;
 mod first_screen;

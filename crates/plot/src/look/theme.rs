@@ -177,10 +177,10 @@ const PRESENTER: Palette = Palette {
     curves: &[
         rgb(0, 80, 95),
         rgb(130, 0, 130),
-        rgb(100, 65, 0),
+        rgb(90, 30, 0),
         rgb(0, 90, 0),
         rgb(20, 20, 190),
-        rgb(160, 0, 0),
+        rgb(170, 0, 0),
     ],
 };
 

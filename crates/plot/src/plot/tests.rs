@@ -260,8 +260,8 @@ fn a_pinned_plot_keeps_its_operating_point() {
     render(&now, Some(&before), &PlotState::default(), &look, &Locale::english(), area, &mut drawn);
     let all = rows(&drawn).join("\n");
     let column = |sign: char| {
-        let canvas = rows(&drawn).into_iter().skip(3);
-        canvas.filter_map(|row| row.chars().position(|c| c == sign)).next().unwrap()
+        let mut canvas = rows(&drawn).into_iter().skip(3);
+        canvas.find_map(|row| row.chars().position(|c| c == sign)).unwrap()
     };
     assert!(all.contains("┄○ before"), "{all}");
     assert_eq!(all.matches('●').count(), 1, "{all}");

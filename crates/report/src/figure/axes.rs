@@ -140,7 +140,9 @@ impl<'a> Axes<'a> {
         seen.extend(of(false).chain(marks.iter().copied().filter(inside)));
         let data = Span::of(seen.iter().map(|at| at.1), scale)
             .or_else(|| Span::of(points.iter().chain(&marks).map(|at| at.1), scale))?;
-        let y = up.clone().over(levels(plot, &up, data).with_room()).in_best_unit();
+        let data = levels(plot, &up, data);
+        let data = if spread == Spread::Decibel { data.with_margin() } else { data.with_room() };
+        let y = up.clone().over(data).in_best_unit();
         let whole = across.clone().over(whole).in_best_unit();
         // A part is shown in the unit of the whole.
         let convert = |value: f64| whole.value(across.si(value));

@@ -111,7 +111,7 @@ impl<'a> Ruler<'a> {
         let inside = match (self.decibels.is_some(), unit.is_empty(), ten) {
             (true, true, _) => "dB".to_owned(),
             (true, false, _) => Text::new("dB over 1 {unit}").with("unit", &unit).render(locale),
-            (false, _, 0) => unit.to_string(),
+            (false, _, 0) => unit,
             (false, true, _) => power_of_ten(ten, locale.style),
             (false, false, _) => format!("{} {unit}", power_of_ten(ten, locale.style)),
         };

@@ -90,6 +90,13 @@ impl Span {
         }
     }
 
+    /// The same span with a twentieth more on both sides, for levels, whose zero is no end.
+    #[must_use]
+    pub fn with_margin(self) -> Self {
+        let room = self.to / 20.0 - self.from / 20.0;
+        Self { from: (self.from - room).max(f64::MIN), to: (self.to + room).min(f64::MAX), ..self }
+    }
+
     /// The part of it between two values; `None` where it has none there.
     pub fn part(&self, from: f64, to: f64) -> Option<Self> {
         let (from, to) = (from.max(self.from), to.min(self.to));

@@ -8,7 +8,7 @@ use crate::terminal::TerminalInput;
 /// another the last: nobody counts the others, and the next key does not wait for them.
 pub(super) fn limit_wheel(mut inputs: Vec<TerminalInput>) -> Vec<TerminalInput> {
     inputs.dedup_by(|next, before| {
-        let both = is_movement(next) && is_movement(before);
+        let both = is_moved(next) && is_moved(before);
         if both {
             std::mem::swap(next, before);
         }
@@ -34,6 +34,6 @@ pub(super) fn limit_wheel(mut inputs: Vec<TerminalInput>) -> Vec<TerminalInput> 
 }
 
 /// Returns true for a movement of the mouse without a button.
-pub(super) fn is_movement(input: &TerminalInput) -> bool {
+pub(super) fn is_moved(input: &TerminalInput) -> bool {
     matches!(input, TerminalInput::Mouse(event) if event.kind == MouseEventKind::Moved)
 }

@@ -91,9 +91,9 @@ impl Player {
         (!self.steps.is_empty() || self.waiting.is_some()).then_some(self.due)
     }
 
-    /// Steers by a key: Space stops and goes on, as do Enter, → and Page Down where it stands, `+` and `-` change the
-    /// speed. False for a key that does not steer; of a tour none does.
-    pub(crate) fn steers(&mut self, key: KeyEvent) -> bool {
+    /// Takes a key that steers: Space stops and goes on, as do Enter, → and Page Down where it stands, `+` and `-` change the
+    /// speed. False for any other key, and for every key of a tour.
+    pub(crate) fn takes(&mut self, key: KeyEvent) -> bool {
         let Playback { speed, paused, is_tour } = &mut self.playback;
         match key.code {
             _ if *is_tour => return false,
@@ -195,7 +195,7 @@ mod tests {
         let mut player = player("type a\ncaption The peak.\npause\ncaption\ntype b\n", false);
         assert_eq!(played(&mut player, &mut model), "a(The peak.)");
         assert!(player.playback().paused && player.due().is_some());
-        assert!(player.steers(key("<pgdn>")));
+        assert!(player.takes(key("<pgdn>")));
         assert_eq!(played(&mut player, &mut model), "()b");
         assert_eq!(player.due(), None, "the end");
     }
@@ -206,13 +206,13 @@ mod tests {
         for (name, speed, paused) in
             [("+", 150.0_f64.min(100.0), false), ("-", 100.0 / 1.5, false), ("<space>", 100.0 / 1.5, true)]
         {
-            assert!(replay.steers(key(name)), "{name}");
+            assert!(replay.takes(key(name)), "{name}");
             assert!((replay.playback().speed - speed).abs() < 1e-9, "{name}: {:?}", replay.playback());
             assert_eq!(replay.playback().paused, paused, "{name}");
         }
-        assert!(!replay.steers(key("x")), "any other key takes over");
+        assert!(!replay.takes(key("x")), "any other key takes over");
         let mut tour = player("type a\n", true);
-        assert!([" ", "+", "-", "x"].iter().all(|_| !tour.steers(key("<space>"))));
-        assert!(!tour.steers(key("+")) && !tour.steers(key("x")));
+        assert!([" ", "+", "-", "x"].iter().all(|_| !tour.takes(key("<space>"))));
+        assert!(!tour.takes(key("+")) && !tour.takes(key("x")));
     }
 }

@@ -23,7 +23,7 @@ pub(crate) struct Recorder {
     file: File,
     /// The end of the file.
     line: Line,
-    /// Its end before what is open now was opened: a question, the palette.
+    /// The same before what is open now was opened: a question, the palette.
     before: Line,
     last: Instant,
 }

@@ -10,7 +10,7 @@ use crate::keys::notation::keys_of;
 /// The analysis that it begins with.
 const BEGIN: &str = "vibration/rotating-unbalance";
 
-/// A scene: its caption, the keys, each after a pause so long, and the time to look at what they led to, in milliseconds.
+/// A scene: its caption, the keys, each after a pause so long, and the time that the screen rests then, in milliseconds.
 struct Scene {
     caption: Text,
     keys: &'static str,

@@ -158,7 +158,7 @@ fn hover(model: &mut Model, at: Position) {
         }
         _ => None,
     };
-    let before = std::mem::replace(&mut model.hovered, over);
+    let before = std::mem::replace(&mut model.under_pointer, over);
     if let Some(tab) = before.filter(|tab| over != Some(*tab)) {
         is_touched(model, tab, Rect::ZERO, Gesture::Leave, at);
     }
