@@ -6,6 +6,7 @@
 
 mod entry;
 pub(crate) mod face;
+mod line;
 mod lines;
 mod words;
 
@@ -16,13 +17,14 @@ use dalembert_units::Style;
 use tui_input::Input;
 
 use self::entry::{rows, text_at};
-pub use self::{
-    lines::{Choice, FieldLine, Go, LineKind, lines},
-    words::title,
-};
 pub(crate) use self::{
     entry::{TypedLine, choose, is_answered, option, take, written},
     words::{Tone, intro, remarks},
+};
+pub use self::{
+    line::{Choice, FieldLine, Go, LineKind},
+    lines::lines,
+    words::title,
 };
 use crate::{keys::KeyContext, problem::Problem};
 
@@ -97,7 +99,7 @@ pub fn pages(problem: &Problem) -> Vec<FieldPage> {
     pages
 }
 
-/// Whether the last check run meets the requirement; `None` while that is not known.
+/// Returns true if the last check run meets the requirement; `None` while that is not known.
 pub fn is_met(problem: &Problem) -> Option<bool> {
     entry::answer(problem, "conformity")?.si().map(|ratio| ratio <= 1.0)
 }
@@ -125,8 +127,7 @@ impl FieldMode {
             return None;
         }
         let page = resumed(problem);
-        let mut mode =
-            Self { page, line: 0, input: Input::default(), proposed: false, fault: None, path };
+        let mut mode = Self { page, line: 0, input: Input::default(), proposed: false, fault: None, path };
         mode.turn_to(problem, page, style);
         Some(mode)
     }
@@ -174,7 +175,7 @@ impl FieldMode {
         let all = self.lines(problem);
         let open = |at: &usize| all[*at].required && !is_answered(problem, &all[*at]);
         let after = (self.line + 1..all.len()).find(open);
-        let go = all.iter().position(|line| matches!(line.kind, LineKind::Go(_)));
-        after.or_else(|| (0..all.len()).find(open)).or(go).unwrap_or(self.line)
+        let way_on = all.iter().position(|line| matches!(line.kind, LineKind::Go(_)));
+        after.or_else(|| (0..all.len()).find(open)).or(way_on).unwrap_or(self.line)
     }
 }

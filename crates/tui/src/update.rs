@@ -47,7 +47,11 @@ pub fn start(model: &mut Model, file: Option<PathBuf>, analysis: Option<&'static
         (None, Some(entry)) => Intent::OpenCase(entry, 0),
         (None, None) => Intent::Preview,
     };
-    let first = if model.field.is_some() && !matches!(first, Intent::Do(_)) { field::begin(model) } else { vec![first] };
+    let first = if model.field.is_some() && !matches!(first, Intent::Do(_)) {
+        field::begin(model)
+    } else {
+        vec![first]
+    };
     let effects = carry_out(model, first);
     model.translate_for_bench();
     effects

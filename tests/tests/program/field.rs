@@ -7,6 +7,7 @@ use std::{f64::consts::PI, fs, path::Path, time::Duration};
 use dalembert_core::nalgebra::Complex;
 use dalembert_tests::pty::{self, Launch, Pty};
 use dalembert_tui::keys::notation::keys_of;
+use itertools::zip_eq;
 use ratatui::crossterm::event::KeyCode;
 
 /// A machine of so many planes and as many sensors; its instrument counts phase as a lag.
@@ -15,7 +16,7 @@ struct Machine {
     influence: Vec<Vec<(f64, f64)>>,
     /// Unbalances, grams and degrees from the mark with the rotation.
     unbalance: Vec<(f64, f64)>,
-    /// What is mounted.
+    /// Weights that are mounted.
     weights: Vec<Complex<f64>>,
 }
 
@@ -43,8 +44,9 @@ impl Machine {
     /// Readings as they are typed: amplitude and lag, rounded as an instrument does.
     fn readings(&self) -> Vec<String> {
         let of = |row: &Vec<(f64, f64)>| {
-            let parts = row.iter().zip(&self.unbalance).zip(&self.weights);
-            let sum: Complex<f64> = parts.map(|((alpha, heavy), on)| polar(*alpha) * (polar(*heavy) + on)).sum();
+            let parts = zip_eq(zip_eq(row, &self.unbalance), &self.weights);
+            let sum: Complex<f64> =
+                parts.map(|((alpha, heavy), on)| polar(*alpha) * (polar(*heavy) + on)).sum();
             let lag = (-sum.arg().to_degrees()).rem_euclid(360.0);
             format!("{:.2}@{:.0}", sum.norm(), lag)
         };
@@ -97,7 +99,8 @@ impl Technician {
         let screen = self.pty.screen();
         let before = format!("{} {}: ", if screen.contains("Plano ") { "Plano" } else { "Plane" }, plane + 1);
         let order = screen.split(&before).nth(1).unwrap_or_else(|| panic!("no order for {plane}:\n{screen}"));
-        let mut numbers = order.split(|c: char| !c.is_ascii_digit() && c != '.' && c != ',').filter(|x| !x.is_empty());
+        let mut numbers =
+            order.split(|c: char| !c.is_ascii_digit() && c != '.' && c != ',').filter(|x| !x.is_empty());
         let mut number = || numbers.next().and_then(|x| x.replace(',', ".").parse().ok()).expect("a number");
         let asked: (f64, f64) = (number(), number());
         machine.weights[plane] += polar((asked.0 * 0.96, asked.1 + 1.0));
@@ -145,7 +148,10 @@ fn a_fan_is_balanced_in_two_planes_from_blank_to_report_in_forty_keys() {
     assert!(job.keys <= 40, "{} keys", job.keys);
     job.leaves();
     let report = fs::read_to_string(folder.path().join("fan.html")).expect("the report is written");
-    assert!(report.contains("fan") && report.contains("Residual unbalance"), "the report lacks the residual unbalance");
+    assert!(
+        report.contains("fan") && report.contains("Residual unbalance"),
+        "the report lacks the residual unbalance"
+    );
 }
 
 #[test]
@@ -182,7 +188,10 @@ fn a_job_goes_on_where_it_was_interrupted_and_opens_in_the_workbench() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut fan = Machine::fan();
     let mut job = Technician::at("field fan.toml", folder.path(), (24, 80));
-    job.sees("The job").types("fan<enter>21").types("1480<enter>180<enter>400<enter>1<enter>").sees("saved as");
+    job.sees("The job")
+        .types("fan<enter>21")
+        .types("1480<enter>180<enter>400<enter>1<enter>")
+        .sees("saved as");
     job.leaves();
     let mut job = Technician::at("field fan.toml", folder.path(), (24, 80));
     job.sees("Instrument and angles").types("1112<enter>").sees("as found").reads(&fan).types("<enter>");

@@ -16,7 +16,8 @@ const TO_CORRECTION: &[&str] = &[
     "25@90<enter>7.71@252<enter>2.47@239<enter><enter>",
 ];
 /// The same to a trim, and to the report.
-const TO_REPORT: &[&str] = &["<enter>", "1.87@179<enter>1.46@184<enter><enter>", "<enter>", "0.2@1<enter>0.3@2<enter><enter>"];
+const TO_REPORT: &[&str] =
+    &["<enter>", "1.87@179<enter>1.46@184<enter><enter>", "<enter>", "0.2@1<enter>0.3@2<enter><enter>"];
 
 fn begun(mut person: Person) -> Person {
     person.types(":field balancing<enter>");
@@ -50,7 +51,17 @@ fn a_job_goes_through_its_pages_in_order() {
     }
     use FieldPage::{Check, Correction, Initial, Instrument, Job, Report, Trial};
     let wanted = [
-        Job, Job, Instrument, Initial, Trial(1), Trial(2), Correction(0), Check(1), Correction(1), Check(2), Report,
+        Job,
+        Job,
+        Instrument,
+        Initial,
+        Trial(1),
+        Trial(2),
+        Correction(0),
+        Check(1),
+        Correction(1),
+        Check(2),
+        Report,
     ];
     assert_eq!(seen, wanted);
 }

@@ -1,11 +1,11 @@
-//! What is typed and chosen on a page, in the inputs of the problem.
+//! Texts and options of a page in the inputs of the problem.
 
 use std::f64::consts::TAU;
 
 use dalembert_core::{Answer, Draft, FieldError, Shape, Text, Value, draft};
 use dalembert_units::{Decimal, Style, with_point};
 
-use super::lines::{Choice, FieldLine, LineKind, READING_UNITS, WEIGHT_UNITS};
+use super::line::{Choice, FieldLine, LineKind, READING_UNITS, WEIGHT_UNITS};
 use crate::problem::Problem;
 
 /// The list of trial runs.
@@ -71,7 +71,8 @@ pub(super) fn planes(problem: &Problem) -> Option<usize> {
 
 /// Number of sensors: that of the initial run, once it is said.
 pub(super) fn sensors(problem: &Problem) -> Option<usize> {
-    let is_said = rows(problem, "view.sensors") > 0 || !text_at(problem, "measured.first[1].amplitude").is_empty();
+    let is_said =
+        rows(problem, "view.sensors") > 0 || !text_at(problem, "measured.first[1].amplitude").is_empty();
     is_said.then(|| rows(problem, "measured.first"))
 }
 
@@ -260,12 +261,7 @@ impl TypedLine {
     ///
     /// # Errors
     /// What is wrong with the text, as its input says it.
-    pub(crate) fn read(
-        problem: &Problem,
-        line: &FieldLine,
-        text: &str,
-        style: Style,
-    ) -> Result<Self, Text> {
+    pub(crate) fn read(problem: &Problem, line: &FieldLine, text: &str, style: Style) -> Result<Self, Text> {
         let point = |text: &str| match style.decimal {
             Decimal::Comma => with_point(text).into_owned(),
             Decimal::Point => text.to_owned(),
@@ -368,7 +364,8 @@ fn begin_run(problem: &Problem, draft: &mut Draft, shape: &Shape, path: &str) {
 /// A number alone with its unit; any other text as it is.
 fn in_unit(text: &str, unit: &str) -> String {
     let text = text.trim();
-    let is_alone = !text.is_empty() && !text.contains(|c: char| c.is_alphabetic() || matches!(c, '°' | '%' | 'µ'));
+    let is_alone =
+        !text.is_empty() && !text.contains(|c: char| c.is_alphabetic() || matches!(c, '°' | '%' | 'µ'));
     if is_alone && !matches!(unit, "" | "1") { format!("{text} {unit}") } else { text.to_owned() }
 }
 
@@ -378,7 +375,8 @@ fn split(text: &str) -> Option<(&str, &str)> {
     let (first, second) = match text.split_once(['@', '∠', ';']) {
         Some(parts) => parts,
         None => {
-            let begins = |word: &str| word.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '−'));
+            let begins =
+                |word: &str| word.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '−'));
             let second = text.split_whitespace().skip(1).filter(|word| begins(word)).last()?;
             text.split_at(text.rfind(second)?)
         }

@@ -8,10 +8,10 @@ use dalembert_plot::dial::{ArcArrow, Dial, DialName, Spot};
 use super::{FieldPage, entry, words};
 use crate::problem::Problem;
 
-/// How far the arrow of the rotation goes, rad.
+/// Length of the arrow of the rotation, rad.
 const ROTATION: f64 = 1.4;
 
-/// How the rotor is seen: which way it turns on the screen, and which way its scale goes.
+/// View of the rotor: the way it turns on the screen, and the way its scale goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Face {
     /// The rotor turns clockwise.
@@ -92,7 +92,14 @@ fn rotor(face: Face, title: &Text, locale: &Locale) -> Dial {
         ink: Ink::Motion,
     };
     let spot = Spot { direction: mark, distance: 1.0, sign: ('◆', 'v'), ink: Ink::Motion };
-    Dial { title: title.render(locale), ticks, names, hands: Vec::new(), spots: vec![spot], arrows: vec![rotation] }
+    Dial {
+        title: title.render(locale),
+        ticks,
+        names,
+        hands: Vec::new(),
+        spots: vec![spot],
+        arrows: vec![rotation],
+    }
 }
 
 /// From where the rotor is seen.
@@ -138,9 +145,8 @@ fn conventions(problem: &Problem, face: Face, line: usize, locale: &Locale) -> D
 }
 
 fn with_high_spots(problem: &Problem, face: Face, dial: &mut Dial) {
-    let spots = (1..).map_while(|sensor| {
-        Some((sensor, entry::answer(problem, &format!("high_spot[{sensor}]"))?.si()?))
-    });
+    let spots = (1..)
+        .map_while(|sensor| Some((sensor, entry::answer(problem, &format!("high_spot[{sensor}]"))?.si()?)));
     for (sensor, spot) in spots {
         let direction = face.direction(spot);
         dial.names.push(DialName { direction, words: format!("H{sensor}"), ink: Ink::Danger });

@@ -213,7 +213,8 @@ fn save(model: &mut Model, left: FieldPage) -> Vec<Intent> {
 /// A name of a file for a rotor: its letters and digits.
 fn file_name(title: &str) -> String {
     let letters = title.to_lowercase().chars().take(LONGEST_NAME).collect::<String>();
-    let words: Vec<&str> = letters.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).collect();
+    let words: Vec<&str> =
+        letters.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).collect();
     if words.is_empty() { "field-balancing".to_owned() } else { words.join("-") }
 }
 

@@ -86,7 +86,10 @@ fn areas(body: Rect, page: FieldPage, faces: usize) -> (Rect, Option<Rect>) {
     let is_below = matches!(page, FieldPage::Correction(_)) && faces > 1;
     let is_small = matches!(page, FieldPage::Instrument | FieldPage::Correction(_)) && inside.width >= NARROW;
     if faces == 0 || is_below || (inside.width < BESIDE && !is_small) {
-        return (Rect { width: inside.width.min(if is_below { inside.width } else { BODY }), ..inside }, None);
+        return (
+            Rect { width: inside.width.min(if is_below { inside.width } else { BODY }), ..inside },
+            None,
+        );
     }
     let picture = if inside.width < BESIDE { SMALL } else { (inside.width * 2 / 5).min(WIDEST) };
     let [text, _, picture] =
@@ -107,7 +110,10 @@ fn draw_steps(model: &Model, bench: &Bench, field: &FieldMode, area: Rect, buffe
             let mark = if is_done { look.glyph(Glyph::Good) } else { "" };
             match n == at {
                 true => (format!(" {name} "), look.focus()),
-                false if is_short => (if is_done { look.glyph(Glyph::Good) } else { look.glyph(Glyph::Hollow) }.to_owned(), look.dim()),
+                false if is_short => (
+                    if is_done { look.glyph(Glyph::Good) } else { look.glyph(Glyph::Hollow) }.to_owned(),
+                    look.dim(),
+                ),
                 false => (format!("{mark}{name}"), if is_done { look.good() } else { look.dim() }),
             }
         };
@@ -149,7 +155,8 @@ impl Page {
         let remarks = field::remarks(problem, field.page, locale);
         // What to do stands before the lines, what follows from them behind.
         let is_before = |tone: Tone| {
-            matches!(tone, Tone::Order | Tone::Detail) || tone == Tone::Plain && matches!(field.page, FieldPage::Trial(_))
+            matches!(tone, Tone::Order | Tone::Detail)
+                || tone == Tone::Plain && matches!(field.page, FieldPage::Trial(_))
         };
         let is_report = field.page == FieldPage::Report;
         if is_report {
@@ -260,11 +267,16 @@ impl Page {
             _ if is_here => {
                 let text = filter_untrusted(field.input.value()).into_owned();
                 let cells = room.saturating_sub(begins);
-                let style = if field.proposed && !text.is_empty() { look.focus() } else { look.focus().remove_modifier(Modifier::REVERSED).add_modifier(Modifier::UNDERLINED) };
+                let style = if field.proposed && !text.is_empty() {
+                    look.focus()
+                } else {
+                    look.focus().remove_modifier(Modifier::REVERSED).add_modifier(Modifier::UNDERLINED)
+                };
                 let shown = fit(&text, cells, look);
                 let column = begins + field.input.visual_cursor().min(cells.saturating_sub(1));
                 (self.focus, self.cursor) = (self.lines.len(), Some(column));
-                let blank = " ".repeat(14usize.saturating_sub(width(&shown)).min(cells.saturating_sub(width(&shown))));
+                let blank = " "
+                    .repeat(14usize.saturating_sub(width(&shown)).min(cells.saturating_sub(width(&shown))));
                 spans.push(Span::styled(shown, style));
                 spans.push(Span::styled(blank, Style::new().add_modifier(Modifier::UNDERLINED)));
             }
@@ -286,7 +298,7 @@ impl Page {
     }
 }
 
-    /// Columns of the labels of a page: as they need, where the values have room behind them.
+/// Columns of the labels of a page: as they need, where the values have room behind them.
 fn label_width(model: &Model, problem: &Problem, lines: &[FieldLine], room: usize) -> usize {
     let named = || lines.iter().filter(|line| !matches!(line.kind, LineKind::Go(_)));
     let longest = |text: &dyn Fn(&FieldLine) -> String| named().map(|line| width(&text(line))).max();
@@ -296,37 +308,37 @@ fn label_width(model: &Model, problem: &Problem, lines: &[FieldLine], room: usiz
 }
 
 /// The options of a line, by their digits; as many on a row as fit.
-    fn options_of(
-        model: &Model,
-        options: &[Text],
-        chosen: Option<usize>,
-        is_here: bool,
-        room: usize,
-    ) -> Vec<Line<'static>> {
-        let look = &model.look;
-        let names: Vec<String> = options.iter().map(|option| option.render(&model.locale)).collect();
-        if !is_here {
-            let text = chosen.and_then(|at| names.get(at)).cloned();
-            return vec![Line::raw(text.unwrap_or_else(|| look.glyph(Glyph::Dot).to_owned()))];
-        }
-        let mut rows: Vec<(Line<'static>, usize)> = vec![(Line::default(), 0)];
-        for (n, name) in names.into_iter().enumerate() {
-            let style = if chosen == Some(n) { look.focus() } else { Style::new() };
-            let digit = format!("{} ", n + 1);
-            let cells = width(&digit) + width(&name) + 3;
-            if rows.last().is_some_and(|(_, used)| *used > 0 && used + cells > room + 2) {
-                rows.push((Line::default(), 0));
-            }
-            let (row, used) = rows.last_mut().expect("there is a row");
-            row.push_span(Span::styled(digit, look.key()));
-            row.push_span(Span::styled(name, style));
-            row.push_span(Span::raw("   "));
-            *used += cells;
-        }
-        rows.into_iter().map(|(row, _)| row).collect()
+fn options_of(
+    model: &Model,
+    options: &[Text],
+    chosen: Option<usize>,
+    is_here: bool,
+    room: usize,
+) -> Vec<Line<'static>> {
+    let look = &model.look;
+    let names: Vec<String> = options.iter().map(|option| option.render(&model.locale)).collect();
+    if !is_here {
+        let text = chosen.and_then(|at| names.get(at)).cloned();
+        return vec![Line::raw(text.unwrap_or_else(|| look.glyph(Glyph::Dot).to_owned()))];
     }
+    let mut rows: Vec<(Line<'static>, usize)> = vec![(Line::default(), 0)];
+    for (n, name) in names.into_iter().enumerate() {
+        let style = if chosen == Some(n) { look.focus() } else { Style::new() };
+        let digit = format!("{} ", n + 1);
+        let cells = width(&digit) + width(&name) + 3;
+        if rows.last().is_some_and(|(_, used)| *used > 0 && used + cells > room + 2) {
+            rows.push((Line::default(), 0));
+        }
+        let (row, used) = rows.last_mut().expect("there is a row");
+        row.push_span(Span::styled(digit, look.key()));
+        row.push_span(Span::styled(name, style));
+        row.push_span(Span::raw("   "));
+        *used += cells;
+    }
+    rows.into_iter().map(|(row, _)| row).collect()
+}
 
-/// What the line under the cursor means, and the reading of what is typed in it.
+/// Draws what the line under the cursor means, and the reading of what is typed in it.
 fn draw_help(model: &Model, bench: &Bench, field: &FieldMode, area: Rect, buffer: &mut Buffer) {
     let Some(line) = field.shown(&bench.problem) else { return };
     let typed = field.input.value();
@@ -354,7 +366,11 @@ fn draw_faces(model: &Model, faces: &[Dial], area: Rect, buffer: &mut Buffer) {
     let above = if beside > 1 { 1 } else { usize::from(area.height / LEAST_FACE).clamp(1, faces.len()) };
     let split = |horizontal: bool, parts: usize| {
         let parts = vec![Constraint::Fill(1); parts];
-        if horizontal { Layout::horizontal(parts).spacing(2).split(area) } else { Layout::vertical(parts).split(area) }
+        if horizontal {
+            Layout::horizontal(parts).spacing(2).split(area)
+        } else {
+            Layout::vertical(parts).split(area)
+        }
     };
     let places = if beside > 1 { split(true, beside) } else { split(false, above) };
     for (dial, place) in faces.iter().zip(places.iter()) {

@@ -26,16 +26,16 @@ mod show;
 mod view;
 mod worked;
 
+use self::{
+    numbers::Numbers,
+    ranges::ranges,
+    readings::{Influence, Job},
+};
 pub use self::{
     positions::Positions,
     readings::{CheckRun, InfluenceSource, KnownCoefficient, Measurements, TrialRunInput, TrialWeights},
     rotor::{Requirement, Rotor},
     view::{Rotation, RotorView, SensorPosition, ViewedEnd},
-};
-use self::{
-    numbers::Numbers,
-    ranges::ranges,
-    readings::{Influence, Job},
 };
 
 use crate::{
@@ -161,8 +161,17 @@ impl Analysis for Field {
         title: "Field balancing",
         topic: "Field balancing",
         summary: "Correction masses from measured vibrations, by influence coefficients: runs with trial weights, any number of planes, sensors and speeds, with uncertainties.",
-        main: &["trim_correction", "trim_correction_angle", "correction", "correction_angle", "trim", "trim_angle",
-            "conformity", "trial_mass", "largest_residual"],
+        main: &[
+            "trim_correction",
+            "trim_correction_angle",
+            "correction",
+            "correction_angle",
+            "trim",
+            "trim_angle",
+            "conformity",
+            "trial_mass",
+            "largest_residual",
+        ],
         keywords: "balanceamento em campo balanceamento no local coeficientes de influência peso de prova massa de teste \
                    influence coefficients trial weight single plane two plane least squares min-max trim vector fase \
                    balancear ventilador exaustor ventoinha rebolo turbina fan balancing blower in situ on site \
@@ -429,7 +438,7 @@ impl Field {
         let mean =
             sheet.numerical("r_rms", unit, mean, "Root mean square of all predicted residual readings");
         sheet.answer("largest_residual", "Maximum predicted residual vibration", largest);
-        // As many planes as readings leave nothing: one line says so.
+        // As many planes as readings leave nothing: one line states it.
         let leaves = left.len() > weights.len();
         if leaves {
             sheet.answer("rms_residual", "RMS of the predicted residual vibration", mean);
@@ -510,11 +519,7 @@ fn orthogonal<W: Worksheet>(
 }
 
 /// The weights to add where the trial weights are still on the rotor.
-fn trim<W: Worksheet>(
-    numbers: &Numbers,
-    weights: &[Complex<f64>],
-    sheet: W,
-) -> Option<Vec<Found<W::Num>>> {
+fn trim<W: Worksheet>(numbers: &Numbers, weights: &[Complex<f64>], sheet: W) -> Option<Vec<Found<W::Num>>> {
     if !numbers.stay {
         return None;
     }

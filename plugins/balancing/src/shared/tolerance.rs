@@ -19,12 +19,7 @@ pub(crate) fn by_grade<W: Worksheet>(
 
 /// The permissible unbalance of a rotor by its specific unbalance.
 pub(crate) fn whole<W: Worksheet>(displacement: W::Num, mass: W::Num, sheet: W) -> W::Num {
-    sheet.step(
-        "U_per",
-        "g*mm",
-        displacement * mass,
-        ("Specific unbalance times mass", ISO_TOLERANCES.at("")),
-    )
+    sheet.step("U_per", "g*mm", displacement * mass, ("Specific unbalance times mass", ISO_TOLERANCES.at("")))
 }
 
 /// The unbalance whose force is a share of the weight that one of so many planes carries.

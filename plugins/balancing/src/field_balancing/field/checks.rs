@@ -8,8 +8,11 @@ use dalembert_mechanics::{
 use nalgebra::Complex;
 
 use super::{
-    Found, Numbers, numbers::vector, orthogonal, refusal,
+    Found, Numbers,
+    numbers::vector,
+    orthogonal,
     readings::{Units, WorkedReading},
+    refusal,
     rotor::Demand,
 };
 use crate::sources::{DARLOW, ISO_TOLERANCES};

@@ -18,8 +18,7 @@ pub(super) fn evaluate<W: Worksheet>(
 ) -> Result<(), Refusal> {
     let first = numbers::initial(job, opposed, sheet)?;
     let largest = first.iter().map(|v| v.norm()).fold(0.0, f64::max);
-    let largest =
-        sheet.numerical("A_max", job.units.reading, largest, "Largest reading of the initial run");
+    let largest = sheet.numerical("A_max", job.units.reading, largest, "Largest reading of the initial run");
     sheet.answer("initial", "Largest vibration of the initial run", largest);
     if let Some(Demand::Vibration { limit }) = demand {
         let ratio = sheet.step("q_r", "1", largest / *limit, "Largest reading over its limit: 1 at most");

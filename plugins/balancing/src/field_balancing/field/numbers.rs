@@ -383,7 +383,8 @@ fn change<W: Worksheet>(run: usize, now: &[Complex<f64>], before: &[Complex<f64>
             1.0 + ratio * ratio - 2.0 * ratio * (now.arg() - before.arg()).cos()
         };
         let again = pairs().map(squared).fold(0.0, f64::max);
-        let scale = pairs().map(|(now, before)| (1.0 + now.norm() / before.norm()).powi(2)).fold(0.0, f64::max);
+        let scale =
+            pairs().map(|(now, before)| (1.0 + now.norm() / before.norm()).powi(2)).fold(0.0, f64::max);
         let what = "square of the change by the law of cosines";
         sheet.check_sum(what, change.powi(2), again.into(), scale);
     });

@@ -47,9 +47,9 @@ pub(super) fn split<W: Worksheet>(
         sheet.answer(("next_position_mass", n), "Mass at the second position in plane", two);
         sheet.verify(|| {
             let vectors = [(one.value(), at[0]), (two.value(), at[1])];
-            let (along, across) = vectors.iter().fold((0.0, 0.0), |(x, y), (m, a)| {
-                (x + m * (a - angle).cos(), y + m * (a - angle).sin())
-            });
+            let (along, across) = vectors
+                .iter()
+                .fold((0.0, 0.0), |(x, y), (m, a)| (x + m * (a - angle).cos(), y + m * (a - angle).sin()));
             sheet.check_zero("masses at the positions, along the correction", (along - whole).into(), whole);
             sheet.check_zero("masses at the positions, across the correction", across.into(), whole);
             let (squared, scale) = rotor::by_pairs(&vectors);

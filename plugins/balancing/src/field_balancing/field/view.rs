@@ -56,8 +56,7 @@ impl RotorView {
     /// The direction on the screen of an angle on the scale of the weights, rad counter-clockwise from the right: the scale
     /// begins at the top.
     pub(super) fn on_screen(&self, angles: WeightSense, angle: f64) -> f64 {
-        let turns_clockwise =
-            (self.rotation == Rotation::Clockwise) == (self.end == ViewedEnd::Drive);
+        let turns_clockwise = (self.rotation == Rotation::Clockwise) == (self.end == ViewedEnd::Drive);
         let grows_clockwise = turns_clockwise == (angles == WeightSense::With);
         if grows_clockwise { FRAC_PI_2 - angle } else { FRAC_PI_2 + angle }
     }
@@ -103,7 +102,11 @@ pub(super) fn high_spots<W: Worksheet>(
             let from_mark = if with { spot - given.mark } else { given.mark - spot };
             let apart = mark + from_mark - sensor.angle;
             let turns = (apart.value() / TAU).round();
-            sheet.check_zero("the high spot is at the sensor when the reading peaks", apart - TAU * turns, TAU);
+            sheet.check_zero(
+                "the high spot is at the sensor when the reading peaks",
+                apart - TAU * turns,
+                TAU,
+            );
         });
     }
     Ok(())
@@ -119,7 +122,11 @@ pub(super) fn from_mark<W: Worksheet>(
     let apart = if angles == WeightSense::With { angle - given.mark } else { given.mark - angle };
     let why = "From the mark in the direction of rotation, whichever way the scale of the weights goes";
     let from = sheet.step(("θ_r", plane), "deg", balance::marked_angle(apart), why);
-    sheet.answer(("from_mark", plane), "Angle of the correction from the mark, with the rotation, plane", from);
+    sheet.answer(
+        ("from_mark", plane),
+        "Angle of the correction from the mark, with the rotation, plane",
+        from,
+    );
     sheet.verify(|| {
         let again = if angles == WeightSense::With { given.mark + from } else { given.mark - from };
         let apart = again - angle;
