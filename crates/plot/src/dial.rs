@@ -80,7 +80,7 @@ pub struct ArcArrow {
     pub radius: f64,
     /// Direction of its beginning.
     pub from: f64,
-    /// How far it goes, counter-clockwise.
+    /// Angle that it goes through, counter-clockwise.
     pub sweep: f64,
     /// Words at its middle, towards the centre.
     pub words: String,
@@ -192,7 +192,7 @@ impl Place {
         (self.centre.0 + 2.0 * reach * direction.cos(), self.centre.1 - reach * direction.sin())
     }
 
-    /// Where words outside of the rim stand.
+    /// Place of words outside of the rim.
     fn outside(&self, direction: f64) -> (f64, f64) {
         let (x, y) = self.cell(direction, 1.0);
         (x + 1.6 * direction.cos(), y - 1.0 * direction.sin())

@@ -6,6 +6,7 @@
 
 mod entry;
 pub(crate) mod face;
+mod line;
 mod lines;
 mod words;
 
@@ -20,7 +21,8 @@ pub(crate) use self::{
     words::{Tone, intro, remarks},
 };
 pub use self::{
-    lines::{Choice, FieldLine, Go, LineKind, lines},
+    line::{Choice, FieldLine, Go, LineKind},
+    lines::lines,
     words::title,
 };
 use crate::{keys::KeyContext, problem::Problem, text_entry::TextEntry};
@@ -94,7 +96,7 @@ pub fn pages(problem: &Problem) -> Vec<FieldPage> {
     pages
 }
 
-/// Whether the last check run meets the requirement; `None` while that is not known.
+/// Returns true if the last check run meets the requirement; `None` while that is not known.
 pub fn is_met(problem: &Problem) -> Option<bool> {
     entry::answer(problem, "conformity")?.si().map(|ratio| ratio <= 1.0)
 }
@@ -170,7 +172,7 @@ impl FieldMode {
         let all = self.lines(problem);
         let open = |at: &usize| all[*at].required && !is_answered(problem, &all[*at]);
         let after = (self.line + 1..all.len()).find(open);
-        let go = all.iter().position(|line| matches!(line.kind, LineKind::Go(_)));
-        after.or_else(|| (0..all.len()).find(open)).or(go).unwrap_or(self.line)
+        let way_on = all.iter().position(|line| matches!(line.kind, LineKind::Go(_)));
+        after.or_else(|| (0..all.len()).find(open)).or(way_on).unwrap_or(self.line)
     }
 }

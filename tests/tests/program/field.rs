@@ -7,6 +7,7 @@ use std::{f64::consts::PI, fs, path::Path, time::Duration};
 use dalembert_core::nalgebra::Complex;
 use dalembert_tests::pty::{self, Launch, Pty};
 use dalembert_tui::keys::notation::keys_of;
+use itertools::zip_eq;
 use ratatui::crossterm::event::KeyCode;
 
 /// A machine of so many planes and as many sensors; its instrument counts phase as a lag.
@@ -15,7 +16,7 @@ struct Machine {
     influence: Vec<Vec<(f64, f64)>>,
     /// Unbalances, grams and degrees from the mark with the rotation.
     unbalance: Vec<(f64, f64)>,
-    /// What is mounted.
+    /// Weights that are mounted.
     weights: Vec<Complex<f64>>,
 }
 
@@ -43,7 +44,7 @@ impl Machine {
     /// Readings as they are typed: amplitude and lag, rounded as an instrument does.
     fn readings(&self) -> Vec<String> {
         let of = |row: &Vec<(f64, f64)>| {
-            let parts = row.iter().zip(&self.unbalance).zip(&self.weights);
+            let parts = zip_eq(zip_eq(row, &self.unbalance), &self.weights);
             let sum: Complex<f64> =
                 parts.map(|((alpha, heavy), on)| polar(*alpha) * (polar(*heavy) + on)).sum();
             let lag = (-sum.arg().to_degrees()).rem_euclid(360.0);

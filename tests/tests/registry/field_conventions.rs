@@ -11,6 +11,7 @@ use crate::number;
 
 /// The habits of an instrument and a technician.
 #[derive(Clone, Copy, Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a habit with two ways, combined with all others")]
 struct Habits {
     lag: bool,
     against: bool,
@@ -48,7 +49,7 @@ fn all_habits() -> Vec<Habits> {
 }
 
 impl Habits {
-    /// What the instrument shows, with these weights on the rotor.
+    /// Amplitude and phase as the instrument shows them, with these weights on the rotor.
     ///
     /// A sensor that is further on in the direction of rotation sees the same spot later: its phase leads less.
     fn reading(&self, sensor: usize, weights: [Complex<f64>; 2]) -> (f64, f64) {

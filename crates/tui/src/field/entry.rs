@@ -1,11 +1,11 @@
-//! What is typed and chosen on a page, in the inputs of the problem.
+//! Texts and options of a page in the inputs of the problem.
 
 use std::f64::consts::TAU;
 
 use dalembert_core::{Answer, Draft, FieldError, Shape, Text, Value, draft};
 use dalembert_units::{Decimal, Style, with_point};
 
-use super::lines::{Choice, FieldLine, LineKind, READING_UNITS, WEIGHT_UNITS};
+use super::line::{Choice, FieldLine, LineKind, READING_UNITS, WEIGHT_UNITS};
 use crate::problem::Problem;
 
 /// The list of trial runs.

@@ -8,10 +8,10 @@ use dalembert_plot::dial::{ArcArrow, Dial, DialName, Spot};
 use super::{FieldPage, entry, words};
 use crate::problem::Problem;
 
-/// How far the arrow of the rotation goes, rad.
+/// Length of the arrow of the rotation, rad.
 const ROTATION: f64 = 1.4;
 
-/// How the rotor is seen: which way it turns on the screen, and which way its scale goes.
+/// View of the rotor: the way it turns on the screen, and the way its scale goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Face {
     /// The rotor turns clockwise.

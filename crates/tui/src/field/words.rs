@@ -1,4 +1,4 @@
-//! What a page says: what to do, and what was found.
+//! Words of a page: orders, and results.
 
 use dalembert_core::{Answer, Locale, Refusal, SolveError, Text};
 use dalembert_units::{Style, write_quantity};
@@ -9,7 +9,7 @@ use crate::{problem::Problem, solver::JobFailure};
 /// Significant digits of what is weighed and measured in the field.
 const DIGITS: u8 = 3;
 
-/// How a remark is meant.
+/// Tone of a remark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Tone {
     /// For reading.
@@ -41,7 +41,7 @@ pub fn title(page: FieldPage, is_short: bool) -> Text {
     Text::new(if is_short { short } else { long }).with("n", number)
 }
 
-/// What is to be done on a page.
+/// Orders of a page.
 pub(crate) fn intro(problem: &Problem, page: FieldPage, locale: &Locale) -> Text {
     match page {
         FieldPage::Job => "Answer line by line. Enter takes a line, a digit chooses an option.".into(),
@@ -78,7 +78,7 @@ pub(crate) fn intro(problem: &Problem, page: FieldPage, locale: &Locale) -> Text
     }
 }
 
-/// What was found, as far as it belongs to a page.
+/// Results, as far as they belong to a page.
 pub(crate) fn remarks(problem: &Problem, page: FieldPage, locale: &Locale) -> Vec<(Tone, Text)> {
     let mut all = match page {
         FieldPage::Trial(run) => trial(problem, run, locale),
@@ -106,14 +106,13 @@ fn hindrance(problem: &Problem) -> Option<(Tone, Text)> {
         Some(JobFailure::Unsolved(SolveError::Refused(Refusal::NoAnswer(why)))) => {
             Some((Tone::Wrong, why.clone()))
         }
-        Some(JobFailure::Unsolved(SolveError::Refused(Refusal::Stopped))) => None,
         Some(JobFailure::Unsolved(SolveError::Fields(errors))) => {
             errors.first().map(|error| (Tone::Wrong, error.why.clone()))
         }
         Some(JobFailure::Fault(_)) => {
             Some((Tone::Wrong, "this analysis failed (internal error); your inputs are kept".into()))
         }
-        None => None,
+        None | Some(JobFailure::Unsolved(SolveError::Refused(Refusal::Stopped))) => None,
     }
 }
 
@@ -164,7 +163,7 @@ pub(crate) fn mounted(problem: &Problem, trims: usize) -> Vec<Mounted<'_>> {
 }
 
 impl Mounted<'_> {
-    /// What to do with it.
+    /// Orders about it.
     fn orders(&self, problem: &Problem, locale: &Locale) -> Vec<(Tone, Text)> {
         let plane = self.plane;
         let part = |name: &str| entry::answer(problem, &format!("{name}[{plane}]"));
@@ -193,7 +192,7 @@ impl Mounted<'_> {
     }
 }
 
-/// What a check run says: each reading beside that of the initial run, and whether it is good enough.
+/// Results of a check run: each reading beside that of the initial run, and whether it is good enough.
 fn checked(problem: &Problem, run: usize, locale: &Locale) -> Vec<(Tone, Text)> {
     let checks = entry::rows(problem, "measured.checks");
     let mut all = Vec::new();

@@ -338,7 +338,7 @@ fn options_of(
     rows.into_iter().map(|(row, _)| row).collect()
 }
 
-/// What the line under the cursor means, and the reading of what is typed in it.
+/// Draws what the line under the cursor means, and the reading of what is typed in it.
 fn draw_help(model: &Model, bench: &Bench, field: &FieldMode, area: Rect, buffer: &mut Buffer) {
     let Some(line) = field.shown(&bench.problem) else { return };
     let typed = field.input.value();

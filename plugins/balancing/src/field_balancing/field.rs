@@ -438,7 +438,7 @@ impl Field {
         let mean =
             sheet.numerical("r_rms", unit, mean, "Root mean square of all predicted residual readings");
         sheet.answer("largest_residual", "Maximum predicted residual vibration", largest);
-        // As many planes as readings leave nothing: one line says so.
+        // As many planes as readings leave nothing: one line states it.
         let leaves = left.len() > weights.len();
         if leaves {
             sheet.answer("rms_residual", "RMS of the predicted residual vibration", mean);
