@@ -15,6 +15,7 @@ use nalgebra::{Rotation3, Vector3};
 use crate::{
     shared::{
         body::Shape,
+        flat,
         scene::{self, Scene},
     },
     sources::{BEER, GOLDSTEIN},
@@ -334,7 +335,7 @@ impl Analysis for FreeAxisymmetric {
             at_instant(t, instant, ratio, start, precession, spin, sheet);
         }
         let (r, omega) = (ratio.value(), start.value());
-        sheet.show(|| Exhibit::Drawing(cones_in_section(r, omega)));
+        sheet.show(|| Exhibit::Drawing(self.cones_in_section(r, omega)));
         sheet.show(|| rolling_cones(r, omega));
         sheet.show(|| Exhibit::Plot(components(r, omega)));
         Ok(())
@@ -521,36 +522,51 @@ fn angles(ratio: f64, omega: Vector3<f64>) -> (f64, f64) {
     (f64::atan2(transverse, ratio * axial), f64::atan2(transverse, axial))
 }
 
-/// The plane of axis, angular velocity and angular momentum: H upwards.
-fn cones_in_section(ratio: f64, omega: Vector3<f64>) -> Drawing {
-    let (theta, beta) = angles(ratio, omega);
-    let at = |angle: f64, length: f64| (length * angle.sin(), length * angle.cos());
-    let (origin, velocity) = ((0.0, 0.0), theta - beta);
-    let title = if ratio < 1.0 {
-        "Body cone (about z) and space cone (about H) in section: direct precession"
-    } else {
-        "Body cone (about z) and space cone (about H) in section: retrograde precession"
-    };
-    let mut sketch = Sketch::new(title);
-    sketch
-        .line("", origin, at(theta, 1.3), Ink::Faint)
-        .label("z", at(theta, 1.3))
-        .bars([origin, at(velocity, 1.0), at(theta + beta, 1.0), origin])
-        .curve([at(velocity, 1.0), at(-velocity, 1.0), origin], Ink::Motion)
-        .force("H_G", origin, (0.0, 1.45))
-        .vector("ω", origin, at(velocity, 1.2), Ink::Result)
-        .mass_centre("G", origin);
-    let mut arc = |from: f64, to: f64, radius: f64, name: &'static str| {
-        if (to - from).abs() > 1e-3 {
-            let (low, high) = (from.min(to), from.max(to));
-            sketch
-                .arc(origin, radius, (FRAC_PI_2 - high, FRAC_PI_2 - low), Ink::Faint)
-                .label(name, at(f64::midpoint(from, to), radius));
+impl FreeAxisymmetric {
+    /// The plane of axis, angular velocity and angular momentum: H upwards.
+    fn cones_in_section(&self, ratio: f64, omega: Vector3<f64>) -> Drawing {
+        let (theta, beta) = angles(ratio, omega);
+        let [axial, transverse] = self.letters();
+        let at = |angle: f64, length: f64| (length * angle.sin(), length * angle.cos());
+        let (origin, velocity) = ((0.0, 0.0), theta - beta);
+        let title = if ratio < 1.0 {
+            "Body cone (about z) and space cone (about H) in section: direct precession"
+        } else {
+            "Body cone (about z) and space cone (about H) in section: retrograde precession"
+        };
+        let mut sketch = Sketch::new(title);
+        sketch
+            .line("", origin, at(theta, 1.3), Ink::Faint)
+            .label(flat::letters(&["z", axial]), at(theta, 1.3))
+            .line("", origin, at(theta + FRAC_PI_2, 0.9), Ink::Faint)
+            .label(transverse, at(theta + FRAC_PI_2, 0.9))
+            .bars([origin, at(velocity, 1.0), at(theta + beta, 1.0), origin])
+            .curve([at(velocity, 1.0), at(-velocity, 1.0), origin], Ink::Motion)
+            .force("H_G", origin, (0.0, 1.45))
+            .vector("ω", origin, at(velocity, 1.2), Ink::Result)
+            .mass_centre("G", origin);
+        let mut arc = |from: f64, to: f64, radius: f64, name: &'static str| {
+            if (to - from).abs() > 1e-3 {
+                let (low, high) = (from.min(to), from.max(to));
+                sketch
+                    .arc(origin, radius, (FRAC_PI_2 - high, FRAC_PI_2 - low), Ink::Faint)
+                    .label(name, at(f64::midpoint(from, to), radius));
+            }
+        };
+        arc(0.0, theta, 0.75, "θ");
+        arc(velocity, theta, 0.5, "β");
+        sketch.finish()
+    }
+
+    /// The letters of what is given about the axis, and across it.
+    fn letters(&self) -> [&'static str; 2] {
+        match self.inertia {
+            AxisymmetricInertia::Moments { .. } => ["I_a", "I_t"],
+            AxisymmetricInertia::Gyration { .. } => ["m, k_a", "k_t"],
+            AxisymmetricInertia::Shape { .. } => ["m", ""],
+            AxisymmetricInertia::Ratio { .. } => ["", ""],
         }
-    };
-    arc(0.0, theta, 0.75, "θ");
-    arc(velocity, theta, 0.5, "β");
-    sketch.finish()
+    }
 }
 
 /// One precession: the body cone rolls on the space cone, the angular velocity along their common line.
