@@ -386,7 +386,7 @@ impl LossOfContact {
         match &self.body {
             ContactBody::Rigid { spring, .. } => {
                 sketch.mass("m", (-0.6, 0.0), (0.6, 0.9)).bars([(-1.4, 0.0), (1.4, 0.0)]).motion(
-                    "A sin ωt",
+                    "A sin(ω t)",
                     (1.8, -0.5),
                     (1.8, 0.5),
                 );
