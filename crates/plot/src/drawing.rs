@@ -18,8 +18,8 @@ use crate::{
 /// Places of the words of a drawing.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct PlacedLabel {
-    /// Words beside their points, with the cells they take.
-    pub beside: Vec<(Rect, String)>,
+    /// Words beside their points: the cells they take, the words, and the cells of the points.
+    pub beside: Vec<(Rect, String, (u16, u16))>,
     /// Words without a free place, listed under the drawing where there is room for that.
     pub listed: Vec<String>,
     /// Cells of the heads of arrows, which no words cover.

@@ -62,8 +62,20 @@ fn is_on_a_curve(plot: &Plot, (x, y): (f64, f64)) -> bool {
     })
 }
 
-/// Draws every sketch in four sizes: words stand over no other words and over no head of an arrow, and what has no
-/// place is listed below. Returns the numbers of words that have a place and that are listed.
+/// Sizes of the areas that drawings are examined in, in cells; the smallest in ASCII too.
+const SIZES: [((u16, u16), bool); 7] = [
+    ((38, 14), false),
+    ((38, 14), true),
+    ((60, 20), false),
+    ((60, 26), false),
+    ((76, 18), false),
+    ((100, 40), false),
+    ((110, 44), false),
+];
+
+/// Draws every sketch in several sizes: words stand within two cells of their point, over no other words and over no head
+/// of an arrow, and what has no place is listed below. Returns the numbers of words that have a place and that are
+/// listed.
 pub fn words_of_drawings_stand_over_no_other_words_and_over_no_head_of_an_arrow(
     entries: &[&'static Entry],
 ) -> (usize, usize) {
@@ -71,18 +83,18 @@ pub fn words_of_drawings_stand_over_no_other_words_and_over_no_head_of_an_arrow(
     for (entry, solution) in first_solutions(entries) {
         for exhibit in &solution.exhibits {
             let Some(sketch) = exhibit.sketch(0) else { continue };
-            for (size, ascii) in [((38, 14), false), ((38, 14), true), ((60, 26), false), ((110, 44), false)]
-            {
+            for (size, ascii) in SIZES {
                 let look = Appearance { ascii, colors: Colors::None, ..Appearance::default() };
                 let area = Rect::new(0, 0, size.0, size.1);
                 let mut buffer = Buffer::empty(area);
                 let words = drawing::render(&sketch, &look, &Locale::english(), area, &mut buffer);
                 let of = format!("{}: {} at {size:?}", entry.about.id, sketch.title.english());
-                for (n, (at, text)) in words.beside.iter().enumerate() {
+                for (n, (at, text, point)) in words.beside.iter().enumerate() {
                     let read: String = (at.x..at.right()).map(|x| buffer[(x, at.y)].symbol()).collect();
                     assert_eq!(&read, text, "{of}");
                     assert!(!words.heads.iter().any(|cell| at.contains((*cell).into())), "{of}: {text}");
-                    for (other, _) in &words.beside[n + 1..] {
+                    assert!(is_near(*at, text, *point), "{of}: {text} is far from its point");
+                    for (other, ..) in &words.beside[n + 1..] {
                         assert!(!at.intersects(*other), "{of}: {text}");
                     }
                 }
@@ -98,6 +110,15 @@ pub fn words_of_drawings_stand_over_no_other_words_and_over_no_head_of_an_arrow(
         }
     }
     (placed, listed)
+}
+
+/// True for words with at most two cells between them and a cell.
+fn is_near(at: Rect, text: &str, (x, y): (u16, u16)) -> bool {
+    let blanks = |ends: usize| ends as u16;
+    let left = at.x + blanks(text.len() - text.trim_start().len());
+    let right = at.right() - blanks(text.len() - text.trim_end().len());
+    let across = left.saturating_sub(x).max((x + 1).saturating_sub(right));
+    across <= 3 && y.abs_diff(at.y) <= 2
 }
 
 /// Draws the figures of every analysis for paper: words stand over no other words.

@@ -29,6 +29,7 @@ pub mod inputs;
 pub mod invariance;
 mod laboratory;
 pub mod languages;
+pub mod letters;
 pub mod near_singular;
 pub mod optima;
 pub mod papers;

@@ -7,7 +7,15 @@ use unicode_width::UnicodeWidthStr;
 /// The words that stand in an area.
 pub(crate) struct Labels {
     area: Rect,
-    placed: Vec<(Rect, String, Style)>,
+    placed: Vec<Placed>,
+}
+
+/// Words in their cells, and the point that they belong to; without words, a cell that is kept free.
+struct Placed {
+    at: Rect,
+    words: String,
+    style: Style,
+    point: Option<(u16, u16)>,
 }
 
 impl Labels {
@@ -27,14 +35,15 @@ impl Labels {
         far: impl Fn(&Rect) -> usize,
         free: impl Fn(u16, u16) -> bool,
     ) -> bool {
-        self.least(words, style, places, |covered, at| covered + far(at), free)
+        self.least(words, style, None, places, |covered, at| covered + far(at), free)
     }
 
-    /// Words at the place of least price, which is that of the cells that they would cover and of the place.
+    /// Words of a point at the place of least price, which is that of the cells that they would cover and of the place.
     fn least(
         &mut self,
         words: &str,
         style: Style,
+        point: Option<(u16, u16)>,
         places: impl IntoIterator<Item = (i32, i32)>,
         price: impl Fn(usize, &Rect) -> usize,
         free: impl Fn(u16, u16) -> bool,
@@ -60,7 +69,7 @@ impl Labels {
         let whole =
             Rect { x: at.x - u16::from(before), width: width + u16::from(before) + u16::from(after), ..at };
         let words = format!("{}{words}{}", if before { " " } else { "" }, if after { " " } else { "" });
-        self.placed.push((whole, words, style));
+        self.placed.push(Placed { at: whole, words, style, point });
         true
     }
 
@@ -101,6 +110,7 @@ impl Labels {
         side: LabelSide,
         free: impl Fn(u16, u16) -> bool,
     ) -> bool {
+        let point = Some((x, y));
         let (x, y, width) = (i32::from(x), i32::from(y), words.width() as i32);
         let mut sides = LabelSide::AROUND;
         sides.sort_by_key(|other| side.turn_to(*other));
@@ -110,10 +120,12 @@ impl Labels {
         }
         for other in sides {
             let (right, up) = other.direction();
-            for step in 0..5i32 {
+            for step in 0..4i32 {
+                // At most two cells between the words and their point.
+                let gap = step.min(1);
                 let left = match right {
-                    right if right > 0.1 => x + 2 + step,
-                    right if right < -0.1 => x - 1 - width - step,
+                    right if right > 0.1 => x + 2 + gap,
+                    right if right < -0.1 => x - 1 - width - gap,
                     _ => x - width / 2,
                 };
                 let row = match up {
@@ -130,7 +142,7 @@ impl Labels {
         };
         // A step farther out is better than a cell that is covered.
         let price = |covered: usize, at: &Rect| 3 * covered + price(at);
-        self.least(words, style, places.iter().map(|(place, _)| *place), price, free)
+        self.least(words, style, point, places.iter().map(|(place, _)| *place), price, free)
     }
 
     /// A sign of a few cells at a point or next to it, over whatever is drawn there but no words; nowhere if there are
@@ -142,27 +154,29 @@ impl Labels {
         (x, y): (u16, u16),
         free: impl Fn(u16, u16) -> bool,
     ) {
+        let point = Some((x, y));
         let (x, y, width) = (i32::from(x), i32::from(y), sign.width() as u16);
         let near = [-1, 0, 1].into_iter().flat_map(|down| [0, 1, -1].map(|across| (x + across, y + down)));
         let places = near.filter_map(|place| self.rect(place, width));
         let at = places.min_by_key(|at| (at.x..at.right()).filter(|x| !free(*x, at.y)).count());
-        self.placed.extend(at.map(|at| (at, sign.to_owned(), style)));
+        self.placed.extend(at.map(|at| Placed { at, words: sign.to_owned(), style, point }));
     }
 
-    /// The words and the cells they take.
-    pub(crate) fn placed(&self) -> Vec<(Rect, String)> {
-        let words = self.placed.iter().filter(|(_, words, _)| !words.is_empty());
-        words.map(|(at, words, _)| (*at, words.clone())).collect()
+    /// The words of points: the cells they take, and the cells of their points.
+    pub(crate) fn placed(&self) -> Vec<(Rect, String, (u16, u16))> {
+        let of_point = |placed: &Placed| Some((placed.at, placed.words.clone(), placed.point?));
+        self.placed.iter().filter_map(of_point).collect()
     }
 
     /// Keeps a cell free of words.
     pub(crate) fn reserve(&mut self, (x, y): (u16, u16)) {
-        self.placed.push((Rect::new(x, y, 1, 1), String::new(), Style::new()));
+        let at = Rect::new(x, y, 1, 1);
+        self.placed.push(Placed { at, words: String::new(), style: Style::new(), point: None });
     }
 
     /// Writes them.
     pub(crate) fn draw(&self, buffer: &mut Buffer) {
-        for (at, words, style) in &self.placed {
+        for Placed { at, words, style, .. } in &self.placed {
             // Letters are of one colour, whatever they stand on.
             for x in at.x..at.x + words.width() as u16 {
                 buffer[(x, at.y)].reset();
@@ -172,7 +186,7 @@ impl Labels {
     }
 
     fn is_taken(&self, x: u16, y: u16) -> bool {
-        self.placed.iter().any(|(other, ..)| other.contains((x, y).into()))
+        self.placed.iter().any(|other| other.at.contains((x, y).into()))
     }
 
     /// The cells of words of that width, where they lie inside the area and over no others.
@@ -181,6 +195,6 @@ impl Labels {
         // A cell between words of one row keeps them apart.
         let wide = Rect::new(at.x.saturating_sub(1), at.y, width.saturating_add(2), 1);
         let inside = self.area.intersection(at) == at;
-        (inside && !self.placed.iter().any(|(other, ..)| other.intersects(wide))).then_some(at)
+        (inside && !self.placed.iter().any(|other| other.at.intersects(wide))).then_some(at)
     }
 }
