@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 pub mod bench;
 pub mod cluster;
+pub mod contact_sheet;
 pub mod docs;
 pub mod find;
 pub mod first_entry;

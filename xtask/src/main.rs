@@ -3,8 +3,8 @@
 use std::{env, process::ExitCode};
 
 use xtask::{
-    bench, cluster, docs, find, first_entry, new_analysis, new_plugin, parquet, pictures, python, root, soak,
-    tidy, verify, words,
+    bench, cluster, contact_sheet, docs, find, first_entry, new_analysis, new_plugin, parquet, pictures,
+    python, root, soak, tidy, verify, words,
 };
 
 const USAGE: &str = "\
@@ -19,6 +19,9 @@ usage: cargo xtask COMMAND
   words [COMMIT]             carry the translations of sentences reworded since COMMIT (HEAD) over to their new keys
   docs [--check]             write the reference in docs/, or see that it is up to date
   pictures [--check]         draw the pictures in docs/pictures/ from their sessions, or see that they are up to date
+  pictures --sheet [--rows R --cols C] [--language L] [NAME]...
+                             contact sheets in the target directory: first screen, drawing and plot of every analysis,
+                             or of those whose ids contain a NAME
   soak mutants               the result of each function of mechanics times 1.01: does the catalogue notice?
   soak rotors                2000 random rotors: each answered, every check holds?
   soak chains                chains of 1 to 100 four-bars through singular positions
@@ -52,6 +55,7 @@ fn main() -> ExitCode {
         ["docs", "--check"] => docs::check(&root()),
         ["pictures"] => pictures::write(&root()),
         ["pictures", "--check"] => pictures::check(&root()).map(|_| ()),
+        ["pictures", "--sheet", words @ ..] => contact_sheet::write(&root(), words),
         ["soak", words @ ..] => soak::run(&root(), words),
         ["python"] => python::run(&root()),
         ["parquet"] => parquet::run(&root()),

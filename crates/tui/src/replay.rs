@@ -21,6 +21,7 @@
 //! | `type KEYS` | keys, as [`keys_of`] reads them |
 //! | `paste "TEXT"` | a text, with `\n`, `\t`, `\"` and `\\` |
 //! | `resize COLUMNSxROWS` | the window has another size |
+//! | `tab NAME` | the keys are in the pane of that English name: `Drawing` |
 //! | `wait MILLISECONDS ms`, `wait solved` | lets time pass; animations move |
 //! | `picture NAME` | the screen is to be kept |
 //! | `expect TEXT` | the text stands on the screen, or the session fails |
@@ -33,7 +34,7 @@ mod svg;
 use std::{fmt, time::Duration};
 
 use dalembert_core::{Language, Text};
-use ratatui::crossterm::event::KeyEvent;
+use ratatui::crossterm::event::{KeyCode, KeyEvent};
 
 pub use headless::{Picture, ReplayFailure, ReplayResult, play, to_open};
 pub(crate) use player::Player;
@@ -42,6 +43,8 @@ pub(crate) use recorder::Recorder;
 use crate::{
     glyphs::{Capabilities, Colors, Glyphs, PlotMarker},
     keys::notation::keys_of,
+    layout::Focus,
+    model::Model,
 };
 
 /// A session that can be played.
@@ -68,6 +71,8 @@ pub enum Act {
     Paste(String),
     /// The window takes another size.
     Resize(u16, u16),
+    /// The keys that lead to the pane of this name are typed, wherever it stands.
+    Tab(String),
     /// Time passes.
     Wait(Duration),
     /// Time passes until everything is solved.
@@ -88,7 +93,7 @@ pub struct Unreadable {
 }
 
 /// Message for a line with an unknown command.
-const UNKNOWN: &str = "unknown command `{word}`: write screen, language, look, open, type, paste, resize, wait, picture or expect";
+const UNKNOWN: &str = "unknown command `{word}`: write screen, language, look, open, type, paste, resize, tab, wait, picture or expect";
 
 /// The looks, by their names.
 const LOOKS: [(&str, Capabilities); 3] = [
@@ -174,6 +179,7 @@ impl Replay {
                 let (columns, rows) = size(rest)?;
                 Act::Resize(columns, rows)
             }
+            "tab" => Act::Tab(name(rest)?),
             "wait" if rest == "solved" => Act::UntilSolved,
             "wait" => Act::Wait(milliseconds(rest)?),
             "picture" => Act::Picture(name(rest)?),
@@ -203,13 +209,26 @@ fn milliseconds(text: &str) -> Result<Duration, Text> {
     number.parse().map(Duration::from_millis).map_err(wrong)
 }
 
-/// The name of a picture is the name of its file: nothing that could lead elsewhere.
+/// The next key on the way to the pane of a name; `None` where the keys are there, or there is no problem.
+fn key_to_tab(model: &Model, name: &str) -> Option<KeyEvent> {
+    let bench = model.bench.as_ref()?;
+    let code = if bench.shown().name() != name {
+        KeyCode::Char(']')
+    } else if bench.focus == Focus::Form {
+        KeyCode::Tab
+    } else {
+        return None;
+    };
+    Some(KeyEvent::from(code))
+}
+
+/// The name of a pane or a picture. That of a picture is the name of its file: nothing that could lead elsewhere.
 fn name(text: &str) -> Result<String, Text> {
     let fits = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
     if !text.is_empty() && text.len() <= 64 && text.chars().all(fits) {
         return Ok(text.to_owned());
     }
-    Err(Text::new("`{text}` is not a screenshot name: use letters, digits, `-` and `_`").with("text", text))
+    Err(Text::new("`{text}` is not a name: use letters, digits, `-` and `_`").with("text", text))
 }
 
 /// A text as it is, between quotes.
@@ -256,7 +275,7 @@ mod tests {
     #[test]
     fn a_session_is_read() {
         let text = "# two lines\nscreen 120×36\n\nlanguage pt-BR\nlook ascii\nopen vibration/rotating-unbalance\n\
-                    type <end>1500 rpm<enter>\n  wait 400 ms\nwait solved\npaste \"1; 2\\n\\\"3\\\\\"\nresize 80x24\n\
+                    type <end>1500 rpm<enter>\ntab Drawing\n  wait 400 ms\nwait solved\npaste \"1; 2\\n\\\"3\\\\\"\nresize 80x24\n\
                     picture fan_1\nexpect 4.5535 mm\n";
         let replay = Replay::read(text).expect("a session");
         assert_eq!((replay.screen, replay.language), ((120, 36), Language::Portuguese));
@@ -266,12 +285,13 @@ mod tests {
             replay.acts,
             [
                 (7, Act::Type(keys_of("<end>1500 rpm<enter>").expect("keys"))),
-                (8, Act::Wait(Duration::from_millis(400))),
-                (9, Act::UntilSolved),
-                (10, Act::Paste("1; 2\n\"3\\".to_owned())),
-                (11, Act::Resize(80, 24)),
-                (12, Act::Picture("fan_1".to_owned())),
-                (13, Act::Expect("4.5535 mm".to_owned())),
+                (8, Act::Tab("Drawing".to_owned())),
+                (9, Act::Wait(Duration::from_millis(400))),
+                (10, Act::UntilSolved),
+                (11, Act::Paste("1; 2\n\"3\\".to_owned())),
+                (12, Act::Resize(80, 24)),
+                (13, Act::Picture("fan_1".to_owned())),
+                (14, Act::Expect("4.5535 mm".to_owned())),
             ]
         );
     }

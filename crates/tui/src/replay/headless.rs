@@ -8,8 +8,8 @@ use std::{
 
 use dalembert_core::{Entry, Text, catalogue, find};
 
-use super::{Act, Replay, svg};
-use crate::{Msg, harness::Harness, view::tempo};
+use super::{Act, Replay, key_to_tab, svg};
+use crate::{Msg, harness::Harness, panes, view::tempo};
 
 /// Result of a replayed session.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -45,6 +45,8 @@ pub enum ReplayFailure {
         /// Text of the screen.
         screen: String,
     },
+    /// The problem has no pane of this name, which this line asks for.
+    NoTab(usize, String),
     /// The program ended before the session, which goes on in this line.
     Ended(usize),
 }
@@ -59,6 +61,10 @@ impl ReplayFailure {
             }
             ReplayFailure::NotSeen { line, text, .. } => {
                 Text::new("line {line}: `{text}` is not on the screen").with("line", line).with("text", text)
+            }
+            ReplayFailure::NoTab(line, name) => {
+                let words = "line {line}: the problem has no tab `{name}`";
+                Text::new(words).with("line", line).with("name", name)
             }
             ReplayFailure::Ended(line) => {
                 Text::new("line {line}: the program has already ended").with("line", line)
@@ -92,6 +98,11 @@ pub fn play(replay: &Replay, folder: &Path) -> Result<ReplayResult, ReplayFailur
             Act::Type(keys) => keys.iter().for_each(|key| harness.happens(Msg::Key(*key))),
             Act::Paste(text) => harness.happens(Msg::Paste(text.clone())),
             Act::Resize(columns, rows) => harness.resizes(*columns, *rows),
+            Act::Tab(name) => {
+                if !turn(&mut harness, name) {
+                    return Err(ReplayFailure::NoTab(*line, name.clone()));
+                }
+            }
             Act::Wait(time) => pass(&mut harness, *time),
             Act::UntilSolved => {}
             Act::Picture(name) => {
@@ -126,6 +137,16 @@ pub fn to_open(
 fn collapsed(text: &str) -> String {
     let lines = text.lines().map(|line| line.split_whitespace().collect::<Vec<_>>().join(" "));
     lines.collect::<Vec<_>>().join("\n")
+}
+
+/// Types the keys to a pane; says whether it is there.
+fn turn(harness: &mut Harness, name: &str) -> bool {
+    let most = panes::all().len() + 2;
+    for _ in 0..most {
+        let Some(key) = key_to_tab(&harness.model, name) else { return true };
+        harness.happens(Msg::Key(key));
+    }
+    false
 }
 
 fn pass(harness: &mut Harness, time: Duration) {

@@ -7,9 +7,10 @@ use std::{
 
 use ratatui::crossterm::event::{KeyCode, KeyEvent};
 
-use super::{Act, Replay};
+use super::{Act, Replay, key_to_tab};
 use crate::{
     model::{Model, Msg},
+    panes,
     problem::Freshness,
 };
 
@@ -34,6 +35,8 @@ pub(crate) struct Player {
 enum Step {
     Key(KeyEvent),
     Paste(String),
+    /// The keys to the pane of a name, so many at most.
+    Tab(String, usize),
     Wait(Duration),
     UntilSolved,
 }
@@ -44,6 +47,7 @@ impl Player {
         let steps = replay.acts.into_iter().flat_map(|(_, act)| match act {
             Act::Type(keys) => keys.into_iter().map(Step::Key).collect(),
             Act::Paste(text) => vec![Step::Paste(text)],
+            Act::Tab(name) => vec![Step::Tab(name, panes::all().len() + 2)],
             Act::Wait(time) => vec![Step::Wait(time)],
             Act::UntilSolved => vec![Step::UntilSolved],
             // The window is the user's; a picture of it is hers as well, and what it shows she sees.
@@ -80,6 +84,13 @@ impl Player {
                 (Some(Msg::Key(key)), pause)
             }
             Step::Paste(text) => (Some(Msg::Paste(text)), KEY),
+            Step::Tab(name, most) => match key_to_tab(model, &name).filter(|_| most > 0) {
+                Some(key) => {
+                    self.steps.push_front(Step::Tab(name, most - 1));
+                    (Some(Msg::Key(key)), CHARACTER)
+                }
+                None => (None, KEY),
+            },
             Step::Wait(time) => (None, time),
             Step::UntilSolved => {
                 self.waiting = Some(now);
