@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use dalembert_core::{
-    Drawing, DrawnShape, Entry, Exhibit, Field, Locale, Record, Shape, Solution, Stop, Value, cases,
+    Drawing, DrawnShape, Entry, Exhibit, Field, Locale, Number, Record, Shape, Solution, Stop, Value, cases,
     normalised, printer, trace::Op,
 };
 use dalembert_units::Kind;
@@ -97,8 +97,8 @@ fn first(entry: &'static Entry) -> Option<(Record, Solution)> {
     Some((record, solution))
 }
 
-/// The symbols of the inputs that a figure shows, as the working writes them: `m₁` of the first row. A place that has a
-/// name in its row may stand under that name.
+/// The symbols of the inputs that a figure shows, as the working writes them: `m₁` of the first row. What is zero has no
+/// extent to be labelled. A place that has a name in its row may stand under that name.
 fn symbols(record: &Record, solution: &Solution) -> BTreeMap<String, Option<String>> {
     let (mut shown, mut row_names) = (BTreeMap::new(), BTreeMap::new());
     record.leaves(&mut |path, field, value| match value {
@@ -112,12 +112,19 @@ fn symbols(record: &Record, solution: &Solution) -> BTreeMap<String, Option<Stri
     });
     let given = solution.trace.nodes.iter().filter_map(|node| {
         let Op::Given { symbol, path, .. } = &node.op else { return None };
-        let is_place = *shown.get(path)?;
+        let is_place = *shown.get(path).filter(|_| !is_zero(node.number))?;
         let row = path.rsplit_once('.').map(|(row, _)| row).filter(|_| is_place);
         let name = row.and_then(|row| row_names.get(row)).cloned();
         Some((printer::symbol(symbol).replace(' ', ""), name))
     });
     given.filter(|(symbol, _)| !symbol.is_empty()).collect()
+}
+
+fn is_zero(number: Number) -> bool {
+    match number {
+        Number::Scalar(x) => x == 0.0,
+        Number::Vector(v) => v == [0.0; 3],
+    }
 }
 
 /// True for an input that a figure of the machine shows; gravity, frequencies and lengths over which something is computed

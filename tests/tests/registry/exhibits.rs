@@ -27,7 +27,7 @@ const LISTED: [&str; 4] = [
 fn every_symbol_of_the_form_stands_in_a_drawing() {
     let (labelled, listed) = letters::every_symbol_of_the_form_stands_in_a_drawing(registry(), &LISTED);
     println!("{labelled} symbols are labelled, {listed} are listed");
-    assert!(labelled > 190, "{labelled} symbols are labelled, {listed} are listed");
+    assert!(labelled > 175, "{labelled} symbols are labelled, {listed} are listed");
 }
 
 #[test]
