@@ -418,8 +418,6 @@ impl DynamicEquilibrium {
         sketch.joint("", pin).mass_centre("G", at(centre));
         if self.offset > 0.0 {
             sketch.dimension("a", (0.0, 0.0), pin, 2.0);
-        } else {
-            sketch.label("a = 0", pin);
         }
         if speed != 0.0 {
             sketch.motion("ω", (0.0, 0.4 * length), (0.0, 0.7 * length));

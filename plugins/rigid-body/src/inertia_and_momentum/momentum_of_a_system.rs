@@ -443,9 +443,7 @@ impl MomentumOfASystem {
             match &body.before {
                 MotionBefore::Turns { body, speed } => {
                     sketch.label(flat::of_row(body.letters(), row), (x, half));
-                    if *speed == 0.0 {
-                        sketch.label(Text::verbatim(format!("{} = 0", flat::indexed("ω_0", row))), (x + 0.5, 0.0));
-                    } else {
+                    if *speed != 0.0 {
                         let along = 0.6 * speed.signum();
                         let tail = x + 0.2 - along.min(0.0);
                         sketch.motion(flat::of_row(&["ω_0"], row), (tail, 0.0), (tail + along, 0.0));
@@ -463,9 +461,7 @@ impl MomentumOfASystem {
             }
         }
         let end = (width - 0.6, 0.0);
-        if self.impulse == 0.0 {
-            sketch.label("K = 0", end);
-        } else {
+        if self.impulse != 0.0 {
             sketch.force("K", end, (end.0 + 0.6 * self.impulse.signum(), 0.0));
         }
         sketch.finish()

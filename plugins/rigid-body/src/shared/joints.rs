@@ -153,7 +153,7 @@ pub(crate) fn later(joints: &[Joint], t: f64) -> Vec<chain::ChainJoint> {
     joints.iter().map(|joint| joint.plain().after(t)).collect()
 }
 
-/// Draws the axes of joints with their letters, in the axes of one of their frames; an offset that is nothing is said to be.
+/// Draws the axes of joints with their letters, in the axes of one of their frames.
 pub(crate) fn draw(
     joints: &[Joint],
     frames: &[chain::ChainFrame],
@@ -177,8 +177,6 @@ pub(crate) fn draw(
         scene.turn(flat::of_row(motion, row), at + turn, axis, 0.16 * length, Ink::Motion);
         if (at - from).norm() > 1e-9 * length {
             scene.dimension(flat::of_row(&["d"], row), [from, at], Vector3::zeros());
-        } else {
-            scene.label(at, Text::verbatim(format!("{} = 0", flat::indexed("d", row))));
         }
     }
 }

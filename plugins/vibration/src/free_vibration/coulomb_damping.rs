@@ -177,12 +177,8 @@ impl CoulombDamping {
             .axis((away, 0.7), (away, 1.3));
         if self.damping > 0.0 {
             sketch.damper("c", (-2.8, -0.3), (away - 0.7, -0.3));
-        } else {
-            sketch.label("c = 0", (-2.8, -0.3));
         }
-        if self.velocity == 0.0 {
-            sketch.label("v₀ = 0", (away + 0.7, 0.3));
-        } else {
+        if self.velocity != 0.0 {
             let (side, along) = (away + 0.7, 0.7 * self.velocity.signum());
             sketch.motion("v₀", (side - along.min(0.0), 0.3), (side - along.min(0.0) + along, 0.3));
         }

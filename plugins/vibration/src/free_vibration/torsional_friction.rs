@@ -160,7 +160,7 @@ impl TorsionalFriction {
         if let TorsionalSpring::Shaft { .. } = self.spring {
             sketch.dimension("L", (0.0, 0.14), (0.0, 1.8), 5.0);
         }
-        let start = if self.rate == 0.0 { "θ₀, Ω₀ = 0" } else { "θ₀, Ω₀" };
+        let start = if self.rate == 0.0 { "θ₀" } else { "θ₀, Ω₀" };
         turning::turn(&mut sketch, start, (0.0, -0.35), 0.9, Ink::Motion);
         let torque = match self.friction {
             FrictionTorque::Torque { .. } => "T_f",
@@ -173,8 +173,6 @@ impl TorsionalFriction {
         }
         if self.damping > 0.0 {
             sketch.damper("c_t", (0.0, -1.5), (0.0, -0.36)).ground((-0.8, -1.5), (0.8, -1.5));
-        } else {
-            sketch.label("c_t = 0", (-0.9, 0.0));
         }
         sketch.finish()
     }

@@ -2,7 +2,7 @@
 
 use dalembert_core::{
     About, Analysis, Axis, Cell, Column, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Symbol,
-    TableExhibit, Text, Worksheet, register,
+    TableExhibit, Worksheet, register,
 };
 use dalembert_mechanics::{Real, beam::influence};
 use dalembert_numerics::gauss_legendre;

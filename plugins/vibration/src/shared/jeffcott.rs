@@ -133,7 +133,7 @@ impl Mounting {
     /// Dimension of the length under the shaft, and of the diameter across it.
     pub(crate) fn label(self, sketch: &mut Sketch, below: f64) {
         let right = if self == Mounting::Cantilever { 1.5 } else { 2.5 };
-        sketch.dimension("L", (-2.5, -below), (right, -below), 0.0).dimension(
+        sketch.dimension("L", (-2.5, -below), (right, -below), -1.0).dimension(
             "d",
             (-1.7, -HALF),
             (-1.7, HALF),

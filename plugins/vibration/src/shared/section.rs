@@ -374,6 +374,16 @@ impl Section {
 }
 
 impl Profile {
+    /// The letters of what is given, one by one.
+    pub(crate) fn letters(&self) -> &'static [&'static str] {
+        match self {
+            Profile::Given { .. } => &["A", "I"],
+            Profile::Round(RoundSection::Round { .. }) => &["d"],
+            Profile::Round(RoundSection::Tube { .. }) => &["D", "d"],
+            Profile::Rectangle { .. } => &["b", "h"],
+        }
+    }
+
     /// The cross-section about a centre, with its lengths.
     pub(crate) fn draw(&self, sketch: &mut Sketch, centre: Point, size: f64) {
         match self {

@@ -89,8 +89,6 @@ impl WheelLoads {
             let foot = at(1.2, 0.0);
             let away = if inside > 0.0 { PI } else { 0.0 };
             sketch.axis(foot, (foot.0 - inside, foot.1)).angle("β", foot, away, away - inside * self.bank);
-        } else {
-            sketch.label("β = 0", at(0.9, 0.0));
         }
     }
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use dalembert_core::{Axis, Drawing, Ink, Plot, Point, Series, Sketch, Text};
+use dalembert_core::{Axis, Drawing, Ink, Plot, Point, Series, Sketch};
 
 use super::{
     ImpactOfTwoBodies, ImpactTarget, ImpactVelocity,
@@ -72,9 +72,6 @@ fn velocity(
     (n, t): (f64, f64),
 ) {
     match given {
-        ImpactVelocity::Direct { .. } if n == 0.0 => {
-            sketch.label(Text::verbatim(format!("{normal} = 0")), (x, y + 0.5));
-        }
         ImpactVelocity::Direct { .. } => {
             sketch.motion(normal, (x, y + 0.6), (x + n, y + 0.6));
         }
@@ -117,9 +114,7 @@ fn hinged(sketch: &mut Sketch, target: &HingedTarget, sense: f64) {
         }
     }
     sketch.pin("O", pin).dimension("r", pin, point, -2.5);
-    if target.speed == 0.0 {
-        sketch.label("ω₀ = 0", (0.1, 2.0));
-    } else {
+    if target.speed != 0.0 {
         let turn = if sense > 0.0 { (FRAC_PI_2 + 2.2, FRAC_PI_2 + 4.2) } else { (FRAC_PI_2 + 4.2, FRAC_PI_2 + 2.2) };
         sketch.couple("ω₀", pin, turn, Ink::Motion);
     }

@@ -240,18 +240,19 @@ pub(crate) fn directed(vector: Vector3<f64>) -> Result<(), Refusal> {
 }
 
 impl BodyRotation {
-    /// The letters of what is given of the rotation, with the points that are named; where it is nothing, it is said to be.
+    /// The letters of what is given of the rotation, with the points that are named.
     pub(crate) fn label(&self, scene: &mut Scene, at: Vector3<f64>, length: f64) {
         match self {
-            BodyRotation::Vector { omega } if *omega == Vector3::zeros() => scene.label(at, "ω_0 = 0"),
-            BodyRotation::Axis { speed: 0.0, .. } => scene.label(at, "ω_0 = 0"),
+            BodyRotation::Axis { speed: 0.0, .. } => {}
             BodyRotation::Axis { axis, .. } => {
                 if let Some(along) = axis.try_normalize(0.0) {
                     scene.arrow(at, along * length, Ink::Motion, "ω_0");
                 }
             }
             BodyRotation::Vector { omega } => {
-                scene.arrow(at, omega.normalize() * length, Ink::Motion, "ω_0");
+                if let Some(along) = omega.try_normalize(0.0) {
+                    scene.arrow(at, along * length, Ink::Motion, "ω_0");
+                }
             }
             BodyRotation::RestingPoints { first, second, .. } => {
                 scene.label(*first, "r_U");
@@ -267,10 +268,11 @@ impl BodyVelocity {
     /// The letters of what is given of the velocity.
     pub(crate) fn label(&self, scene: &mut Scene, at: Vector3<f64>, length: f64) {
         match *self {
-            BodyVelocity::MassCentre { velocity } => match velocity.try_normalize(0.0) {
-                Some(along) => scene.arrow(at, along * length, Ink::Motion, "v_0"),
-                None => scene.label(at, "v_0 = 0"),
-            },
+            BodyVelocity::MassCentre { velocity } => {
+                if let Some(along) = velocity.try_normalize(0.0) {
+                    scene.arrow(at, along * length, Ink::Motion, "v_0");
+                }
+            }
             BodyVelocity::Fixed { point } | BodyVelocity::Carried { point, .. } => scene.label(point, "r_F"),
             BodyVelocity::Point { point, velocity } => {
                 scene.label(point, "r_P");

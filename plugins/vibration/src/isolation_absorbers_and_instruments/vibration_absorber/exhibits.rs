@@ -111,8 +111,8 @@ pub(super) fn drawing(motion: AbsorberMotion) -> Drawing {
             .mass("m", (-1.2, -1.0), (1.2, 0.2))
             .force("F₀ cos(ω t)", (-1.5, -1.0), (-1.5, 0.2))
             .spring("k_a", (0.0, 0.2), (0.0, 1.3))
-            .block("m_a", (-0.5, 1.3), (0.5, 2.0), Ink::Result)
-            .motion("", (0.8, 1.3), (0.8, 2.0)),
+            .block("m_a", (-0.6, 1.3), (0.6, 2.0), Ink::Result)
+            .motion("X_s", (0.8, 1.3), (0.8, 2.0)),
         AbsorberMotion::Torsion => sketch
             .ground((-2.6, 0.9), (-2.6, -0.9))
             .link("k_t", (-2.6, 0.06), (-0.5, 0.06))

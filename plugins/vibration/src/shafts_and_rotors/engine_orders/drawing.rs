@@ -13,8 +13,8 @@ pub(super) fn crankshaft(problem: &EngineOrders, count: usize) -> Drawing {
     let mut sketch = Sketch::new("The crankshaft from the free end");
     let mut x = 0.0;
     for (part, row) in problem.front.iter().zip(1..) {
-        disc(&mut sketch, (x, 0.8), inertia(part, ["J_f", "m_f"], row));
-        sketch.label(verbatim(&part.name), (x, -0.8)).link(of_row(&["k_t_f"], row), (x, 0.0), (x + 1.6, 0.0));
+        disc(&mut sketch, (x, 1.1), inertia(part, ["J_f", "m_f"], row));
+        sketch.label(verbatim(&part.name), (x, -1.1)).link(of_row(&["k_t_f"], row), (x, 0.0), (x + 1.6, 0.0));
         x += 1.6;
     }
     let first = x;
@@ -27,9 +27,9 @@ pub(super) fn crankshaft(problem: &EngineOrders, count: usize) -> Drawing {
         let up = if row % 2 == 1 { 1.0 } else { -1.0 };
         // A throw with its webs, the pins up and down in turn.
         sketch
-            .bars([(x - 0.25, 0.0), (x - 0.25, 0.55 * up), (x + 0.25, 0.55 * up), (x + 0.25, 0.0)])
-            .label(Text::new(row.to_string()), (x, 0.55 * up));
-        if row == 1 || count <= 6 {
+            .bars([(x - 0.25, 0.0), (x - 0.25, 0.8 * up), (x + 0.25, 0.8 * up), (x + 0.25, 0.0)])
+            .label(Text::new(row.to_string()), (x, 0.8 * up));
+        if row == 1 || matches!(problem.cranks, CrankshaftCranks::Each { .. }) {
             sketch.label(moment, (x, -0.2 * up));
         }
         if row < count {
@@ -46,8 +46,8 @@ pub(super) fn crankshaft(problem: &EngineOrders, count: usize) -> Drawing {
     for (part, row) in problem.rear.iter().zip(1..) {
         sketch.link(of_row(&["k_t_r"], row), (x + 0.25, 0.0), (x + 1.6, 0.0));
         x += 1.6;
-        disc(&mut sketch, (x, 1.0), inertia(part, ["J_r", "m_r"], row));
-        sketch.label(verbatim(&part.name), (x, -1.0));
+        disc(&mut sketch, (x, 1.4), inertia(part, ["J_r", "m_r"], row));
+        sketch.label(verbatim(&part.name), (x, -1.4));
     }
     sketch.motion("n_a ≤ n ≤ n_b", (x + 0.2, 0.0), (x + 1.2, 0.0)).finish()
 }

@@ -162,7 +162,7 @@ impl RotorFigures<'_> {
         let thickest = self.problem.segments.iter().map(|segment| segment.outer).fold(0.0, f64::max);
         self.shaft(&mut sketch, (length, thickest));
         let lowest = self.discs(&mut sketch, (length, thickest));
-        let floor = lowest.min(-0.12 * length) - 0.02 * length;
+        let floor = lowest.min(-0.14 * length) - 0.06 * length;
         self.bearings(&mut sketch, (length, thickest), floor);
         for (unbalance, row) in self.problem.unbalances.iter().zip(1..) {
             let at = (unbalance.position, 1.2 * thickest);
@@ -170,7 +170,7 @@ impl RotorFigures<'_> {
         }
         let turn = |n: i32| {
             let (sin, cos) = (PI * (0.6 + 0.8 * f64::from(n) / 12.0)).sin_cos();
-            (1.06 * length + 0.02 * length * cos, 0.07 * length * sin)
+            (1.14 * length + 0.02 * length * cos, 0.07 * length * sin)
         };
         sketch.curve((0..12).map(turn).collect::<Vec<_>>(), Ink::Motion).motion(
             "Ω ≤ Ωₘₐₓ",
@@ -184,7 +184,7 @@ impl RotorFigures<'_> {
     /// Segments end to end, with their diameters and lengths.
     fn shaft(&self, sketch: &mut Sketch, (length, thickest): (f64, f64)) {
         const LETTERED: usize = 6;
-        sketch.axis((-0.05 * length, 0.0), (1.1 * length, 0.0));
+        sketch.axis((-0.05 * length, 0.0), (1.18 * length, 0.0));
         let mut from = 0.0;
         let few = self.problem.segments.len() <= LETTERED;
         for (segment, row) in self.problem.segments.iter().zip(1..) {
@@ -240,7 +240,7 @@ impl RotorFigures<'_> {
                             (stiffness, damping),
                             (z, floor),
                             (z, -thickest / 2.0),
-                            0.08 * length,
+                            0.09 * length,
                         )
                         .bars([(z - 0.05 * length, -thickest / 2.0), (z + 0.05 * length, -thickest / 2.0)])
                         .ground((z - 0.07 * length, floor), (z + 0.07 * length, floor));

@@ -5,8 +5,10 @@ use std::f64::consts::PI;
 use dalembert_core::{Drawing, Ink, Point, Sketch, Text};
 
 use super::{
-    AttachedDamper, AttachedSpring, EquivalentSystem, LeverBar, LeverPosition, RollingSurface, TurningBody,
+    AttachedDamper, AttachedSpring, EquivalentSystem, LeverBar, LeverPosition, LoadAmplitude,
+    RollingSurface, TurningBody,
 };
+use crate::shared::letters::of_row;
 
 /// The body with what is attached to it.
 pub(super) fn drawing(system: &EquivalentSystem) -> Drawing {
@@ -35,7 +37,7 @@ fn arms(system: &EquivalentSystem) -> impl Iterator<Item = f64> {
 }
 
 fn numbered(symbol: &'static str, n: usize) -> Text {
-    Text::new("{symbol}{n}").with("symbol", symbol).with("n", n)
+    of_row(&[symbol], n)
 }
 
 /// The springs by number and arm.
@@ -106,6 +108,7 @@ fn lever(system: &EquivalentSystem, position: &LeverPosition) -> Drawing {
     for (n, mass) in (1..).zip(masses) {
         sketch.particle(numbered("m", n), at(mass.distance, 0.0));
     }
+    lengths(system, at, &mut sketch);
     let centre = match *bar {
         LeverBar::Light => None,
         LeverBar::Uniform { length, pivot, .. } => Some(length / 2.0 - pivot),
@@ -117,9 +120,59 @@ fn lever(system: &EquivalentSystem, position: &LeverPosition) -> Drawing {
     sketch.finish()
 }
 
+/// Arms from the pivot, the length of the bar, the reference point and the load.
+fn lengths(system: &EquivalentSystem, at: impl Fn(f64, f64) -> Point, sketch: &mut Sketch) {
+    let TurningBody::Lever { bar, masses, .. } = &system.body else { return };
+    let origin = at(0.0, 0.0);
+    for (mass, row) in masses.iter().zip(1..) {
+        sketch.dimension(of_row(&["l"], row), origin, at(mass.distance, 0.0), -5.0);
+    }
+    for (spring, row) in system.springs.iter().zip(1..) {
+        if let AttachedSpring::Linear { arm, .. } = spring {
+            sketch.dimension(of_row(&["a"], row), origin, at(*arm, 0.0), if *arm < 0.0 { 2.5 } else { -2.5 });
+        }
+    }
+    for (damper, row) in system.dampers.iter().zip(1..) {
+        if let AttachedDamper::Linear { arm, .. } = damper {
+            sketch.dimension(of_row(&["b"], row), origin, at(*arm, 0.0), if *arm < 0.0 { -2.5 } else { 2.5 });
+        }
+    }
+    match *bar {
+        LeverBar::Uniform { length, pivot, .. } => {
+            sketch.dimension("L", at(-pivot, 0.0), at(length - pivot, 0.0), 8.0);
+            sketch.label("m", at(length - pivot, 0.0));
+            if pivot > 0.0 {
+                sketch.dimension("e", at(-pivot, 0.0), origin, 5.5);
+            }
+        }
+        LeverBar::Given { centre, .. } => {
+            sketch.dimension("d", origin, at(centre, 0.0), 5.5).label("m, J_O", at(centre, 0.0));
+        }
+        LeverBar::Light => {}
+    }
+    if let Some(reference) = system.reference {
+        sketch.dimension("p", origin, at(reference, 0.0), 3.0);
+    }
+    if let Some(load) = &system.load {
+        match load.amplitude {
+            LoadAmplitude::Force { arm, .. } => {
+                sketch.force("F₀ cos(ω t)", at(arm, 0.35), at(arm, 0.05)).dimension(
+                    "a_F",
+                    origin,
+                    at(arm, 0.0),
+                    5.5,
+                );
+            }
+            LoadAmplitude::Moment { .. } => {
+                sketch.couple("M₀ cos(ω t)", origin, (0.6, 2.6), Ink::Force);
+            }
+        }
+    }
+}
+
 fn rolling(system: &EquivalentSystem, radius: f64, surface: &RollingSurface) -> Drawing {
     let mut sketch = Sketch::new("The rolling body");
-    sketch.disc("m", (0.0, 1.0), 1.0);
+    sketch.disc("m", (0.0, 1.0), 1.0).dimension("r", (0.0, 1.0), (0.707, 0.293), 0.0);
     match surface {
         RollingSurface::Flat => {
             sketch.ground((-2.5, 0.0), (2.5, 0.0));
