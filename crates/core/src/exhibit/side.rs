@@ -63,9 +63,12 @@ impl LabelSide {
             let (across, up) = side.direction();
             x * across + y * up
         };
-        Self::AROUND.into_iter().fold(LabelSide::Right, |best, side| {
-            if along(side) > along(best) { side } else { best }
-        })
+        Self::AROUND.into_iter().fold(
+            LabelSide::Right,
+            |best, side| {
+                if along(side) > along(best) { side } else { best }
+            },
+        )
     }
 
     /// Eighths of a turn from one side to another, the shorter way; none from or to words over the point.

@@ -395,13 +395,10 @@ impl DynamicEquilibrium {
         let side = if angle < 0.0 { -2.5 } else { 2.5 };
         match self.body {
             Hanging::Rod { .. } => sketch.link("m", pin, at(length)).dimension("L", pin, at(length), side),
-            Hanging::Particle { .. } => {
-                sketch.bars([pin, at(length)]).dimension("L", pin, at(length), side).disc(
-                    "m",
-                    at(length),
-                    0.07 * length,
-                )
-            }
+            Hanging::Particle { .. } => sketch
+                .bars([pin, at(length)])
+                .dimension("L", pin, at(length), side)
+                .disc("m", at(length), 0.07 * length),
             Hanging::Symmetric { .. } => {
                 let half = 0.12 * length;
                 let beside = |distance: f64, across: f64| {

@@ -342,7 +342,9 @@ impl TwoBladedRotor {
             }
             scene.turn("ω", x * 0.7, x * self.spin, 0.25, Ink::Motion);
             scene.turn("Ω", y * 1.3, y, 0.25, Ink::Motion);
-            if t == 0.0 && let Some(unit) = couple.try_normalize(0.0) {
+            if t == 0.0
+                && let Some(unit) = couple.try_normalize(0.0)
+            {
                 scene.arrow(Vector3::zeros(), unit * 1.3, Ink::Force, "M");
             }
             if matches!(self.precession, Precession::Turn { .. }) {

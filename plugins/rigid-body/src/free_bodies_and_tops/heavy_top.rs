@@ -533,6 +533,7 @@ impl HeavyTop {
             scene.turn(spin, axis * 1.15, axis * about, 0.14, Ink::Motion);
             scene.turn("φ̇", Vector3::z() * 1.15, Vector3::z() * around, 0.14, Ink::Motion);
             scene.angle("θ", Vector3::zeros(), [Vector3::z(), axis], 0.55);
+            scene.label(axis * 0.63, "G");
             scene.arrow(axis * 0.63, Vector3::z() * -0.55, Ink::Force, "m g");
             scene
         })

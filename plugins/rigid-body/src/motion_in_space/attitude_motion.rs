@@ -2,7 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Worksheet, register};
+use dalembert_core::{
+    About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Worksheet, register,
+};
 use dalembert_mechanics::{Real, Vector};
 use dalembert_numerics::ode::{self, OdeFunction};
 use nalgebra::{Matrix3, Rotation3, Vector3};
@@ -159,7 +161,7 @@ impl AttitudeMotion {
         for (term, row) in self.terms.iter().zip(1..) {
             let Some(along) = term.rate.try_normalize(0.0) else { continue };
             let along = if matches!(self.axes, FrameAxes::Body) { body * along } else { along };
-            let letters: &[&str] = match term.course {
+            let letters: &[&'static str] = match term.course {
                 RateHistory::Constant => &["Ω"],
                 RateHistory::Harmonic { .. } => &["Ω", "p", "φ"],
                 RateHistory::Linear { .. } => &["Ω", "t₁"],

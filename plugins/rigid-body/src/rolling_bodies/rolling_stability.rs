@@ -2,7 +2,9 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use dalembert_core::{About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Worksheet, register};
+use dalembert_core::{
+    About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Worksheet, register,
+};
 use dalembert_mechanics::{
     Real,
     rigid::rolling::{self, Rolling},
@@ -181,7 +183,7 @@ impl RollingStability {
     /// The upright disc on the floor, a little tilted, with its motion.
     fn picture(&self) -> Exhibit {
         let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()];
-        // The tilt that grows or dies away.
+        // The tilt that grows or decays.
         let (sin, cos) = 0.15_f64.sin_cos();
         let up = z * cos + y * sin;
         let axle = x.cross(&up);

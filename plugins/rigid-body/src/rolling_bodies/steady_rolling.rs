@@ -5,11 +5,11 @@ use std::f64::consts::FRAC_PI_2;
 use dalembert_core::{
     About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
 };
-use nalgebra::{Matrix3, Vector3};
 use dalembert_mechanics::{
     Real,
     rigid::rolling::{self, Rolling},
 };
+use nalgebra::{Matrix3, Vector3};
 
 use crate::{
     shared::{

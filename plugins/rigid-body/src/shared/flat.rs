@@ -1,6 +1,6 @@
 //! Marks and letters of drawings: what points away from the viewer, letters of several inputs at one feature.
 
-use dalembert_core::{Ink, Point, Sketch, Text};
+use dalembert_core::{Ink, Point, Sketch, Symbol, Text, printer};
 
 /// A vector that points away from the viewer: a circle with a cross.
 pub(crate) fn into_page(sketch: &mut Sketch, name: impl Into<Text>, at: Point, radius: f64) {
@@ -19,14 +19,11 @@ pub(crate) fn letters(of: &[&str]) -> Text {
 }
 
 /// A letter with the number of its row, as the working writes it: `m₁`.
-pub(crate) fn indexed(letter: &str, row: usize) -> String {
-    const DIGITS: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
-    let number = row.to_string();
-    letter.chars().chain(number.bytes().map(|digit| DIGITS[usize::from(digit - b'0')])).collect()
+fn indexed(letter: &'static str, row: usize) -> String {
+    printer::symbol(&Symbol::from(letter).row(row))
 }
 
 /// Letters of one row.
-pub(crate) fn of_row(of: &[&str], row: usize) -> Text {
-    let all: Vec<String> = of.iter().map(|letter| indexed(letter, row)).collect();
-    letters(&all.iter().map(String::as_str).collect::<Vec<_>>())
+pub(crate) fn of_row(of: &[&'static str], row: usize) -> Text {
+    Text::verbatim(of.iter().map(|letter| indexed(letter, row)).collect::<Vec<_>>().join(", "))
 }

@@ -168,7 +168,7 @@ pub(crate) fn draw(
         let axis = seen_from(axes, frame.rotation * (joint.axis / joint.axis.amax()).normalize());
         let (from, at) = (here(before.origin), here(frame.origin));
         scene.line([-0.4, 0.8].map(|end| at + axis * length * end), Ink::Body);
-        let motion: &[&str] = match joint.motion {
+        let motion: &[&'static str] = match joint.motion {
             JointRotation::Now { .. } => &["θ", "θ̇"],
             JointRotation::Harmonic { .. } => &["A", "T"],
             JointRotation::Circle { .. } => &["v", "R", "θ"],

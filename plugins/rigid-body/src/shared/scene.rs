@@ -71,12 +71,7 @@ impl Scene {
     }
 
     /// A distance between two points: a line with two heads, set off by a vector that its extension lines follow.
-    pub fn dimension(
-        &mut self,
-        name: impl Into<Text>,
-        ends: [Vector3<f64>; 2],
-        shift: Vector3<f64>,
-    ) {
+    pub fn dimension(&mut self, name: impl Into<Text>, ends: [Vector3<f64>; 2], shift: Vector3<f64>) {
         if shift.norm() > 0.0 {
             for end in ends {
                 self.line([end, end + shift * 1.15], Ink::Faint);

@@ -102,7 +102,6 @@ impl TopBody {
             TopInertia::AxialOnly { .. } => "m, I_a",
         };
         scene.label(axis * length + out * radius, inertia);
-        scene.label(centre, "G");
         scene.label(Vector3::zeros(), "O");
     }
 }

@@ -175,9 +175,7 @@ impl Analysis for BarOnTwoSprings {
             match self.inertia {
                 BarInertia::Moment { .. } => sketch.label("J", (0.5 * self.rear_distance, 0.0)),
                 BarInertia::Radius { .. } => sketch.label("i", (0.5 * self.rear_distance, 0.0)),
-                BarInertia::Slender { .. } => {
-                    sketch.dimension("L", end, (self.rear_distance, 0.0), 5.0)
-                }
+                BarInertia::Slender { .. } => sketch.dimension("L", end, (self.rear_distance, 0.0), 5.0),
             };
             Exhibit::Drawing(sketch.finish())
         });

@@ -1,8 +1,6 @@
 //! Free torsional vibration with dry friction, alone or beside viscous damping.
 
-use dalembert_core::{
-    About, Analysis, Drawing, Exhibit, Ink, Inputs, Refusal, Sketch, Worksheet, register,
-};
+use dalembert_core::{About, Analysis, Drawing, Exhibit, Ink, Inputs, Refusal, Sketch, Worksheet, register};
 use dalembert_mechanics::Real;
 
 use crate::{
@@ -167,7 +165,10 @@ impl TorsionalFriction {
             FrictionTorque::Brake { .. } => "µN",
             FrictionTorque::Decay { .. } => "A₁, A₂",
         };
-        sketch.mass("", (0.9, -0.16), (1.15, 0.16)).ground((1.15, -0.3), (1.15, 0.3)).label(torque, (1.0, 0.16));
+        sketch
+            .mass("", (0.9, -0.16), (1.15, 0.16))
+            .ground((1.15, -0.3), (1.15, 0.3))
+            .label(torque, (1.0, 0.16));
         if let FrictionTorque::Brake { .. } = self.friction {
             sketch.force("N", (1.9, 0.0), (1.2, 0.0)).dimension("ρ", (0.0, 0.3), (0.9, 0.3), 0.0);
         }

@@ -513,7 +513,11 @@ impl ForcedCoulomb {
             .ground((-2.4, -0.7), (2.4, -0.7))
             .spring(self.stiffness.letters(), (-2.4, 0.0), (-0.7, 0.0))
             .mass(self.mass.letter(), (-0.7, -0.7), (0.7, 0.7))
-            .force(if let FrictionLevel::Force { .. } = self.friction { "F" } else { "µN" }, (1.6, -0.55), (0.75, -0.55))
+            .force(
+                if let FrictionLevel::Force { .. } = self.friction { "F" } else { "µN" },
+                (1.6, -0.55),
+                (0.75, -0.55),
+            )
             .force("F₀ cos(ω t)", (0.7, 0.2), (1.8, 0.2));
         if let FrictionLevel::Normal { .. } = self.friction {
             sketch.force("N", (0.3, 1.5), (0.3, 0.75));

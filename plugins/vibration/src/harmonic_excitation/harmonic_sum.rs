@@ -344,17 +344,17 @@ fn vectors(motions: &[Harmonic], resultant: bool) -> Drawing {
         let (sin, cos) = one.phase.sin_cos();
         let length = 3.0 * one.amplitude / size;
         let next = (tip.0 + length * cos, tip.1 + length * sin);
-        sketch
-            .edge(of_row(&["A"], row), tip, next, Ink::Motion)
-            .axis(tip, (tip.0 + 1.2, tip.1))
-            .angle(of_row(&["α"], row), tip, 0.0, one.phase);
+        sketch.edge(of_row(&["A"], row), tip, next, Ink::Motion).axis(tip, (tip.0 + 1.2, tip.1)).angle(
+            of_row(&["α"], row),
+            tip,
+            0.0,
+            one.phase,
+        );
         tip = next;
     }
     let letters: Vec<String> = (1..=motions.len()).map(|row| indexed("ω", row)).collect();
     if resultant {
         sketch.edge("R", (0.0, 0.0), tip, Ink::Result);
     }
-    sketch
-        .couple(Text::verbatim(letters.join(", ")), (0.0, 0.0), (3.6, 5.2), Ink::Motion)
-        .finish()
+    sketch.couple(Text::verbatim(letters.join(", ")), (0.0, 0.0), (3.6, 5.2), Ink::Motion).finish()
 }

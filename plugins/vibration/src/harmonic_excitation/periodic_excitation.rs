@@ -1,8 +1,8 @@
 //! A periodic force or base: its Fourier coefficients, the response to each harmonic, and all of them together.
 
 use dalembert_core::{
-    About, Analysis, Axis, Cell, Column, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series,
-    TableExhibit, Text, Worksheet, register, trace::ROUNDING,
+    About, Analysis, Axis, Cell, Column, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, TableExhibit,
+    Text, Worksheet, register, trace::ROUNDING,
 };
 use dalembert_mechanics::{
     Real, sdof,

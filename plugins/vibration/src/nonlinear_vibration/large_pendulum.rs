@@ -209,8 +209,8 @@ impl LargePendulum {
                 .disc("", end, 0.08)
                 .line("L", (0.0, 0.0), end, Ink::Body)
                 .angle("θ", (0.0, 0.0), -PI / 2.0, angle - PI / 2.0)
-                .axis((0.0, 0.0), (self.amplitude.sin(), -self.amplitude.cos()))
-                .label("θ₀", (self.amplitude.sin(), -self.amplitude.cos()));
+                .axis((0.0, 0.0), (1.15 * self.amplitude.sin(), -1.15 * self.amplitude.cos()))
+                .label("θ₀", (1.15 * self.amplitude.sin(), -1.15 * self.amplitude.cos()));
             sketch
         };
         Sketch::animation("The oscillation", (0..FRAMES).map(frame), 2.0)

@@ -1,12 +1,15 @@
 //! Free vibration on a spring of two slopes: a gap, a stop, a spring that saturates.
 
 use dalembert_core::{
-    About, Analysis, Animation, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch,
-    Worksheet, register,
+    About, Analysis, Animation, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Worksheet,
+    register,
 };
 use dalembert_mechanics::{Real, sdof, vibration::piecewise::TwoSlopes};
 
-use crate::sources::{NAYFEH, THOMSON};
+use crate::{
+    shared::letters::joined,
+    sources::{NAYFEH, THOMSON},
+};
 
 /// A mass on a spring whose stiffness changes at a corner, the same on both sides.
 #[derive(Clone, Debug, Inputs)]

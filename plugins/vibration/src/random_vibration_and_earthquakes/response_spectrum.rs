@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use dalembert_core::{
-    About, Analysis, Axis, Cell, Column, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Symbol, TableExhibit, Text,
-    Worksheet, register,
+    About, Analysis, Axis, Cell, Column, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Symbol,
+    TableExhibit, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -197,9 +197,7 @@ impl ResponseSpectrum {
             Demand::Acceleration { .. } | Demand::Table { .. } => "S_a",
         };
         match &self.structure {
-            Structure::Chain { links } => {
-                Some(building(links).label(demand, (-2.9, -0.15)).finish())
-            }
+            Structure::Chain { links } => Some(building(links).label(demand, (-2.9, -0.15)).finish()),
             Structure::Modes { .. } => None,
             Structure::Beam { section, .. } => {
                 const WIDTH: f64 = 6.0;

@@ -294,9 +294,7 @@ impl DoublePendulum {
             LowerPendulum::Rod { .. } => {
                 sketch.dimension("l_2", joint, end, 4.0).label("m_2", middle(joint, end))
             }
-            LowerPendulum::Body { .. } => {
-                sketch.dimension("c_2", joint, end, 4.0).label("m_2, J_G_2", end)
-            }
+            LowerPendulum::Body { .. } => sketch.dimension("c_2", joint, end, 4.0).label("m_2, J_G_2", end),
         };
     }
 

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use dalembert_core::{
-    About, Analysis, Cell, Column, Drawing, Exhibit, Ink, Inputs, Refusal, Sketch, TableExhibit, Text, Worksheet,
-    register,
+    About, Analysis, Cell, Column, Drawing, Exhibit, Ink, Inputs, Refusal, Sketch, TableExhibit, Text,
+    Worksheet, register,
 };
 use dalembert_mechanics::{Real, beam, sdof, section, spring};
 

@@ -340,9 +340,7 @@ impl ShaftClearance {
         let (mounting, round) = match &self.sought {
             PermittedQuantity::Diameter { shaft, .. } => (shaft.mounting, true),
             PermittedQuantity::Eccentricity { shaft: RotorShaft::Round { mounting, .. }, .. }
-            | PermittedQuantity::Speed { shaft: RotorShaft::Round { mounting, .. }, .. } => {
-                (*mounting, true)
-            }
+            | PermittedQuantity::Speed { shaft: RotorShaft::Round { mounting, .. }, .. } => (*mounting, true),
             _ => (Mounting::SimplySupported, false),
         };
         let mut sketch = Sketch::new("The rotor in its stator (clearance and diameter drawn wider)");

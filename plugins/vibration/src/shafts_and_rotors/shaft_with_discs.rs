@@ -1,8 +1,8 @@
 //! Several discs on a shaft: the lowest frequency by approximate methods, beside the exact one, and all critical speeds.
 
 use dalembert_core::{
-    About, Analysis, Axis, Cell, Column, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Symbol,
-    TableExhibit, Worksheet, register,
+    About, Analysis, Axis, Cell, Column, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch,
+    Symbol, TableExhibit, Worksheet, register,
 };
 use dalembert_mechanics::{Real, beam::influence};
 use dalembert_numerics::gauss_legendre;
@@ -219,9 +219,7 @@ impl ShaftWithDiscs {
             sketch.mass("", (x - 0.12, -0.6), (x + 0.12, 0.6));
             match disc.load {
                 MassOrWeight::Mass { .. } => sketch.label(of_row(&["m"], row), (x, 0.6)),
-                MassOrWeight::Weight { .. } => {
-                    sketch.force(of_row(&["W"], row), (x, -0.6), (x, -1.1))
-                }
+                MassOrWeight::Weight { .. } => sketch.force(of_row(&["W"], row), (x, -0.6), (x, -1.1)),
             };
         }
         // Distances from the left end, as ordinates on one line.

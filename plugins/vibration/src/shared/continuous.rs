@@ -144,12 +144,7 @@ pub(crate) const HALF_BEAM: f64 = 0.09;
 /// A beam of a width from the left end, with its length below.
 pub(crate) fn beam(title: &'static str, width: f64) -> Sketch {
     let mut sketch = Sketch::new(title);
-    sketch.mass("", (0.0, -HALF_BEAM), (width, HALF_BEAM)).dimension(
-        "L",
-        (0.0, -1.2),
-        (width, -1.2),
-        0.0,
-    );
+    sketch.mass("", (0.0, -HALF_BEAM), (width, HALF_BEAM)).dimension("L", (0.0, -1.2), (width, -1.2), 0.0);
     sketch
 }
 

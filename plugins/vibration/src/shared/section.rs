@@ -359,7 +359,7 @@ impl ShaftSection {
 }
 
 impl Section {
-    /// Its lengths, at a place beside a beam; none of a section that is known by its second moment of area.
+    /// Writes its lengths at a place beside a beam; none of a section that is known by its second moment of area.
     pub(crate) fn label(&self, sketch: &mut Sketch, at: Point) {
         match self {
             Section::Given { .. } => {}
@@ -417,10 +417,12 @@ impl RoundSection {
             RoundSection::Round { .. } => sketch.dimension("d", (x - radius, y), (x + radius, y), 0.0),
             RoundSection::Tube { outer, inner } => {
                 let hole = radius * (inner / outer).min(0.9);
-                sketch
-                    .disc("", (x, y), hole)
-                    .dimension("d", (x - hole, y), (x + hole, y), 0.0)
-                    .dimension("D", (x - radius, y), (x + radius, y), -5.0)
+                sketch.disc("", (x, y), hole).dimension("d", (x - hole, y), (x + hole, y), 0.0).dimension(
+                    "D",
+                    (x - radius, y),
+                    (x + radius, y),
+                    -5.0,
+                )
             }
         };
     }

@@ -12,7 +12,9 @@ const THICK: f64 = 0.14;
 /// A disc about a middle, its axis upright.
 pub(crate) fn disc(sketch: &mut Sketch, name: impl Into<Text>, (x, y): Point) {
     let rim = |angle: f64, up: f64| (x + WIDE * angle.cos(), y + up + DEEP * angle.sin());
-    let part = |from: f64, to: f64, up: f64| (0..=24).map(move |n| rim(from + (to - from) * f64::from(n) / 24.0, up));
+    let part = |from: f64, to: f64, up: f64| {
+        (0..=24).map(move |n| rim(from + (to - from) * f64::from(n) / 24.0, up))
+    };
     let outline: Vec<Point> = part(0.0, PI, THICK).chain(part(PI, TAU, -THICK)).collect();
     sketch
         .body("", outline)
@@ -30,9 +32,11 @@ pub(crate) fn turn(sketch: &mut Sketch, name: impl Into<Text>, (x, y): Point, wi
 
 /// A disc that hangs from the ground at a height on its shaft.
 pub(crate) fn hung(sketch: &mut Sketch, [shaft, inertia]: [Text; 2], height: f64) {
-    sketch
-        .ground((0.8, height), (-0.8, height))
-        .curve([(-0.06, height), (-0.06, THICK)], Ink::Body)
-        .line(shaft, (0.06, height), (0.06, THICK), Ink::Body);
+    sketch.ground((0.8, height), (-0.8, height)).curve([(-0.06, height), (-0.06, THICK)], Ink::Body).line(
+        shaft,
+        (0.06, height),
+        (0.06, THICK),
+        Ink::Body,
+    );
     disc(sketch, inertia, (0.0, 0.0));
 }

@@ -400,10 +400,13 @@ impl DropImpact {
             .damper("c", (0.4, -1.5), (0.4, -0.4))
             .mass(self.body.letter(), (-0.7, 1.0), (0.7, 1.7));
         let top = if let Some(pan) = &self.pan {
-            sketch.mass("", (-0.8, -0.4), (0.8, -0.15)).label(match pan {
-                Mass::Mass { .. } => "m_p",
-                Mass::Weight { .. } => "W_p",
-            }, (-0.8, -0.3));
+            sketch.mass("", (-0.8, -0.4), (0.8, -0.15)).label(
+                match pan {
+                    Mass::Mass { .. } => "m_p",
+                    Mass::Weight { .. } => "W_p",
+                },
+                (-0.8, -0.3),
+            );
             -0.15
         } else {
             sketch.bars([(-0.8, -0.4), (0.8, -0.4)]);

@@ -183,19 +183,25 @@ impl Analysis for EquivalentStiffness {
 impl EquivalentStiffness {
     fn drawing(&self) -> Drawing {
         match &self.motion {
-            SupportedMotion::Translation { springs, load, .. } => {
-                sketched(springs, load.as_ref().map(|load| match load {
+            SupportedMotion::Translation { springs, load, .. } => sketched(
+                springs,
+                load.as_ref().map(|load| match load {
                     SupportedLoad::Mass { .. } => ("m", "x"),
                     SupportedLoad::Weight { .. } => ("W", "x"),
                     SupportedLoad::Frequency { .. } => ("m", "x, ωₙ"),
                     SupportedLoad::Deflection { .. } => ("m", "x, δ"),
-                }))
-            }
-            SupportedMotion::Rotation { springs, body, .. } => sketched(springs, body.as_ref().map(|body| match body {
+                }),
+            ),
+            SupportedMotion::Rotation { springs, body, .. } => sketched(
+                springs,
+                body.as_ref().map(|body| match body {
                     TorsionalBody::Known { .. } => ("J", "θ"),
                     TorsionalBody::Frequency { .. } => ("J", "θ, ωₙ"),
-                })),
-            SupportedMotion::Sought { .. } => sketched(&Spring::Stiffness { stiffness: 1.0 }, Some(("m", "x, ωₙ"))),
+                }),
+            ),
+            SupportedMotion::Sought { .. } => {
+                sketched(&Spring::Stiffness { stiffness: 1.0 }, Some(("m", "x, ωₙ")))
+            }
         }
     }
 }

@@ -251,11 +251,13 @@ impl Analysis for SwingTest {
                 sheet.show(|| Exhibit::Plot(period_over_distance(gyration, g, &marks)));
                 let share = found.distances[1].value() / found.distances[0].value();
                 let second = if matches!(side, CentreSide::Between) { -share } else { share };
-                sheet.show(|| Exhibit::Drawing(pendulum(
-                    &[("1", 1.0), ("2", second)],
-                    self.mass_letter(),
-                    ("L", 1.0, second),
-                )));
+                sheet.show(|| {
+                    Exhibit::Drawing(pendulum(
+                        &[("1", 1.0), ("2", second)],
+                        self.mass_letter(),
+                        ("L", 1.0, second),
+                    ))
+                });
                 answer(found.inertia, mass, sheet);
             }
             (

@@ -1,8 +1,8 @@
 //! A cantilever with masses on rigid arms at its tip: bending, stretching and torsion together.
 
 use dalembert_core::{
-    About, Analysis, Cell, Column, Drawing, Exhibit, Ink, Inputs, Refusal, Sketch, TableExhibit, Text, Worksheet,
-    register,
+    About, Analysis, Cell, Column, Drawing, Exhibit, Ink, Inputs, Refusal, Sketch, TableExhibit, Text,
+    Worksheet, register,
 };
 use dalembert_mechanics::{
     Real, Vector,
@@ -257,10 +257,12 @@ impl BeamWithTipBody {
         let reach = self.masses.iter().fold(0.0f64, |reach, mass| reach.max(mass.place.amax()));
         let scale = if reach > 0.0 { (2.0 / reach).min(length / self.length * 3.0) } else { 1.0 };
         let mut sketch = Sketch::new("The beam and its body in the plane xy");
-        sketch
-            .ground((0.0, 1.0), (0.0, -1.0))
-            .mass("", (0.0, -0.1), (length, 0.1))
-            .dimension("L", (0.0, -0.5), (length, -0.5), -1.0);
+        sketch.ground((0.0, 1.0), (0.0, -1.0)).mass("", (0.0, -0.1), (length, 0.1)).dimension(
+            "L",
+            (0.0, -0.5),
+            (length, -0.5),
+            -1.0,
+        );
         for (n, mass) in (1..).zip(&self.masses) {
             let (x, y) = (length + scale * mass.place.x, scale * mass.place.y);
             sketch

@@ -80,7 +80,7 @@ impl WheelLoads {
         sketch
             .body("", rectangle([-0.36, 0.36], [floor, top]))
             .label(mass, at(-0.2, 0.7 * top + 0.3 * floor))
-            .dimension("w", at(-0.5 * inside, wheel), at(0.5 * inside, wheel), 3.0 + 10.0 * (top - wheel))
+            .dimension("w", at(-0.5 * inside, wheel), at(0.5 * inside, wheel), 1.5 + 6.0 * (top - wheel))
             .dimension("h", at(0.36, 0.0), at(0.36, height), -3.5 * inside)
             .dimension("R", at(0.0, height), at(1.2, height), 0.0)
             .axis(at(1.2, 0.0), at(1.2, 1.4 * height))

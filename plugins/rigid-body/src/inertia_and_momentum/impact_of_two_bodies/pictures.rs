@@ -115,7 +115,8 @@ fn hinged(sketch: &mut Sketch, target: &HingedTarget, sense: f64) {
     }
     sketch.pin("O", pin).dimension("r", pin, point, -2.5);
     if target.speed != 0.0 {
-        let turn = if sense > 0.0 { (FRAC_PI_2 + 2.2, FRAC_PI_2 + 4.2) } else { (FRAC_PI_2 + 4.2, FRAC_PI_2 + 2.2) };
+        let turn =
+            if sense > 0.0 { (FRAC_PI_2 + 2.2, FRAC_PI_2 + 4.2) } else { (FRAC_PI_2 + 4.2, FRAC_PI_2 + 2.2) };
         sketch.couple("ω₀", pin, turn, Ink::Motion);
     }
 }

@@ -478,7 +478,7 @@ impl Impulse {
                 vector.try_normalize(0.0).map_or_else(Vector3::zeros, |unit| unit * (0.7 * size))
             };
             for (blow, row) in self.blows.iter().zip(1..) {
-                let (vector, letters): (_, &[&str]) = match blow.strength {
+                let (vector, letters): (_, &[&'static str]) = match blow.strength {
                     Strength::Impulse { impulse } => (impulse, &["J", "r_J"]),
                     Strength::Force { force, .. } => (force, &["F", "r_J"]),
                 };

@@ -27,16 +27,13 @@ impl Body {
             scene.label(body.centre + principal.axis(2) * half.z, flat::letters(&letters));
             return half.max().max(body.centre.norm());
         };
-        self.draw_parts(scene, |point| point)
+        let size = self.draw_parts(scene, |point| point);
+        if size > 0.0 { size } else { 1.0 }
     }
 
-    /// Draws the parts of the body with their letters, where its points are placed; its size, m.
-    pub(crate) fn draw_parts(
-        &self,
-        scene: &mut Scene,
-        place: impl Fn(Vector3<f64>) -> Vector3<f64>,
-    ) -> f64 {
-        let Body::Parts { parts } = self else { return 1.0 };
+    /// Draws the parts of the body with their letters, where its points are placed; its size, m, zero without parts.
+    pub(crate) fn draw_parts(&self, scene: &mut Scene, place: impl Fn(Vector3<f64>) -> Vector3<f64>) -> f64 {
+        let Body::Parts { parts } = self else { return 0.0 };
         let mut size = 0.0f64;
         for (part, row) in parts.iter().zip(1..) {
             let ink = if part.presence == Presence::Hole { Ink::Faint } else { Ink::Body };
@@ -54,7 +51,7 @@ impl Body {
                 scene.line(line.into_iter().map(&place), ink);
             }
         }
-        if size > 0.0 { size } else { 1.0 }
+        size
     }
 }
 

@@ -270,9 +270,12 @@ impl RotorFigures<'_> {
                 None => places.push((z, vec![letter])),
             }
         }
-        sketch
-            .axis((0.0, level - 0.015 * length), (0.0, level + 0.04 * length))
-            .vector("z", (0.0, level), (1.08 * length, level), Ink::Faint);
+        sketch.axis((0.0, level - 0.015 * length), (0.0, level + 0.04 * length)).vector(
+            "z",
+            (0.0, level),
+            (1.08 * length, level),
+            Ink::Faint,
+        );
         for (z, letters) in places {
             sketch
                 .axis((z, level), (z, level + 0.03 * length))

@@ -32,7 +32,7 @@ pub(crate) fn at_rest(system: &System, loads: &[(usize, Text)]) -> Drawing {
     {
         for (place, letters) in loads {
             let x = STEP * *place as f64;
-            sketch.force(letters.clone(), (x - 0.3, HALF + 0.7), (x + 0.7, HALF + 0.7));
+            sketch.force(letters.clone(), (x - 0.3, HALF + 0.4), (x + 0.7, HALF + 0.4));
         }
     }
     sketch.finish()
@@ -67,9 +67,7 @@ fn equal(count: usize, damped: bool, ends: ChainEnds) -> Sketch {
         sketch.round("", (8.5 + 0.45 * f64::from(dot), 0.0), 0.05, Ink::Body);
     }
     for (place, x) in places {
-        sketch
-            .mass("m", (x - half, -half), (x + half, half))
-            .label(Text::new(place.to_string()), (x, half));
+        sketch.mass("m", (x - half, -half), (x + half, half)).label(Text::new(place.to_string()), (x, half));
     }
     sketch
 }
@@ -129,6 +127,8 @@ fn chain(
     labels: Option<Lettering>,
 ) -> Sketch {
     let n = moved.len();
+    // Many masses are narrower, so that the coils between them are seen.
+    let half = if n > EQUAL { 0.7 * HALF } else { HALF };
     let rest = |row: usize| STEP * (row as f64 + 1.0);
     let at = |row: usize| rest(row) + moved[row];
     let mut sketch = Sketch::default();
@@ -138,13 +138,13 @@ fn chain(
         if !spring && !damper {
             continue;
         }
-        let from = if place == 0 { HALF } else { at(place - 1) + HALF };
-        let to = if place == n { end - HALF } else { at(place) - HALF };
+        let from = if place == 0 { half } else { at(place - 1) + half };
+        let to = if place == n { end - half } else { at(place) - half };
         if place == 0 {
-            sketch.ground((HALF, 0.8), (HALF, -0.8));
+            sketch.ground((half, 0.8), (half, -0.8));
         }
         if place == n {
-            sketch.ground((end - HALF, -0.8), (end - HALF, 0.8));
+            sketch.ground((end - half, -0.8), (end - half, 0.8));
         }
         let names = match labels {
             None => [Text::default(), Text::default()],
@@ -163,30 +163,24 @@ fn chain(
                 None => [Text::default(), Text::default()],
                 Some(_) => ["k_g", "c_g"].map(|letter| of_row(&[letter], row + 1)),
             };
-            beside(held, names, (x, -1.6), (at(row), -HALF), &mut sketch);
+            beside(held, names, (x, -1.6), (at(row), -half), &mut sketch);
         }
         let name = match labels {
             None => Text::default(),
             Some(Lettering::Alike) => "m".into(),
             Some(Lettering::Rows) => of_row(&["m"], row + 1),
         };
-        sketch.mass(name, (at(row) - HALF, -HALF), (at(row) + HALF, HALF));
+        sketch.mass(name, (at(row) - half, -half), (at(row) + half, half));
         if labels.is_none() {
             // Where the mass rests.
-            sketch.axis((x, HALF + 0.15), (x, HALF + 0.35));
+            sketch.axis((x, half + 0.15), (x, half + 0.35));
         }
     }
     sketch
 }
 
 /// A spring, a damper, or both side by side.
-fn beside(
-    what: (bool, bool),
-    [spring, damper]: [Text; 2],
-    from: Point,
-    to: Point,
-    sketch: &mut Sketch,
-) {
+fn beside(what: (bool, bool), [spring, damper]: [Text; 2], from: Point, to: Point, sketch: &mut Sketch) {
     match what {
         (true, true) => sketch.spring_and_damper((spring, damper), from, to, 0.6),
         (true, false) => sketch.spring(spring, from, to),
@@ -223,7 +217,9 @@ fn string_letters(count: usize, sketch: &mut Sketch) {
     for row in 1..=count {
         sketch.dimension(of_row(&["l"], row), at(row - 1), at(row), -2.0);
     }
-    sketch
-        .dimension("l_e", at(count), at(count + 1), -2.0)
-        .force("T", at(count + 1), (STEP * (count + 1) as f64 + 0.8, 0.0));
+    sketch.dimension("l_e", at(count), at(count + 1), -2.0).force(
+        "T",
+        at(count + 1),
+        (STEP * (count + 1) as f64 + 0.8, 0.0),
+    );
 }

@@ -21,7 +21,9 @@ impl BeamVibration {
             match attached.part {
                 AttachedPart::Mass { inertia, .. } => {
                     let letters: &[&str] = if inertia.is_some() { &["m", "J"] } else { &["m"] };
-                    sketch.mass("", (x - 0.2, top), (x + 0.2, top + 0.4)).label(of_row(letters, row), (x, top + 0.4))
+                    sketch
+                        .mass("", (x - 0.2, top), (x + 0.2, top + 0.4))
+                        .label(of_row(letters, row), (x, top + 0.4))
                 }
                 AttachedPart::Spring { .. } => sketch
                     .spring(of_row(&["k"], row), (x, -1.0), (x, -top))

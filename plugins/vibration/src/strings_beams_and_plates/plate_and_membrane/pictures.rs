@@ -163,10 +163,12 @@ pub(super) fn outline(problem: &PlateAndMembrane) -> Exhibit {
     let mut sketch = Sketch::new("The body from above");
     let rectangle = |sketch: &mut Sketch, length: f64, breadth: f64| {
         let (a, b) = (2.0, (2.0 * breadth / length).clamp(0.4, 4.0));
-        sketch
-            .mass("", (-a, -b), (a, b))
-            .dimension("a", (-a, -b), (a, -b), -2.0)
-            .dimension("b", (a, -b), (a, b), -2.0);
+        sketch.mass("", (-a, -b), (a, b)).dimension("a", (-a, -b), (a, -b), -2.0).dimension(
+            "b",
+            (a, -b),
+            (a, b),
+            -2.0,
+        );
         (a, b)
     };
     let circle = |sketch: &mut Sketch| {
@@ -181,7 +183,11 @@ pub(super) fn outline(problem: &PlateAndMembrane) -> Exhibit {
             };
             for (x, y, name) in [(a, 0.0, "T"), (-a, 0.0, "T"), (0.0, b, "T"), (0.0, -b, "T")] {
                 let out = 0.8;
-                sketch.force(name, (x, y), (x + x.signum() * out * f64::from(x != 0.0), y + out * y.signum() * f64::from(y != 0.0)));
+                sketch.force(
+                    name,
+                    (x, y),
+                    (x + x.signum() * out * f64::from(x != 0.0), y + out * y.signum() * f64::from(y != 0.0)),
+                );
             }
             if let SurfaceMass::Density { .. } = mass {
                 strip(&mut sketch, a);
