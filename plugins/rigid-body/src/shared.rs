@@ -3,6 +3,7 @@
 pub mod attitude;
 pub mod body;
 pub(crate) mod differences;
+pub(crate) mod flat;
 pub mod gyro_rotor;
 pub(crate) mod inertia;
 pub mod joints;

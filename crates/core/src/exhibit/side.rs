@@ -57,6 +57,20 @@ impl LabelSide {
         }
     }
 
+    /// The side of the eight that is nearest to a direction; the right where there is none.
+    pub fn towards((x, y): Point) -> Self {
+        let along = |side: LabelSide| {
+            let (across, up) = side.direction();
+            x * across + y * up
+        };
+        Self::AROUND.into_iter().fold(
+            LabelSide::Right,
+            |best, side| {
+                if along(side) > along(best) { side } else { best }
+            },
+        )
+    }
+
     /// Eighths of a turn from one side to another, the shorter way; none from or to words over the point.
     pub fn turn_to(self, other: LabelSide) -> usize {
         let place = |side| LabelSide::AROUND.iter().position(|one| *one == side);

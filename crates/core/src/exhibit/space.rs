@@ -45,21 +45,46 @@ pub struct Viewpoint3 {
 }
 
 impl Scene {
-    /// Projection of one of its frames, which repeat without end, from a viewpoint.
+    /// Projection of one of its frames, which repeat without end, from a viewpoint. Words at the head of an arrow go on
+    /// in its direction, others stand away from the middle.
     pub fn seen(&self, frame: usize, view: Viewpoint3) -> Drawing {
         let shapes = self.frames.get(frame % self.frames.len().max(1)).map_or(&[][..], Vec::as_slice);
+        let middle = view.point(middle(shapes));
+        let side = |at: &Point3| {
+            let arrow = shapes.iter().rev().find_map(|shape| match shape {
+                Shape3::Arrow(tail, head, _) if head == at => Some(view.point(*tail)),
+                _ => None,
+            });
+            let (from, to) = (arrow.unwrap_or(middle), view.point(*at));
+            LabelSide::towards((to.0 - from.0, to.1 - from.1))
+        };
         let seen = |shape: &Shape3| match shape {
             Shape3::Polyline(points, ink) => {
                 DrawnShape::Polyline(points.iter().map(|at| view.point(*at)).collect(), *ink)
             }
             Shape3::Sphere(at, radius, ink) => DrawnShape::Circle(view.point(*at), *radius, *ink),
             Shape3::Arrow(tail, head, ink) => DrawnShape::Arrow(view.point(*tail), view.point(*head), *ink),
-            Shape3::Label(at, words) => {
-                DrawnShape::Label(view.point(*at), LabelSide::default(), words.clone())
-            }
+            Shape3::Label(at, words) => DrawnShape::Label(view.point(*at), side(at), words.clone()),
         };
         Drawing { title: self.title.clone(), shapes: shapes.iter().map(seen).collect::<Vec<_>>().into() }
     }
+}
+
+/// The middle of the box round the lines of a frame.
+fn middle(shapes: &[Shape3]) -> Point3 {
+    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    let points = shapes.iter().flat_map(|shape| match shape {
+        Shape3::Polyline(points, _) => points.clone(),
+        Shape3::Sphere(at, ..) | Shape3::Label(at, _) => vec![*at],
+        Shape3::Arrow(tail, head, _) => vec![*tail, *head],
+    });
+    for point in points {
+        for axis in 0..3 {
+            low[axis] = low[axis].min(point[axis]);
+            high[axis] = high[axis].max(point[axis]);
+        }
+    }
+    std::array::from_fn(|axis| f64::midpoint(low[axis], high[axis]))
 }
 
 impl Default for Viewpoint3 {

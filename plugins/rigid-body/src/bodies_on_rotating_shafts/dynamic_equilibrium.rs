@@ -386,15 +386,38 @@ impl DynamicEquilibrium {
         let at = |distance: f64| (pin.0 + distance * angle.sin(), pin.1 - distance * angle.cos());
         let mut sketch = Sketch::new("The body and the shaft");
         sketch
-            .axis((0.0, -1.2 * length), (0.0, 0.6 * length))
+            .link("", (0.0, -1.1 * length), (0.0, 0.4 * length))
+            .bearing("", (0.0, -length), FRAC_PI_2)
+            .bearing("", (0.0, 0.25 * length), FRAC_PI_2)
             .link("", (0.0, 0.0), pin)
-            .axis(pin, (pin.0, -0.5 * length))
-            .angle("θ", pin, -FRAC_PI_2, angle - FRAC_PI_2)
-            .link("", pin, at(length))
-            .joint("", pin)
-            .mass_centre("G", at(centre));
+            .axis(pin, (pin.0, -0.6 * length))
+            .angle("θ", pin, -FRAC_PI_2, angle - FRAC_PI_2);
+        let side = if angle < 0.0 { -2.5 } else { 2.5 };
+        match self.body {
+            Hanging::Rod { .. } => sketch.link("m", pin, at(length)).dimension("L", pin, at(length), side),
+            Hanging::Particle { .. } => sketch
+                .bars([pin, at(length)])
+                .dimension("L", pin, at(length), side)
+                .disc("m", at(length), 0.07 * length),
+            Hanging::Symmetric { .. } => {
+                let half = 0.12 * length;
+                let beside = |distance: f64, across: f64| {
+                    let (x, y) = at(distance);
+                    (x + across * angle.cos(), y + across * angle.sin())
+                };
+                let corners = [(0.0, -half), (length, -half), (length, half), (0.0, half)];
+                sketch
+                    .body("", corners.map(|(along, across)| beside(along, across)))
+                    .dimension("r_G", pin, at(centre), side + side.signum())
+                    .label("m, k_ξ, k_η", at(length))
+            }
+        };
+        sketch.joint("", pin).mass_centre("G", at(centre));
+        if self.offset > 0.0 {
+            sketch.dimension("a", (0.0, 0.0), pin, 2.0);
+        }
         if speed != 0.0 {
-            sketch.motion("ω", (0.0, 0.2 * length), (0.0, 0.55 * length));
+            sketch.motion("ω", (0.0, 0.4 * length), (0.0, 0.7 * length));
         }
         sketch.finish()
     }

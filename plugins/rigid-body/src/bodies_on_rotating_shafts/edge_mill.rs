@@ -292,8 +292,28 @@ impl EdgeMill {
                 let spin = Rotation3::from_axis_angle(&Vector3::z_axis(), -TAU * t * arm / radius);
                 scene.disc(centre, (carrier * level * spin).matrix(), radius, Ink::Body);
                 scene.line([hub, centre], Ink::Body);
+                if roller == 0 {
+                    let [out, along] = [carrier * Vector3::x(), carrier * Vector3::y()];
+                    scene.dimension("R", [hub, centre], Vector3::z() * 0.25);
+                    scene.line([centre, centre - Vector3::z() * radius], Ink::Faint);
+                    scene.label(centre - Vector3::z() * (0.5 * radius), "r");
+                    let letters = match self.inertia {
+                        RollerInertia::Solid => "m",
+                        RollerInertia::RadiusOfGyration { .. } => "m, k",
+                        RollerInertia::Given { .. } => "m, I_a",
+                    };
+                    scene.label(centre + (along + Vector3::z()) * (0.71 * radius), letters);
+                    if let Some(width) = self.width {
+                        let half = out * (width / size / 2.0);
+                        let top = centre + Vector3::z() * radius;
+                        scene.dimension("b", [top - half, top + half], Vector3::z() * 0.12);
+                    }
+                    let foot = centre - Vector3::z() * radius;
+                    scene.arrow(foot - Vector3::z() * 0.5, Vector3::z() * 0.5, Ink::Force, "");
+                    scene.label(foot - Vector3::z() * 0.5, "N");
+                }
             }
-            scene.arrow(Vector3::z() * (radius + 0.2), Vector3::z() * 0.5, Ink::Motion, "Ω");
+            scene.turn("Ω", Vector3::z() * (radius + 0.4), Vector3::z(), 0.25, Ink::Motion);
             scene
         })
     }

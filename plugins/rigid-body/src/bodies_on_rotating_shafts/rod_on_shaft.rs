@@ -1,6 +1,6 @@
 //! A slender rod welded at its middle to a turning shaft, at an angle.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use dalembert_core::{
     About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
@@ -201,7 +201,7 @@ impl Analysis for RodOnShaft {
             );
             self.check_by_rotation(sheet, fixed_momentum, fixed_couple);
         });
-        sheet.show(|| Exhibit::Drawing(self.rod_and_shaft()));
+        sheet.show(|| Exhibit::Drawing(self.rod_and_shaft(closed.value())));
         sheet.show(|| Exhibit::Plot(self.couple_over_angle(closed.value())));
         Ok(())
     }
@@ -267,26 +267,44 @@ impl RodOnShaft {
     }
 
     /// The plane of the shaft and the rod, drawn with the rod two units long.
-    fn rod_and_shaft(&self) -> Drawing {
+    fn rod_and_shaft(&self, couple: f64) -> Drawing {
         let (sin, cos) = self.elevation().sin_cos();
         let mut sketch = Sketch::new("The rod in the plane rotating with the shaft");
         sketch
             .link("", (0.0, -1.5), (0.0, 1.5))
             .bearing("", (0.0, -1.3), FRAC_PI_2)
-            .axis((-1.3, 0.0), (1.3, 0.0))
-            .link("", (-cos, sin), (cos, -sin))
+            .axis((-1.5, 0.0), (1.5, 0.0))
+            .label("x", (1.5, 0.0))
+            .label("y", (0.0, 1.5))
+            .link("m", (-cos, sin), (0.0, 0.0))
+            .link("", (0.0, 0.0), (cos, -sin))
             .label("A", (-cos, sin))
             .label("B", (cos, -sin))
+            .dimension("b", (0.0, 0.0), (cos, -sin), -2.5)
             .joint("G", (0.0, 0.0));
         if self.speed != 0.0 {
-            let (low, high) = ((0.0, 1.0), (0.0, 1.45));
+            let (low, high) = ((0.0, 0.9), (0.0, 1.35));
             let (tail, head) = if self.speed > 0.0 { (low, high) } else { (high, low) };
             sketch.motion("ω", tail, head);
+        }
+        if self.acceleration != 0.0 {
+            let along = 0.4 * self.acceleration.signum();
+            sketch.motion("α", (0.12, 0.95 - along / 2.0), (0.12, 0.95 + along / 2.0));
         }
         let length = 0.9 * cos * self.speed.signum();
         if self.speed != 0.0 && cos.abs() > 1e-9 {
             sketch.vector("H_G", (0.0, 0.0), (length * sin, length * cos), Ink::Result);
         }
+        // The couple is about z, which points at the viewer; so the shaft turns by φ from left to right before it.
+        if couple != 0.0 {
+            let turn = if couple > 0.0 { (3.6, 5.6) } else { (5.6, 3.6) };
+            sketch.couple("M_z", (0.0, 0.0), turn, Ink::Force);
+        }
+        let around = |n: i32| {
+            let (across, up) = (PI + PI * f64::from(n) / 12.0).sin_cos();
+            (0.3 * up, 0.08 * across - 0.9)
+        };
+        sketch.curve((0..=12).map(around).collect::<Vec<_>>(), Ink::Faint).label("φ", (0.3, -0.9));
         match self.inclination {
             Inclination::FromHorizontal { angle } => sketch.angle("β", (0.0, 0.0), 0.0, -angle),
             Inclination::FromShaft { angle } => sketch.angle("β", (0.0, 0.0), -FRAC_PI_2, angle - FRAC_PI_2),

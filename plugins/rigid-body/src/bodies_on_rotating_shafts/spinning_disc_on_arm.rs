@@ -1,14 +1,17 @@
 //! A thin disc that spins on an arm, while the arm turns.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
+    About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
 };
 use dalembert_mechanics::{Real, Vector, rigid};
-use nalgebra::{Rotation3, Vector3};
+use nalgebra::{Matrix3, Rotation3, Vector3};
 
-use crate::sources::{BEER, RIUL};
+use crate::{
+    shared::scene::Scene,
+    sources::{BEER, RIUL},
+};
 
 /// The disc, its spin, and the arm that carries it.
 ///
@@ -218,7 +221,7 @@ impl Analysis for SpinningDiscOnArm {
             self.check_by_rotation(sheet, fixed_momentum, fixed_couple);
         });
         let (momentum, couple) = (momentum.value(), couple.value());
-        sheet.show(|| Exhibit::Drawing(self.disc_on_arm(momentum)));
+        sheet.show(|| self.disc_on_arm(momentum, couple));
         sheet.show(|| Exhibit::Plot(self.couple_over_a_turn(couple)));
         Ok(())
     }
@@ -276,27 +279,48 @@ impl SpinningDiscOnArm {
         .mark("M_Z at this angle", (here, at(here).z))
     }
 
-    /// Seen along x, which points at the viewer: y up, z to the left, the disc edge-on.
-    fn disc_on_arm(&self, momentum: Vector3<f64>) -> Drawing {
-        let centre = (-2.0, 0.0);
-        let mut sketch = Sketch::new("The disc on its arm, seen along the x axis");
-        sketch
-            .axis((0.0, -1.6), (0.0, 2.2))
-            .axis((-3.6, 0.0), centre)
-            .ground((-0.7, -1.6), (0.7, -1.6))
-            .bearing("", (0.0, -1.2), FRAC_PI_2)
-            .bars([(0.0, -1.6), (0.0, 0.0), centre])
-            .mass("m, r", (-2.05, -0.9), (-1.95, 0.9))
-            .joint("A", centre);
-        let sign = |x: f64| if x == 0.0 { 0.0 } else { x.signum() };
-        sketch.motion("ω₁", (0.0, 1.2), (0.0, 1.2 + 0.7 * sign(self.arm_speed))).motion(
-            "ω₂",
-            centre,
-            (centre.0 - 1.3 * sign(self.spin), centre.1),
-        );
-        if let Some(along) = momentum.try_normalize(0.0) {
-            sketch.vector("H_A", centre, (centre.0 - along.z, centre.1 + along.y), Ink::Result);
+    /// The disc on its arm, in the axes that turn with the arm; the fixed axes stand at the foot of the shaft.
+    fn disc_on_arm(&self, momentum: Vector3<f64>, couple: Vector3<f64>) -> Exhibit {
+        let mut scene = Scene::y_up();
+        let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()];
+        let centre = z * 2.4;
+        let foot = y * -1.6;
+        scene.line([foot, y * 1.2], Ink::Body);
+        scene.circle(foot, y, 0.5, Ink::Faint);
+        scene.line([Vector3::zeros(), centre], Ink::Body);
+        scene.disc(centre, &Matrix3::identity(), 1.0, Ink::Body);
+        scene.label(centre + (x - y) * 0.7, "m");
+        let (sin, cos) = 0.8_f64.sin_cos();
+        scene.line([centre, centre + x * -cos + y * sin], Ink::Faint);
+        scene.label(centre + (x * -cos + y * sin) * 0.6, "r");
+        for (axis, name) in [(x, "x"), (y, "y"), (z, "z")] {
+            scene.arrow(centre, axis * 1.5, Ink::Faint, name);
         }
-        sketch.finish()
+        scene.label(centre, "A");
+        // The fixed axes lie behind the arm by its angle.
+        let fixed = Rotation3::from_axis_angle(&Vector3::y_axis(), -self.arm_angle);
+        scene.arrow(foot, fixed * z * 1.6, Ink::Faint, "Z");
+        scene.arrow(foot, fixed * x * 1.6, Ink::Faint, "X");
+        scene.line([foot, foot + z * 1.4], Ink::Faint);
+        scene.angle("φ", foot, [fixed * z, z], 1.0);
+        scene.turn(both("ω₁", "α₁", self.arm_acceleration), y * 0.9, y * self.arm_speed, 0.4, Ink::Motion);
+        let spin = both("ω₂", "α₂", self.spin_acceleration);
+        scene.turn(spin, centre + z * 0.8, z * self.spin, 0.4, Ink::Motion);
+        if self.centre_distance.is_some() {
+            scene.dimension("d", [Vector3::zeros(), centre], y * -1.2);
+        }
+        for (vector, length, ink, name) in
+            [(momentum, 1.9, Ink::Result, "H_A"), (couple, 2.2, Ink::Force, "M_A")]
+        {
+            if let Some(along) = vector.try_normalize(0.0) {
+                scene.arrow(centre, along * length, ink, name);
+            }
+        }
+        scene.exhibit("The disc on its arm")
     }
+}
+
+/// The letter of a speed, with that of its rate of change where there is one.
+fn both(speed: &'static str, rate: &'static str, value: f64) -> Text {
+    if value == 0.0 { speed.into() } else { Text::verbatim(format!("{speed}, {rate}")) }
 }

@@ -255,7 +255,7 @@ impl Analysis for TwoBladedRotor {
             }
         });
         sheet.show(|| Exhibit::Plot(self.couple_over_a_turn(inertia, rate, across.value())));
-        sheet.show(|| animation(self.spin));
+        sheet.show(|| self.animation(couple.value()));
         Ok(())
     }
 }
@@ -317,23 +317,56 @@ impl TwoBladedRotor {
         .over("angle")
         .mark("at this angle", (self.angle.rem_euclid(TAU), here))
     }
-}
 
-/// The rotor over a turn, seen with its axle towards the viewer's left.
-fn animation(spin: f64) -> Exhibit {
-    scene::animation("Blades over one revolution: axle along x, precession about y", 4.0, |t| {
-        let mut scene = Scene::y_up();
-        let angle = if spin < 0.0 { -TAU * t } else { TAU * t };
-        // The scene has y up and z towards the viewer: x, the axle, to the right.
-        let blade = Vector3::new(0.0, angle.cos(), angle.sin());
-        let across = Vector3::new(0.0, (angle + FRAC_PI_2).cos(), (angle + FRAC_PI_2).sin()) * 0.12;
-        scene.line([-Vector3::x() * 1.2, Vector3::x() * 0.6], Ink::Faint);
-        scene.circle(Vector3::zeros(), Vector3::x(), 1.0, Ink::Faint);
-        scene.line([blade, across, -blade, -across, blade], Ink::Body);
-        if spin != 0.0 {
-            scene.arrow(Vector3::zeros(), Vector3::x() * spin.signum(), Ink::Motion, "ω");
+    /// The rotor from its angle on over a turn, seen with its axle towards the viewer's left.
+    fn animation(&self, couple: Vector3<f64>) -> Exhibit {
+        scene::animation("Blades over one revolution: axle along x, precession about y", 4.0, |t| {
+            let mut scene = Scene::y_up();
+            let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()];
+            let angle = self.angle + if self.spin < 0.0 { -TAU * t } else { TAU * t };
+            // The scene has y up and z towards the viewer: x, the axle, to the right.
+            let along = |angle: f64| y * angle.cos() + z * angle.sin();
+            let (blade, across) = (along(angle), along(angle + FRAC_PI_2) * 0.12);
+            scene.line([x * -1.4, x * 0.6], Ink::Body);
+            scene.cylinder([x * -1.4, x * -0.3], 0.18, Ink::Faint);
+            scene.circle(Vector3::zeros(), x, 1.0, Ink::Faint);
+            scene.line([blade, across, -blade, -across, blade], Ink::Body);
+            scene.label(blade, self.letters());
+            if self.length().is_some() {
+                scene.dimension("L", [blade, -blade], across * 2.0);
+            }
+            scene.line([Vector3::zeros(), y * 1.2], Ink::Faint);
+            scene.angle("χ", Vector3::zeros(), [y, blade], 0.55);
+            for (axis, name) in [(x, "x"), (y, "y"), (z, "z")] {
+                scene.arrow(axis * if name == "x" { 0.6 } else { 1.1 }, axis * 0.4, Ink::Faint, name);
+            }
+            scene.turn("ω", x * 0.7, x * self.spin, 0.25, Ink::Motion);
+            scene.turn("Ω", y * 1.3, y, 0.25, Ink::Motion);
+            if t == 0.0
+                && let Some(unit) = couple.try_normalize(0.0)
+            {
+                scene.arrow(Vector3::zeros(), unit * 1.3, Ink::Force, "M");
+            }
+            if matches!(self.precession, Precession::Turn { .. }) {
+                scene.arrow(x * -1.4, z * 0.7, Ink::Motion, "v, R");
+            }
+            scene
+        })
+    }
+
+    /// The letters of the inertia of the blades.
+    fn letters(&self) -> &'static str {
+        match self.rotor {
+            Blades::Slender { .. } => "I_a",
+            Blades::Rod { .. } => "m",
+            Blades::Principal { .. } => "I_a, I_b, I_c",
         }
-        scene.arrow(Vector3::zeros(), Vector3::y() * 1.4, Ink::Motion, "Ω");
-        scene
-    })
+    }
+
+    fn length(&self) -> Option<f64> {
+        match self.rotor {
+            Blades::Rod { length, .. } => Some(length),
+            _ => None,
+        }
+    }
 }

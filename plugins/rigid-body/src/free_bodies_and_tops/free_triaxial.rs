@@ -92,6 +92,18 @@ pub enum PrincipalInertia {
 
 mod pictures;
 
+impl PrincipalInertia {
+    /// The axes of the body, with the letters of what is given along them.
+    fn letters(&self) -> [&'static str; 3] {
+        match self {
+            PrincipalInertia::Moments { .. } => ["x, I_x", "y, I_y", "z, I_z"],
+            PrincipalInertia::Gyration { .. } => ["x, k_x", "y, k_y", "z, k_z, m"],
+            PrincipalInertia::Cuboid { .. } => ["x, a", "y, b", "z, c, m"],
+            PrincipalInertia::Shape { .. } => ["x", "y", "z, m"],
+        }
+    }
+}
+
 register!(FreeTriaxial);
 
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -224,7 +236,7 @@ impl Analysis for FreeTriaxial {
         let shown = shown_time(&body, start);
         sheet.show(|| Exhibit::Plot(components(&body, shown)));
         sheet.show(|| Exhibit::Plot(herpolhode(&body, plain.into(), start, shown)));
-        sheet.show(|| poinsot(&body, plain.into(), start, shown));
+        sheet.show(|| poinsot(&body, (plain.into(), self.inertia.letters()), start, shown));
         Ok(())
     }
 }

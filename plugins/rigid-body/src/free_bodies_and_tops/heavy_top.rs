@@ -524,12 +524,17 @@ impl HeavyTop {
             let mut scene = Scene::new();
             scene.circle(Vector3::z() * axis.z * 1.2, Vector3::z(), 1.2 * axis.xy().norm(), Ink::Faint);
             scene.line([Vector3::zeros(), Vector3::z() * 1.3 * axis.z.signum()], Ink::Faint);
-            scene.cone(Vector3::zeros(), axis * 0.9, 0.4, Ink::Body);
-            scene.disc(axis * 0.9, turn.matrix(), 0.4, Ink::Body);
-            scene.arrow(axis * 0.9, axis * (0.3 * about + 0.1), Ink::Motion, "ψ̇");
-            scene.arrow(Vector3::zeros(), Vector3::z() * 0.7 * around, Ink::Motion, "φ̇");
-            scene.arrow(axis * 0.65, Vector3::z() * -0.5, Ink::Force, "m g");
-            scene.label(Vector3::new(0.0, 0.05, -0.1), "O");
+            self.body.draw(&turn, 0.9, &mut scene);
+            let spin = match self.motion {
+                TopMotion::AxialVelocity { .. } => "ω₃",
+                _ => "ψ̇",
+            };
+            scene.line([axis * 0.9, axis * 1.25], Ink::Faint);
+            scene.turn(spin, axis * 1.15, axis * about, 0.14, Ink::Motion);
+            scene.turn("φ̇", Vector3::z() * 1.15, Vector3::z() * around, 0.14, Ink::Motion);
+            scene.angle("θ", Vector3::zeros(), [Vector3::z(), axis], 0.55);
+            scene.label(axis * 0.63, "G");
+            scene.arrow(axis * 0.63, Vector3::z() * -0.55, Ink::Force, "m g");
             scene
         })
     }

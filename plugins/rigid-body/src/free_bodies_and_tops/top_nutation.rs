@@ -269,7 +269,7 @@ impl Analysis for TopNutation {
         sheet.show(|| Exhibit::Plot(over_time(&motion)));
         sheet.show(|| Exhibit::Plot(precession_over_time(&motion)));
         sheet.show(|| Exhibit::Plot(from_above(&motion)));
-        sheet.show(|| animation(&motion));
+        sheet.show(|| self.animation(&motion));
         Ok(())
     }
 }
@@ -497,21 +497,32 @@ fn from_above(motion: &Nutation) -> Plot {
     .equal()
 }
 
-fn animation(motion: &Nutation) -> Exhibit {
-    let shown = shown_time(motion);
-    let trace = tips(motion, 160);
-    scene::animation("Motion of the axis and path of its tip", 8.0, |part| {
-        let (turn, axis) = tip(motion, shown * part);
-        let mut scene = Scene::new();
-        for limit in motion.limits() {
-            scene.circle(Vector3::z() * limit.cos(), Vector3::z(), limit.sin(), Ink::Faint);
-        }
-        scene.line([Vector3::zeros(), Vector3::z() * 1.2], Ink::Faint);
-        scene.line(trace.iter().copied(), Ink::Motion);
-        scene.cone(Vector3::zeros(), axis * 0.7, 0.3, Ink::Body);
-        scene.disc(axis * 0.7, turn.matrix(), 0.3, Ink::Body);
-        scene.line([axis * 0.7, axis], Ink::Body);
-        scene.label(Vector3::new(0.0, 0.05, -0.1), "O");
-        scene
-    })
+impl TopNutation {
+    fn animation(&self, motion: &Nutation) -> Exhibit {
+        let shown = shown_time(motion);
+        let trace = tips(motion, 160);
+        scene::animation("Motion of the axis and path of its tip", 8.0, |part| {
+            let (turn, axis) = tip(motion, shown * part);
+            let mut scene = Scene::new();
+            for limit in motion.limits() {
+                scene.circle(Vector3::z() * limit.cos(), Vector3::z(), limit.sin(), Ink::Faint);
+            }
+            scene.line([Vector3::zeros(), Vector3::z() * 1.25], Ink::Faint);
+            scene.line(trace.iter().copied(), Ink::Motion);
+            self.body.draw(&turn, 0.75, &mut scene);
+            scene.line([axis * 0.75, axis], Ink::Body);
+            // The letters of the start go on with what they are the start of.
+            scene.angle("θ₀", Vector3::zeros(), [Vector3::z(), axis], 0.45);
+            let spin = match self.spin {
+                TopSpin::AxialVelocity { .. } => "ω₃",
+                TopSpin::Spin { .. } => "ψ̇₀",
+            };
+            scene.turn(spin, axis * 0.95, axis, 0.12, Ink::Motion);
+            scene.turn("φ̇₀", Vector3::z() * 1.15, Vector3::z(), 0.12, Ink::Motion);
+            let level = Vector3::z().cross(&axis).try_normalize(0.0).unwrap_or_else(Vector3::x);
+            scene.line([Vector3::zeros(), level * 0.5], Ink::Faint);
+            scene.turn("θ̇₀", level * 0.4, level, 0.12, Ink::Motion);
+            scene
+        })
+    }
 }

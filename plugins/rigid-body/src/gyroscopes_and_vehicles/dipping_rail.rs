@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real, Vector,
@@ -11,7 +11,10 @@ use dalembert_mechanics::{
 };
 use nalgebra::{Rotation3, Vector3};
 
-use crate::{shared::differences::second_slope, sources::KHURMI};
+use crate::{
+    shared::{differences::second_slope, flat::into_page},
+    sources::KHURMI,
+};
 
 /// A pair of wheels on an axle that runs over a dip of one rail, which sinks and rises in simple harmonic motion.
 #[derive(Clone, Debug, Inputs)]
@@ -245,12 +248,12 @@ impl DippingRail {
         );
     }
 
-    /// The pair of wheels from behind, tilted much more than it is.
+    /// The wheel pair from behind on its dip, which is drawn steeper, and the dip of the rail from its side.
     fn sketch(&self) -> Drawing {
         let tilt: f64 = if self.rail == Rail::Left { 0.12 } else { -0.12 };
         let (sin, cos) = tilt.sin_cos();
         let at = |along: f64, up: f64| (along * cos - up * sin, along * sin + up * cos);
-        let mut sketch = Sketch::new("The wheel pair seen from behind, descending");
+        let mut sketch = Sketch::new("The wheel pair from behind, and the dip from the side (not to scale)");
         sketch.axis((-1.4, 0.0), (1.4, 0.0)).link("", at(-1.15, 0.0), at(1.15, 0.0));
         for side in [-1.0, 1.0] {
             let foot = at(side, -0.7);
@@ -259,7 +262,31 @@ impl DippingRail {
                 [(-0.08, -0.7), (0.08, -0.7), (0.08, 0.7), (-0.08, 0.7)].map(|(x, y)| at(side + x, y)),
             );
         }
-        sketch.motion("ω", at(0.3, 0.0), at(-0.4, 0.0)).finish()
+        let inertia = if self.transverse_inertia.is_some() { "I_a, I_t" } else { "I_a" };
+        sketch
+            .motion("ω", at(0.3, 0.0), at(-0.4, 0.0))
+            .label(inertia, at(0.6, 0.0))
+            .dimension("D", at(-1.0, -0.7), at(-1.0, 0.7), 2.5)
+            .dimension("w", (at(-1.0, -0.7).0, -0.95), (at(1.0, -0.7).0, -0.95), -1.5);
+        into_page(&mut sketch, "v", at(0.0, 0.45), 0.12);
+        // The rail goes down by its depth and up again over the length.
+        let (left, length, depth) = (2.0, 2.2, 0.45);
+        let rail = |n: i32| {
+            let part = f64::from(n) / 24.0;
+            (left + length * part, -0.3 - depth * (1.0 - (TAU * part).cos()) / 2.0)
+        };
+        let middle = left + length / 2.0;
+        sketch
+            .curve((0..=24).map(rail).collect::<Vec<_>>(), Ink::Body)
+            .axis((left - 0.2, -0.3), (left + length + 0.2, -0.3))
+            .dimension("δ", (middle, -0.3), (middle, -0.3 - depth), 0.0)
+            .circle((left - 0.1, -0.05), 0.25, Ink::Body)
+            .motion("v", (left - 0.1, -0.05), (left + 0.6, -0.05));
+        let name = match self.length {
+            Length::Time { .. } => "v t",
+            Length::Along { .. } => "λ",
+        };
+        sketch.dimension(name, (left, -0.3 - depth), (left + length, -0.3 - depth), -2.0).finish()
     }
 }
 

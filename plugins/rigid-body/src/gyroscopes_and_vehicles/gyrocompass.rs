@@ -7,12 +7,12 @@ mod pendulous;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
 };
 use dalembert_mechanics::Real;
 
 use crate::{
-    shared::gyro_rotor::GyroRotor,
+    shared::{flat::letters, gyro_rotor::GyroRotor},
     sources::{KIBBLE, SCHULER},
 };
 pub use damping::{CompassDamping, CompassDampingGiven, CompassDampingMeasure};
@@ -155,7 +155,7 @@ impl Analysis for Gyrocompass {
             AxleSupport::Level { deviation, .. } => settled + deviation,
             AxleSupport::Pendulous { .. } => settled,
         };
-        sheet.show(|| Exhibit::Drawing(sketch(settled, released)));
+        sheet.show(|| Exhibit::Drawing(self.sketch(settled, released)));
         Ok(())
     }
 }
@@ -276,28 +276,77 @@ impl Gyrocompass {
     }
 }
 
-/// The compass from above.
-fn sketch(settled: f64, released: f64) -> Drawing {
-    let at = |angle: f64, length: f64| (-length * angle.sin(), length * angle.cos());
-    let mut sketch = Sketch::new("The compass from above");
-    let (tip, tail) = (at(released, 1.0), at(released, -1.0));
-    let across = |along: f64, side: f64| {
-        let ((x, y), (u, v)) = (at(released, along), at(released + TAU / 4.0, side));
-        (x + u, y + v)
-    };
-    sketch
-        .axis((0.0, -1.3), (0.0, 1.5))
-        .label("N", (0.0, 1.5))
-        .circle((0.0, 0.0), 1.0, dalembert_core::Ink::Faint)
-        .bars([tail, tip])
-        .body("", [across(-0.08, -0.5), across(0.08, -0.5), across(0.08, 0.5), across(-0.08, 0.5)])
-        .motion("h", tip, at(released, 1.45))
-        .motion("Ω_h", (0.0, 0.0), at(settled, 0.8));
-    if settled.abs() > 0.02 {
-        sketch.angle("δ", (0.0, 0.0), FRAC_PI_2, FRAC_PI_2 + settled);
+impl Gyrocompass {
+    /// The compass from above, and the earth from its side with the place of the compass.
+    fn sketch(&self, settled: f64, released: f64) -> Drawing {
+        let mut sketch = Sketch::new("The compass from above, and its place on the earth");
+        self.from_above(&mut sketch, settled, released);
+        // The earth: its axis upright, the latitude from the equator to the place.
+        let (x, y, radius) = (3.3, 0.0, 1.0);
+        let (sin, cos) = self.latitude.sin_cos();
+        let place = (x + radius * cos, y + radius * sin);
+        let out = (place.0 + 0.45 * cos, place.1 + 0.45 * sin);
+        sketch
+            .circle((x, y), radius, Ink::Body)
+            .axis((x - 1.2, y), (x + 1.2, y))
+            .link("", (x, y - 1.3), (x, y + 1.15))
+            .motion("Ω", (x, y + 1.0), (x, y + 1.5))
+            .axis((x, y), out)
+            .angle("λ", (x, y), 0.0, self.latitude)
+            .joint("", place);
+        let radius_known = matches!(self.support, AxleSupport::Pendulous { .. }) || self.vessel.is_some();
+        if radius_known {
+            sketch.line("R_E", (x, y), (x - radius * 0.7, y + radius * 0.714), Ink::Faint);
+        }
+        sketch.finish()
     }
-    if (released - settled).abs() > 0.02 {
-        sketch.angle("α₀", (0.0, 0.0), FRAC_PI_2 + settled, FRAC_PI_2 + released);
+
+    fn from_above(&self, sketch: &mut Sketch, settled: f64, released: f64) {
+        let at = |angle: f64, length: f64| (-length * angle.sin(), length * angle.cos());
+        let (tip, tail) = (at(released, 1.0), at(released, -1.0));
+        let across = |along: f64, side: f64| {
+            let ((x, y), (u, v)) = (at(released, along), at(released + TAU / 4.0, side));
+            (x + u, y + v)
+        };
+        let letters = match self.support {
+            AxleSupport::Level { .. } => letters(&[self.rotor.letters(), "I_t"]),
+            AxleSupport::Pendulous { .. } => letters(&[self.rotor.letters(), "m_s"]),
+        };
+        sketch
+            .axis((0.0, -1.3), (0.0, 1.5))
+            .label("N", (0.0, 1.5))
+            .circle((0.0, 0.0), 1.1, Ink::Faint)
+            .bars([tail, tip])
+            .body("", [across(-0.1, -0.6), across(0.1, -0.6), across(0.1, 0.6), across(-0.1, 0.6)])
+            .label(letters, across(-0.1, -0.6))
+            .motion("ω", tip, at(released, 1.45))
+            .motion("Ω_h", (0.0, 0.0), at(settled, 0.8));
+        if !self.rotor.radius_letter().is_empty() {
+            sketch.dimension(self.rotor.radius_letter(), across(0.1, 0.0), across(0.1, 0.6), 1.0);
+        }
+        if settled.abs() > 0.02 {
+            sketch.angle("δ", (0.0, 0.0), FRAC_PI_2, FRAC_PI_2 + settled);
+        }
+        if let AxleSupport::Level { .. } = self.support {
+            sketch.angle("α₀", (0.0, 0.0), FRAC_PI_2 + settled, FRAC_PI_2 + released);
+        }
+        if let AxleSupport::Pendulous { .. } = self.support {
+            // The weight hangs below the axle: seen from its end.
+            let (x, y) = (1.6, -0.2);
+            sketch
+                .circle((x, y), 0.3, Ink::Body)
+                .link("", (x, y), (x, y - 0.9))
+                .disc("", (x, y - 0.9), 0.12)
+                .dimension("l", (x, y), (x, y - 0.9), 2.5);
+        }
+        if let Some(vessel) = &self.vessel {
+            let (sin, cos) = vessel.course.sin_cos();
+            sketch.motion("v", (0.0, 0.0), (1.4 * sin, 1.4 * cos)).angle(
+                "C",
+                (0.0, 0.0),
+                FRAC_PI_2,
+                FRAC_PI_2 - vessel.course,
+            );
+        }
     }
-    sketch.finish()
 }

@@ -1,13 +1,15 @@
 //! A spinning wheel in a frame that hangs from a fore-and-aft axis, on a vehicle in a turn.
 
+use std::f64::consts::FRAC_PI_2;
+
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
+    About, Analysis, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
 };
 use dalembert_mechanics::Real;
 use nalgebra::Vector3;
 
 use crate::{
-    shared::gyro_rotor::GyroRotor,
+    shared::{flat::into_page, gyro_rotor::GyroRotor},
     sources::{BEER, KHURMI},
 };
 
@@ -144,7 +146,7 @@ impl Analysis for PendulousGyro {
         sheet.verify(|| self.check_moments(momentum.value(), tilt.value(), sheet));
         let shown = tilt.value();
         sheet.show(|| Exhibit::Plot(self.tilt_over_speed(momentum.value(), shown)));
-        sheet.show(|| Exhibit::Drawing(sketch(shown)));
+        sheet.show(|| Exhibit::Drawing(self.sketch(shown)));
         Ok(())
     }
 }
@@ -184,23 +186,32 @@ impl PendulousGyro {
     }
 }
 
-/// The frame from behind, in a turn to the left: outward is to the right.
-fn sketch(tilt: f64) -> Drawing {
-    let (sin, cos) = tilt.sin_cos();
-    let point = |across: f64, up: f64| (across * cos - up * sin, across * sin + up * cos);
-    let mut sketch = Sketch::new("The frame from behind, in a turn to the left");
-    sketch
-        .axis((0.0, -1.5), (0.0, 1.2))
-        .edge("", point(-0.08, -0.8), point(-0.08, 0.8), Ink::Body)
-        .edge("", point(0.08, -0.8), point(0.08, 0.8), Ink::Body)
-        .bars([point(-0.7, 0.0), point(0.7, 0.0)])
-        .bars([point(-0.7, 0.0), point(-0.7, -1.1), point(0.7, -1.1), point(0.7, 0.0)])
-        .vector("ω", point(-0.7, 0.0), point(-1.2, 0.0), Ink::Motion)
-        .joint("O", (0.0, 0.0))
-        .mass_centre("G", point(0.0, -1.1))
-        .force("m_f g", point(0.0, -1.1), (point(0.0, -1.1).0, point(0.0, -1.1).1 - 0.6));
-    if tilt.abs() > 0.02 {
-        sketch.angle("θ", (0.0, 0.0), -std::f64::consts::FRAC_PI_2, -std::f64::consts::FRAC_PI_2 + tilt);
+impl PendulousGyro {
+    /// The frame from behind: the wheel on its axle, the weight below, and the centre of the turn at the left.
+    fn sketch(&self, tilt: f64) -> Drawing {
+        let (sin, cos) = tilt.sin_cos();
+        let point = |across: f64, up: f64| (across * cos - up * sin, across * sin + up * cos);
+        let centre = point(0.0, -1.1);
+        let tip = if self.sense.outward() < 0.0 { -1.25 } else { 1.25 };
+        let mut sketch = Sketch::new("The frame from behind, in a turn to the left");
+        sketch
+            .axis((0.0, -1.5), (0.0, 1.2))
+            .body("", [point(-0.08, -0.8), point(0.08, -0.8), point(0.08, 0.8), point(-0.08, 0.8)])
+            .label(self.wheel.letters(), point(0.08, 0.7))
+            .bars([point(-0.7, 0.0), point(0.7, 0.0)])
+            .bars([point(-0.7, 0.0), point(-0.7, -1.1), point(0.7, -1.1), point(0.7, 0.0)])
+            .motion("ω", point(0.56 * tip, 0.0), point(tip, 0.0))
+            .pin("O", (0.0, 0.0))
+            .mass_centre("G", centre)
+            .dimension("h", (0.0, 0.0), centre, 4.5)
+            .force("m_f g", centre, (centre.0, centre.1 - 0.6))
+            .axis((-2.6, -1.5), (-2.6, 1.2))
+            .dimension("R", (-2.6, 1.2), (0.0, 1.2), 0.0)
+            .angle("θ", (0.0, 0.0), -FRAC_PI_2, -FRAC_PI_2 + tilt);
+        if let GyroRotor::Disc { .. } = self.wheel {
+            sketch.dimension(self.wheel.radius_letter(), point(0.08, 0.0), point(0.08, 0.8), -1.5);
+        }
+        into_page(&mut sketch, "v", (1.3, 0.7), 0.12);
+        sketch.finish()
     }
-    sketch.finish()
 }

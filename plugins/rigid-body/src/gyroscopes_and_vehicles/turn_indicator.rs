@@ -12,7 +12,7 @@ use dalembert_mechanics::{
 use nalgebra::Vector3;
 
 use crate::{
-    shared::differences::check_disc,
+    shared::{differences::check_disc, flat::into_page},
     sources::{BEER, KHURMI},
 };
 
@@ -235,7 +235,7 @@ impl Analysis for TurnIndicator {
             }
         });
         sheet.show(|| Exhibit::Plot(self.angle_over_rate(axial, transverse, (rate, angle.value()))));
-        sheet.show(|| Exhibit::Drawing(sketch(angle.value())));
+        sheet.show(|| Exhibit::Drawing(self.sketch(angle.value())));
         Ok(())
     }
 }
@@ -262,22 +262,44 @@ impl TurnIndicator {
     }
 }
 
-/// The yoke seen from behind, with its springs, half as wide as the drawing.
-fn sketch(angle: f64) -> Drawing {
-    let (sin, cos) = angle.sin_cos();
-    let at = |along: f64, up: f64| (along * cos - up * sin, along * sin + up * cos);
-    let (left, right) = (at(-1.0, 0.0), at(1.0, 0.0));
-    Sketch::new("The yoke seen from behind")
-        .ground((-1.3, -1.6), (1.3, -1.6))
-        .axis((-1.4, 0.0), (1.4, 0.0))
-        .spring("k", (left.0, -1.6), left)
-        .spring("k", (right.0, -1.6), right)
-        .bars([left, right])
-        .bars([at(-0.55, 0.0), at(-0.55, 0.9), at(0.55, 0.9), at(0.55, 0.0)])
-        .axis(at(-0.55, 0.7), at(0.55, 0.7))
-        .body("", [at(-0.06, 0.2), at(-0.06, 1.2), at(0.06, 1.2), at(0.06, 0.2)])
-        .pin("", (0.0, 0.0))
-        .arc((0.0, 0.0), 1.2, (angle.min(0.0), angle.max(0.0)), Ink::Faint)
-        .label("θ", (1.2 * (angle / 2.0).cos(), 1.2 * (angle / 2.0).sin()))
-        .finish()
+impl TurnIndicator {
+    /// The yoke from behind: the rotor on its axle across, the springs, and the turn of the aircraft.
+    fn sketch(&self, angle: f64) -> Drawing {
+        let (sin, cos) = angle.sin_cos();
+        let at = |along: f64, up: f64| (along * cos - up * sin, along * sin + up * cos);
+        let (left, right) = (at(-1.0, 0.0), at(1.0, 0.0));
+        let (radius, letters) = match self.rotor {
+            IndicatorRotor::Disc { .. } => ("r", "m"),
+            IndicatorRotor::Moments { .. } => ("", "I_a, I_t"),
+        };
+        let mut sketch = Sketch::new("The yoke of the indicator from behind");
+        sketch
+            .ground((-1.3, -1.6), (1.3, -1.6))
+            .axis((-1.4, 0.0), (1.4, 0.0))
+            .spring("k", (left.0, -1.6), left)
+            .spring("k", (right.0, -1.6), right)
+            .dimension("d", (left.0, -1.6), (right.0, -1.6), -2.5)
+            .bars([left, right])
+            .bars([at(-0.55, 0.0), at(-0.55, 0.9), at(0.55, 0.9), at(0.55, 0.0)])
+            .axis(at(-0.55, 0.7), at(0.55, 0.7))
+            .body("", [at(-0.06, 0.2), at(-0.06, 1.2), at(0.06, 1.2), at(0.06, 0.2)])
+            .label(letters, at(0.0, 1.2))
+            .motion("ω", at(-0.55, 0.7), at(-1.0, 0.7))
+            .pin("", (0.0, 0.0))
+            .arc((0.0, 0.0), 1.3, (angle.min(0.0), angle.max(0.0)), Ink::Faint)
+            .label("θ", (1.3 * (angle / 2.0).cos(), 1.3 * (angle / 2.0).sin()));
+        if !radius.is_empty() {
+            sketch.dimension(radius, at(0.06, 0.7), at(0.06, 1.2), -1.0);
+        }
+        match self.turn {
+            Turn::SpeedAndRadius { .. } => {
+                into_page(&mut sketch, "v", (-1.9, 0.1), 0.12);
+                sketch.axis((-3.2, -0.5), (-3.2, 1.2)).dimension("R", (-3.2, 0.6), (0.0, 0.6), 0.0);
+            }
+            _ => {
+                sketch.axis((-1.9, -0.3), (-1.9, 0.9)).motion("Ω", (-1.9, 0.3), (-1.9, 0.9));
+            }
+        }
+        sketch.finish()
+    }
 }

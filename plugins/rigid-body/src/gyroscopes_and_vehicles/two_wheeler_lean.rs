@@ -14,7 +14,7 @@ use dalembert_numerics::roots;
 use nalgebra::{Rotation3, Vector3};
 
 use crate::{
-    shared::differences::second_rate,
+    shared::{differences::second_rate, flat::into_page},
     sources::{BEER, KHURMI},
 };
 
@@ -403,24 +403,40 @@ impl TwoWheelerLean {
         .mark("here", here)
     }
 
-    /// From behind, in a turn to the right, with the weight and the centrifugal force.
+    /// The vehicle from behind: a wheel, the rider's mass above it, the lean and the centre of the turn at the right.
     fn rear_view(&self, lean: f64) -> Drawing {
         let (sin, cos) = lean.sin_cos();
         let size = self.centre_height.max(2.0 * self.wheel_radius);
         let (height, wheel) = (self.centre_height / size, 2.0 * self.wheel_radius / size);
         let at = |up: f64, across: f64| (up * sin + across * cos, up * cos - across * sin);
         let centre = at(height, 0.0);
-        let pull = 0.4 * lean.tan().min(2.0);
-        Sketch::new("From behind, in a turn to the right")
-            .ground((-0.8, 0.0), (1.2, 0.0))
+        let pull = 0.5 * lean.tan().min(2.0);
+        // The centre of the turn is drawn as near as it finds room.
+        let (axis, from) = (2.1, if matches!(self.measured, Measured::Track) { (0.0, 0.0) } else { centre });
+        let mut sketch = Sketch::new("From behind, in a turn to the right (R is not to scale)");
+        sketch
+            .ground((-0.8, 0.0), (2.3, 0.0))
             .axis((0.0, 0.0), (0.0, 1.3))
+            .axis((axis, 0.0), (axis, 1.3))
             .axis(at(0.0, 0.0), at(1.2, 0.0))
             .body("", [at(0.0, -0.05), at(0.0, 0.05), at(wheel, 0.05), at(wheel, -0.05)])
-            .force("m g", centre, (centre.0, centre.1 - 0.4))
+            .dimension("r", at(0.0, 0.0), at(wheel / 2.0, 0.0), -2.0)
+            .label("I_w", at(0.75 * wheel, 0.05))
+            .dimension("h", at(0.0, 0.0), centre, 3.0)
+            .dimension("R", (from.0, from.1), (axis, from.1), if from.1 == 0.0 { 2.0 } else { 0.0 })
+            .force("m g", centre, (centre.0, centre.1 - 0.45))
             .force("m Ω² R_G", centre, (centre.0 - pull, centre.1))
             .mass_centre("G", centre)
             .arc((0.0, 0.0), 0.5, (FRAC_PI_2 - lean.max(0.0), FRAC_PI_2 - lean.min(0.0)), Ink::Faint)
-            .label("θ", (0.5 * (lean / 2.0).sin(), 0.5 * (lean / 2.0).cos()))
-            .finish()
+            .label("θ", (0.5 * (lean / 2.0).sin(), 0.5 * (lean / 2.0).cos()));
+        if self.engine.is_some() {
+            let engine = at((wheel + height) / 2.0, 0.0);
+            sketch.round("I_e", engine, 0.06, Ink::Body);
+        }
+        if self.inertia_difference.is_some() {
+            sketch.label("J", at(1.1 * height, 0.0));
+        }
+        into_page(&mut sketch, "v", at(1.2, 0.0), 0.05);
+        sketch.finish()
     }
 }

@@ -184,7 +184,7 @@ impl Analysis for ImpactOfTwoBodies {
             sheet.show(|| Exhibit::Plot(pictures::over_restitution(&numbers)));
         }
         let shown = [first.map(Real::value), second.map(Real::value)];
-        sheet.show(|| Exhibit::Drawing(pictures::sketch(&self.target, shown)));
+        sheet.show(|| Exhibit::Drawing(pictures::sketch(self, shown)));
         Ok(())
     }
 }

@@ -222,11 +222,9 @@ impl MassProperties {
             scene.arrow(body.centre, principal.axis(n) * (0.5 * size), Ink::Result, name);
         }
         scene.label(body.centre, "G");
-        if let Some(line) = &self.line
-            && let Some(along) = line.direction.try_normalize(0.0)
-        {
-            let foot = line.through + along * along.dot(body.centre - line.through);
-            scene.line([foot - along * size, foot + along * size], Ink::Motion);
+        scene.label(self.point, "r_A");
+        if let Some(line) = &self.line {
+            line.draw(&mut scene, body.centre, size);
         }
         scene.exhibit("The body, its axes and its principal axes at G")
     }

@@ -303,10 +303,28 @@ impl Momentum {
                 vector.try_normalize(0.0).map_or_else(Vector3::zeros, |unit| unit * size)
             };
             let centre = body.properties.centre;
-            scene.arrow(centre, along(omega), Ink::Motion, "ω");
-            scene.arrow(centre, along(momentum), Ink::Result, "H_G");
+            match self.turning {
+                BodyRotation::RestingPoints { .. } => scene.arrow(centre, along(omega), Ink::Motion, "ω_0"),
+                BodyRotation::Momentum { .. } => scene.arrow(centre, along(omega), Ink::Motion, "ω"),
+                _ => {}
+            }
+            self.turning.label(&mut scene, centre, size);
+            self.going.label(&mut scene, centre, 0.7 * size);
+            scene.label(self.point, "r_A");
+            if let Some(line) = &self.line {
+                line.draw(&mut scene, centre, size);
+            }
+            scene.arrow(centre, along(momentum), Ink::Result, self.momentum_letter());
             scene.label(centre, "G");
         }
         scene.exhibit("The body, its angular velocity and its angular momentum")
+    }
+
+    /// The angular momentum is found, or given.
+    fn momentum_letter(&self) -> &'static str {
+        match self.turning {
+            BodyRotation::Momentum { .. } => "H_0",
+            _ => "H_G",
+        }
     }
 }

@@ -12,7 +12,10 @@ use dalembert_mechanics::Real;
 
 use self::inertia::{MotionAfter, MotionBefore};
 use crate::{
-    shared::joints::Named,
+    shared::{
+        flat,
+        joints::{Named, given_name},
+    },
     sources::{BEER, KHURMI},
 };
 
@@ -416,7 +419,6 @@ impl MomentumOfASystem {
         .mark("this system", (self.impulse, speed))
     }
 
-    /// The bodies along the axis, the larger the more inertia they have.
     fn sketch<N: Real>(&self, bodies: &[WorkedBody<N>]) -> Drawing {
         const MOST: usize = 8;
         let inertias: Vec<f64> = bodies
@@ -432,13 +434,35 @@ impl MomentumOfASystem {
             .collect();
         let largest = inertias.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let mut sketch = Sketch::new("The bodies along the axis before");
-        let width = inertias.iter().fold(0.0, |x: f64, _| x + 1.0);
-        sketch.axis((-0.6, 0.0), (width - 0.2, 0.0));
-        let mut x = 0.0;
-        for (body, inertia) in self.bodies.iter().zip(&inertias) {
+        let width = 1.6 * inertias.len() as f64;
+        sketch.link("", (-0.9, 0.0), (width - 0.6, 0.0));
+        for ((body, inertia), row) in self.bodies.iter().zip(&inertias).zip(1..) {
+            let x = 1.6 * (row - 1) as f64;
             let half = 0.25 + 0.75 * (inertia / largest).sqrt();
-            sketch.mass(Text::verbatim(&body.name), (x - 0.2, -half), (x + 0.2, half));
-            x += 1.0;
+            sketch.mass("", (x - 0.2, -half), (x + 0.2, half)).label(given_name(&body.name), (x, -half));
+            match &body.before {
+                MotionBefore::Turns { body, speed } => {
+                    sketch.label(flat::of_row(body.letters(), row), (x, half));
+                    if *speed != 0.0 {
+                        let along = 0.6 * speed.signum();
+                        let tail = x + 0.2 - along.min(0.0);
+                        sketch.motion(flat::of_row(&["ω_0"], row), (tail, 0.0), (tail + along, 0.0));
+                    }
+                }
+                MotionBefore::Straight { .. } => {
+                    sketch.label(flat::of_row(&["m"], row), (x, half));
+                    sketch.motion(flat::of_row(&["v_0"], row), (x, half), (x + 0.7, half)).dimension(
+                        flat::of_row(&["b"], row),
+                        (x, 0.0),
+                        (x, half),
+                        4.0,
+                    );
+                }
+            }
+        }
+        let end = (width - 0.6, 0.0);
+        if self.impulse != 0.0 {
+            sketch.force("K", end, (end.0 + 0.6 * self.impulse.signum(), 0.0));
         }
         sketch.finish()
     }

@@ -402,10 +402,17 @@ impl RateOfChange {
         let frame = &frames[self.frame.place()];
         let centre = seen_from(frame, last.point(centre).place - frame.origin);
         let base = seen_from(frame, last.origin - frame.origin);
-        let reach = centre.norm().max(base.norm());
+        let size = self
+            .body
+            .draw_parts(&mut scene, |point| seen_from(frame, last.point(point).place - frame.origin));
+        let reach = centre.norm().max(base.norm()).max(size);
         let length = if reach > 0.0 { reach } else { 1.0 };
         scene.axes(Vector3::zeros(), &nalgebra::Matrix3::identity(), length, ["x", "y", "z"]);
-        scene.line([Vector3::zeros(), base, centre], Ink::Body);
+        scene.line([Vector3::zeros(), base, centre], Ink::Faint);
+        joints::draw(&self.joints, frames, frame, 0.8 * length, &mut scene);
+        if let MomentCentre::Fixed { at } = self.about {
+            scene.label(at, "r_A");
+        }
         scene.label(centre, "G");
         let [momentum, moment, omega] = vectors;
         for (vector, ink, name) in

@@ -80,7 +80,7 @@ impl Analysis for Attitude {
             known.answer((rows, c), self.sequence, (angles, gimbal_lock), &representations, sheet)?;
         }
         let c = matrix(rows);
-        sheet.show(|| frames("The frames N and B, and the principal axis", &c));
+        sheet.show(|| frames("The frames N and B, and the principal axis", &c, &self.attitude));
         self.show(sheet);
         Ok(())
     }

@@ -2,7 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Worksheet, register};
+use dalembert_core::{
+    About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Worksheet, register,
+};
 use dalembert_mechanics::{Real, Vector};
 use dalembert_numerics::ode::{self, OdeFunction};
 use nalgebra::{Matrix3, Rotation3, Vector3};
@@ -13,7 +15,8 @@ use crate::{
             AttitudeInput, EulerSequence, FrameAxes, answer_representations, both, cross_matrix, matrix,
             parameter_rows, plain_angles, plain_parameters, row_times, rows_of,
         },
-        scene,
+        flat,
+        scene::{self, Scene},
     },
     sources::{SCHAUB, SHUSTER},
 };
@@ -142,7 +145,9 @@ impl Analysis for AttitudeMotion {
         sheet.show(|| {
             scene::animation("The frames N and B", SHOWN, |part| {
                 let at = states[(part * SAMPLES as f64).round() as usize];
-                both(&matrix(parameter_rows(at.0, at.1)).transpose(), None)
+                let mut scene = both(&matrix(parameter_rows(at.0, at.1)).transpose(), None);
+                self.rates(at, &mut scene);
+                scene
             })
         });
         Ok(())
@@ -150,6 +155,22 @@ impl Analysis for AttitudeMotion {
 }
 
 impl AttitudeMotion {
+    /// The terms of the angular velocity as rotations about their own directions.
+    fn rates(&self, (scalar, vector): (f64, Vector3<f64>), scene: &mut Scene) {
+        let body = matrix(parameter_rows(scalar, vector)).transpose();
+        for (term, row) in self.terms.iter().zip(1..) {
+            let Some(along) = term.rate.try_normalize(0.0) else { continue };
+            let along = if matches!(self.axes, FrameAxes::Body) { body * along } else { along };
+            let letters: &[&'static str] = match term.course {
+                RateHistory::Constant => &["Ω"],
+                RateHistory::Harmonic { .. } => &["Ω", "p", "φ"],
+                RateHistory::Linear { .. } => &["Ω", "t₁"],
+                RateHistory::Decay { .. } => &["Ω", "τ"],
+            };
+            scene.turn(flat::of_row(letters, row), along * 0.75, along, 0.15, Ink::Motion);
+        }
+    }
+
     /// The angular velocity in components in the axes that it is given in.
     fn given_rate(&self, t: f64) -> Vector3<f64> {
         self.terms

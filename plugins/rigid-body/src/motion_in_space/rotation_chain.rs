@@ -222,11 +222,7 @@ impl RotationChain {
         let length = if reach > 0.0 { reach / 2.0 } else { 1.0 };
         scene.axes(Vector3::zeros(), &Matrix3::identity(), length, ["X", "Y", "Z"]);
         scene.line(frames.iter().map(|frame| frame.origin), Ink::Body);
-        for (joint, frame) in self.joints.iter().zip(&frames[1..]) {
-            // The frames have been found sound: every axis has a length.
-            let axis = frame.rotation * (joint.axis / joint.axis.amax()).normalize();
-            scene.line([-0.3, 0.3].map(|end| frame.origin + axis * length * end), Ink::Body);
-        }
+        joints::draw(&self.joints, frames, &frames[0], length, &mut scene);
         let last = &frames[frames.len() - 1];
         scene.axes(last.origin, last.rotation.matrix(), length, ["x", "y", "z"]);
         let along =

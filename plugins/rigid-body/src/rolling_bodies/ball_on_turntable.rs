@@ -1,6 +1,6 @@
 //! A ball that rolls on a turntable: circles, and on a tilted one a drift.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use dalembert_core::{
     About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
@@ -215,7 +215,7 @@ impl Analysis for BallOnTurntable {
         let shown = distance.value();
         sheet.show(|| Exhibit::Plot(self.distance(&path, start, shown)));
         sheet.show(|| Exhibit::Plot(self.path(&path, start, period.value())));
-        sheet.show(|| Exhibit::Drawing(sketch(self.start, centre, radius, self.turntable)));
+        sheet.show(|| Exhibit::Drawing(self.sketch(start, centre, radius)));
         Ok(())
     }
 }
@@ -398,19 +398,36 @@ impl BallOnTurntable {
     }
 }
 
-/// The turntable from above, with the ball and its circle.
-fn sketch(start: Vector3<f64>, centre: Vector3<f64>, radius: f64, turntable: f64) -> Drawing {
-    let size = (centre.norm() + radius).max(1.2 * start.norm()).max(f64::MIN_POSITIVE);
-    let at = |place: Vector3<f64>| (place.x / size, place.y / size);
-    let sweep = if turntable > 0.0 { (0.3, 1.3) } else { (1.3, 0.3) };
-    let mut sketch = Sketch::new("The turntable from above");
-    sketch
-        .circle((0.0, 0.0), 1.1, Ink::Body)
-        .axes((0.0, 0.0), 0.3)
-        .couple("Ω", (0.0, 0.0), sweep, Ink::Motion)
-        .circle(at(centre), radius / size, Ink::Faint)
-        .disc("", at(start), 0.05)
-        .vector("r₀", (0.0, 0.0), at(start), Ink::Faint)
-        .label("r_c", at(centre));
-    sketch.finish()
+impl BallOnTurntable {
+    /// The turntable from above, and beside it its slope from the side.
+    fn sketch(&self, [start, velocity]: [Vector3<f64>; 2], centre: Vector3<f64>, radius: f64) -> Drawing {
+        let size = (centre.norm() + radius).max(1.2 * start.norm()).max(f64::MIN_POSITIVE);
+        let at = |place: Vector3<f64>| (place.x / size, place.y / size);
+        let sweep = if self.turntable > 0.0 { (1.9, 2.9) } else { (2.9, 1.9) };
+        let mut sketch = Sketch::new("The turntable from above and its tilt from the side");
+        sketch
+            .circle((0.0, 0.0), 1.1, Ink::Body)
+            .vector("x", (-1.1, 0.0), (1.35, 0.0), Ink::Faint)
+            .vector("y", (0.0, -1.1), (0.0, 1.3), Ink::Faint)
+            .couple("Ω", (0.0, 0.0), sweep, Ink::Motion)
+            .circle(at(centre), radius / size, Ink::Motion)
+            .vector("r₀", (0.0, 0.0), at(start), Ink::Result)
+            .disc("", at(start), 0.05);
+        if centre.norm() > 0.05 * size {
+            sketch.mass_centre("r_c", at(centre));
+        }
+        if let (Release::Velocity { .. }, Some(along)) = (&self.release, velocity.try_normalize(0.0)) {
+            let (x, y) = at(start);
+            sketch.motion("v₀", (x, y), (x + 0.4 * along.x, y + 0.4 * along.y));
+        }
+        let (sin, cos) = self.tilt.sin_cos();
+        let top = (1.8, 0.0);
+        let foot = (top.0 + 1.2 * cos, top.1 - 1.2 * sin);
+        sketch.ground(foot, top).axis((foot.0 - 1.2, foot.1), foot).angle("β", foot, PI, PI - self.tilt);
+        if let Ball::Given { .. } = self.ball {
+            sketch.label("κ", at(start));
+        }
+        sketch.disc("", (top.0 + 0.6 * cos + 0.08 * sin, top.1 - 0.6 * sin + 0.08 * cos), 0.08);
+        sketch.finish()
+    }
 }

@@ -336,6 +336,14 @@ impl RollingCone {
     }
 
     /// One turn about the vertical.
+    /// The letters of what is given of its mass.
+    fn letters(&self) -> &'static str {
+        match self.cone {
+            Cone::Solid | Cone::Shell => "m",
+            Cone::Given { .. } => "m, I_a, I_t",
+        }
+    }
+
     fn animation(&self) -> Exhibit {
         let (sin, cos) = self.half_angle.sin_cos();
         let slant = self.height / cos;
@@ -343,17 +351,26 @@ impl RollingCone {
             let turn = -TAU * part;
             let line = Vector3::new(turn.cos(), turn.sin(), 0.0);
             let axis = line * cos + Vector3::z() * sin;
-            let mut scene = Scene::new();
-            scene.floor(Vector3::zeros(), 1.1 * slant);
-            scene.cone(Vector3::zeros(), axis * self.height, self.height * sin / cos, Ink::Body);
+            let radius = self.height * sin / cos;
+            let mut scene = Scene::seen_from(-1.1, 0.4);
+            scene.circle(Vector3::zeros(), Vector3::z(), slant, Ink::Faint);
+            scene.cone(Vector3::zeros(), axis * self.height, radius, Ink::Body);
             // A mark on the base that turns as the cone rolls.
             let across = Vector3::z().cross(line);
             let down = axis.cross(across);
-            let (s, c) = (TAU * part * slant / (self.height * sin / cos)).sin_cos();
-            let rim = axis * self.height + (down * c + across * s) * (self.height * sin / cos);
+            let (s, c) = (TAU * part * slant / radius).sin_cos();
+            let rim = axis * self.height + (down * c + across * s) * radius;
             scene.line([axis * self.height, rim], Ink::Body);
-            scene.arrow(Vector3::zeros(), line * (1.2 * slant), Ink::Motion, "ω");
-            scene.arrow(Vector3::zeros(), Vector3::z() * (-0.5 * slant), Ink::Motion, "φ̇");
+            scene.line([Vector3::zeros(), axis * self.height], Ink::Faint);
+            scene.angle("α", Vector3::zeros(), [line, axis], 0.5 * self.height);
+            scene.dimension("h", [Vector3::zeros(), axis * self.height], -down * (1.25 * radius));
+            scene.label(axis * self.height + across * radius, self.letters());
+            if let Cone::Given { centre, .. } = self.cone {
+                scene.dimension("l", [Vector3::zeros(), axis * centre], -down * (0.9 * radius));
+            }
+            scene.label(Vector3::zeros(), "O");
+            scene.arrow(Vector3::zeros(), line * (1.25 * slant), Ink::Motion, "ω");
+            scene.arrow(Vector3::zeros(), Vector3::z() * (-0.6 * slant), Ink::Motion, "φ̇");
             scene
         })
     }

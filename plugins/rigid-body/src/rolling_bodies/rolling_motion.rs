@@ -371,31 +371,44 @@ impl RollingMotion {
     fn animation(&self, moments: &[Moment]) -> Exhibit {
         let points = moments.iter().map(|m| Vector3::new(m.contact[0], m.contact[1], 0.0));
         let path: Vec<Vector3<f64>> = points.collect();
-        let low = path.iter().fold(Vector3::repeat(f64::INFINITY), |low, p| low.inf(p));
-        let high = path.iter().fold(Vector3::repeat(f64::NEG_INFINITY), |high, p| high.sup(p));
-        let (middle, half) = ((low + high) / 2.0, ((high - low).amax() / 2.0 + 1.3 * self.radius));
         scene::animation("The rolling disc", 5.0, |part| {
             let moment = &moments[((moments.len() - 1) as f64 * part).round() as usize];
             let axes = Self::axes(moment);
             let spin = nalgebra::Rotation3::from_axis_angle(&Vector3::z_axis(), moment.spin);
             let centre = self.centre(moment);
-            let mut scene = Scene::new();
-            scene.floor(middle, half);
-            scene.line(path.iter().copied(), Ink::Faint);
-            scene.disc(centre, &(axes * spin.matrix()), self.radius, Ink::Body);
+            let mut scene = Scene::seen_from(self.heading - 0.9, 0.35);
+            let radius = self.radius;
+            scene.line(path.iter().copied(), Ink::Motion);
+            scene.disc(centre, &(axes * spin.matrix()), radius, Ink::Body);
+            let [across, up, axle] = [0, 1, 2].map(|n| axes.column(n).into_owned());
+            scene.label(centre + (across + up) * (0.75 * radius), self.wheel.letters());
+            let contact = Vector3::new(moment.contact[0], moment.contact[1], 0.0);
+            scene.line([centre, contact], Ink::Faint);
+            scene.label(centre - up * (0.5 * radius), "r");
+            // The floor: the fixed direction X, the line of the horizontal diameter, and the line across it.
+            let [x, z] = [Vector3::x(), Vector3::z()];
+            let level = z.cross(across);
+            scene.arrow(contact, x * (1.6 * radius), Ink::Faint, "X");
+            scene.line([contact, contact + across * (1.6 * radius)], Ink::Faint);
+            scene.angle("φ", contact, [x, across], 1.1 * radius);
+            scene.line([contact, contact + level * (1.3 * radius)], Ink::Faint);
+            scene.angle("θ", contact, [level, up], 0.8 * radius);
+            scene.turn("φ̇", contact + z * (2.4 * radius), z, 0.3 * radius, Ink::Motion);
+            scene.turn("ψ̇", centre + axle * (0.6 * radius), axle, 0.3 * radius, Ink::Motion);
+            scene.line([centre, centre + axle * (0.6 * radius)], Ink::Faint);
+            scene.turn("θ̇", contact + across * (1.3 * radius), across, 0.25 * radius, Ink::Motion);
             let omega = axes * Vector3::from(moment.omega);
             let size = omega.norm();
             if size > 0.0 {
                 scene.arrow(centre, omega * (self.radius / size), Ink::Motion, "ω");
             }
-            let contact = Vector3::new(moment.contact[0], moment.contact[1], 0.0);
             let weight = self.mass * self.gravity;
             let [along, across] = moment.friction;
             let side = Vector3::z().cross(axes.column(0).into_owned());
             let force = axes.column(0) * along + side * across + Vector3::z() * moment.normal;
             let most = (force.norm() / weight).clamp(0.0, 2.0);
             if let Some(unit) = force.try_normalize(0.0) {
-                scene.arrow(contact, unit * (most * self.radius), Ink::Force, "");
+                scene.arrow(contact, unit * (most * self.radius), Ink::Force, "R");
             }
             scene
         })

@@ -2,16 +2,21 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use dalembert_core::{About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Worksheet, register};
+use dalembert_core::{
+    About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Worksheet, register,
+};
 use dalembert_mechanics::{
     Real,
     rigid::rolling::{self, Rolling},
 };
 use dalembert_numerics::linalg;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use crate::{
-    shared::wheel::{self, Wheel},
+    shared::{
+        scene::Scene,
+        wheel::{self, Wheel},
+    },
     sources::ROUTH,
 };
 
@@ -169,7 +174,32 @@ impl Analysis for RollingStability {
         let at = judged.map(|(at, ..)| at.value());
         let critical = critical.value();
         sheet.show(|| Exhibit::Plot(over_speed(&disc, rolls, critical, at)));
+        sheet.show(|| self.picture());
         Ok(())
+    }
+}
+
+impl RollingStability {
+    /// The upright disc on the floor, a little tilted, with its motion.
+    fn picture(&self) -> Exhibit {
+        let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()];
+        // The tilt that grows or decays.
+        let (sin, cos) = 0.15_f64.sin_cos();
+        let up = z * cos + y * sin;
+        let axle = x.cross(&up);
+        let mut scene = Scene::seen_from(-0.9, 0.35);
+        scene.line([x * -2.0, x * 2.0], Ink::Faint);
+        scene.line([y * -0.8, y * 0.8], Ink::Faint);
+        scene.line([Vector3::zeros(), z * 2.4], Ink::Faint);
+        scene.disc(up, &Matrix3::from_columns(&[up, -x, -axle]), 1.0, Ink::Body);
+        scene.label(up * 0.5, "r");
+        scene.label(up + (up - x) * 0.75, self.wheel.letters());
+        scene.label(up, "G");
+        match self.motion {
+            Upright::Rolling { .. } => scene.arrow(up, x * 1.7, Ink::Motion, "v"),
+            Upright::Spinning { .. } => scene.turn("Ω", z * 2.3, z, 0.35, Ink::Motion),
+        }
+        scene.exhibit("The upright disc and a small tilt")
     }
 }
 

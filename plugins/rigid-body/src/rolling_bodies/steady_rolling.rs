@@ -3,16 +3,19 @@
 use std::f64::consts::FRAC_PI_2;
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet,
-    register,
+    About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
     rigid::rolling::{self, Rolling},
 };
+use nalgebra::{Matrix3, Vector3};
 
 use crate::{
-    shared::wheel::{self, Wheel},
+    shared::{
+        scene::Scene,
+        wheel::{self, Wheel},
+    },
     sources::{HIBBELER, ROUTH},
 };
 
@@ -339,7 +342,7 @@ impl Analysis for SteadyRolling {
             );
         });
         let (angle, circle) = (inclination.value(), centre.value());
-        sheet.show(|| Exhibit::Drawing(self.picture(angle, circle)));
+        sheet.show(|| self.picture(angle, circle));
         sheet.show(|| Exhibit::Plot(precessions(&disc, angle, circle, precession.value())));
         Ok(())
     }
@@ -371,26 +374,48 @@ fn precessions(disc: &Rolling, angle: f64, circle: f64, precession: f64) -> Plot
 }
 
 impl SteadyRolling {
-    /// The vertical plane through the axis of the circle and the contact.
-    fn picture(&self, angle: f64, circle: f64) -> Drawing {
+    /// The disc beside the axis of its circle, seen from obliquely above; a circle far wider than the disc is drawn
+    /// smaller.
+    fn picture(&self, angle: f64, circle: f64) -> Exhibit {
         let (sin, cos) = angle.sin_cos();
-        let radius = self.radius;
-        // The axis of the circle is x = 0; the disc leans towards it.
-        let centre = (-circle, radius * sin);
-        let contact = (centre.0 - radius * cos, 0.0);
-        let top = (centre.0 + radius * cos, 2.0 * radius * sin);
-        let reach = (circle.abs() + radius).max(2.0 * radius);
-        let arrow = 0.8 * radius;
-        Sketch::new("The disc seen along its horizontal diameter")
-            .ground((-1.2 * reach - 0.3 * radius, 0.0), (0.4 * reach, 0.0))
-            .axis((0.0, 0.0), (0.0, 2.4 * radius))
-            .line("a", centre, (0.0, centre.1), Ink::Faint)
-            .link("", contact, top)
-            .force("N", contact, (contact.0, arrow))
-            .force("F", contact, (contact.0 + arrow, 0.0))
-            .force("m g", centre, (centre.0, centre.1 - arrow))
-            .mass_centre("G", centre)
-            .motion("φ̇", (0.0, 2.4 * radius), (0.0, 2.9 * radius))
-            .finish()
+        // In radii of the disc; it leans towards the axis z from +y.
+        let (least, most) = (1.2 * cos + 0.4, 1.5);
+        let drawn = (circle.abs() / self.radius).min(most).max(if circle == 0.0 { 0.0 } else { least });
+        let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()];
+        let centre = y * drawn + z * sin;
+        let contact = y * (drawn + cos);
+        let plane = y * -cos + z * sin;
+        let axle = x.cross(&plane);
+        let mut scene = Scene::seen_from(-0.9, 0.4);
+        scene.circle(Vector3::zeros(), z, drawn + cos, Ink::Faint);
+        scene.disc(centre, &Matrix3::from_columns(&[plane, -x, axle]), 1.0, Ink::Body);
+        scene.line([Vector3::zeros(), z * 1.9], Ink::Faint);
+        scene.line([contact, y * (drawn - cos).max(0.0)], Ink::Faint);
+        scene.label(centre + (plane - x) * 0.75, self.wheel.letters());
+        scene.label(centre - plane * 0.5, "r");
+        scene.angle("θ", contact, [-y, plane], 0.6);
+        scene.arrow(contact, z * 0.9, Ink::Force, "N");
+        scene.arrow(contact, y * -0.9, Ink::Force, "F");
+        scene.arrow(centre, z * -0.9, Ink::Force, "m g");
+        scene.label(centre, "G");
+        let rate = match self.known {
+            RollingMotionInput::Precession { .. } => "Ω",
+            _ => "φ̇",
+        };
+        scene.turn(rate, z * 1.6, z, 0.35, Ink::Motion);
+        match self.known {
+            RollingMotionInput::FloorCircle { .. } => {
+                scene.dimension("R", [Vector3::zeros(), contact], Vector3::zeros());
+            }
+            _ => scene.dimension("a", [z * sin, centre], Vector3::zeros()),
+        }
+        if matches!(self.known, RollingMotionInput::Speed { .. }) {
+            scene.arrow(centre, x * -1.2, Ink::Motion, "v");
+        }
+        if (drawn - circle.abs() / self.radius).abs() > 1e-9 {
+            scene.exhibit("The disc on its circle (the circle is not to scale)")
+        } else {
+            scene.exhibit("The disc on its circle")
+        }
     }
 }

@@ -8,8 +8,10 @@ mod part;
 mod shape;
 mod working;
 
-use dalembert_core::Inputs;
+use dalembert_core::{Ink, Inputs};
 use nalgebra::Vector3;
+
+use crate::shared::scene::Scene;
 
 pub(crate) use description::refused;
 pub use description::{
@@ -33,4 +35,15 @@ pub struct BodyLine {
     /// Any vector along it.
     #[input("e", "1")]
     pub direction: Vector3<f64>,
+}
+
+impl BodyLine {
+    /// Draws the line beside a point, with the letter of the point that it goes through.
+    pub(crate) fn draw(&self, scene: &mut Scene, beside: Vector3<f64>, length: f64) {
+        if let Some(along) = self.direction.try_normalize(0.0) {
+            let foot = self.through + along * along.dot(&(beside - self.through));
+            scene.line([foot - along * length, foot + along * length], Ink::Motion);
+        }
+        scene.label(self.through, "r_B");
+    }
 }

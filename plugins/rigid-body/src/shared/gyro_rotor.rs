@@ -58,6 +58,28 @@ pub enum GyroRotor {
     },
 }
 
+impl GyroRotor {
+    /// The letters of what is given of it.
+    pub(crate) fn letters(&self) -> &'static str {
+        match self {
+            GyroRotor::RadiusOfGyration { .. } => "m, k",
+            GyroRotor::Disc { .. } | GyroRotor::Shape { .. } => "m",
+            GyroRotor::MomentOfInertia { mass: None, .. } => "I_a",
+            GyroRotor::MomentOfInertia { .. } => "m, I_a",
+            GyroRotor::AngularMomentum { mass: None, .. } => "h_s",
+            GyroRotor::AngularMomentum { .. } => "m, h_s",
+        }
+    }
+
+    /// The letter of its radius, where one is given.
+    pub(crate) fn radius_letter(&self) -> &'static str {
+        match self {
+            GyroRotor::Disc { .. } => "r",
+            _ => "",
+        }
+    }
+}
+
 /// A rotor and its spin.
 pub(crate) struct SpinningRotor<N> {
     /// Angular momentum of the spin, kg·m²/s.

@@ -2,14 +2,17 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{Cite, Inputs, Reason, Reference, Refusal, Text, Worksheet};
+use dalembert_core::{Cite, Ink, Inputs, Reason, Reference, Refusal, Text, Worksheet};
 use dalembert_mechanics::{
     Real, Vector,
     rigid::{self, RigidError, chain},
 };
 use nalgebra::Vector3;
 
-use crate::sources::BEER;
+use crate::{
+    shared::{flat, scene::Scene},
+    sources::BEER,
+};
 
 /// A joint: the frame after it turns about an axis of the frame before it.
 #[derive(Clone, Debug, Inputs)]
@@ -148,6 +151,34 @@ pub(crate) fn frames(joints: &[Joint]) -> Result<Vec<chain::ChainFrame>, Refusal
 /// The joints with their motion a time `t` later.
 pub(crate) fn later(joints: &[Joint], t: f64) -> Vec<chain::ChainJoint> {
     joints.iter().map(|joint| joint.plain().after(t)).collect()
+}
+
+/// Draws the axes of joints with their letters, in the axes of one of their frames.
+pub(crate) fn draw(
+    joints: &[Joint],
+    frames: &[chain::ChainFrame],
+    axes: &chain::ChainFrame,
+    length: f64,
+    scene: &mut Scene,
+) {
+    let here = |point: Vector3<f64>| seen_from(axes, point - axes.origin);
+    for ((joint, pair), row) in joints.iter().zip(frames.windows(2)).zip(1..) {
+        let [before, frame] = pair else { continue };
+        // The frames have been found sound: every axis has a length.
+        let axis = seen_from(axes, frame.rotation * (joint.axis / joint.axis.amax()).normalize());
+        let (from, at) = (here(before.origin), here(frame.origin));
+        scene.line([-0.4, 0.8].map(|end| at + axis * length * end), Ink::Body);
+        let motion: &[&'static str] = match joint.motion {
+            JointRotation::Now { .. } => &["θ", "θ̇"],
+            JointRotation::Harmonic { .. } => &["A", "T"],
+            JointRotation::Circle { .. } => &["v", "R", "θ"],
+        };
+        let turn = axis * length * (0.55 + 0.2 * ((row - 1) % 2) as f64);
+        scene.turn(flat::of_row(motion, row), at + turn, axis, 0.16 * length, Ink::Motion);
+        if (at - from).norm() > 1e-9 * length {
+            scene.dimension(flat::of_row(&["d"], row), [from, at], Vector3::zeros());
+        }
+    }
 }
 
 /// A name that a user gave: it stands as it is in every language.

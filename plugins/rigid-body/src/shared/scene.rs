@@ -63,7 +63,64 @@ impl Scene {
         if along.norm() > 0.0 {
             let head = tail + along;
             self.shapes.push(Shape3::Arrow(self.place(tail), self.place(head), ink));
-            self.label(head, name);
+            let name = name.into();
+            if !name.is_empty() {
+                self.label(head, name);
+            }
+        }
+    }
+
+    /// A distance between two points: a line with two heads, set off by a vector that its extension lines follow.
+    pub fn dimension(&mut self, name: impl Into<Text>, ends: [Vector3<f64>; 2], shift: Vector3<f64>) {
+        if shift.norm() > 0.0 {
+            for end in ends {
+                self.line([end, end + shift * 1.15], Ink::Faint);
+            }
+        }
+        let [from, to] = ends.map(|end| end + shift);
+        let middle = (from + to) / 2.0;
+        for end in [from, to] {
+            self.arrow(middle, end - middle, Ink::Faint, "");
+        }
+        self.label(middle, name);
+    }
+
+    /// An angle about a point, from one direction to another.
+    pub fn angle(
+        &mut self,
+        name: impl Into<Text>,
+        at: Vector3<f64>,
+        [from, to]: [Vector3<f64>; 2],
+        radius: f64,
+    ) {
+        let [from, to] = [from, to].map(|direction| direction.try_normalize(0.0).unwrap_or_else(Vector3::x));
+        let side = (to - from * from.dot(&to)).try_normalize(0.0).unwrap_or_default();
+        let whole = from.angle(&to);
+        let point = |part: f64| {
+            let (sin, cos) = (whole * part).sin_cos();
+            at + (from * cos + side * sin) * radius
+        };
+        self.line((0..=12).map(|n| point(f64::from(n) / 12.0)), Ink::Faint);
+        self.label(point(0.5), name);
+    }
+
+    /// A couple or a rotation about an axis: an arrow nearly all round it.
+    pub fn turn(
+        &mut self,
+        name: impl Into<Text>,
+        at: Vector3<f64>,
+        axis: Vector3<f64>,
+        radius: f64,
+        ink: Ink,
+    ) {
+        if axis.norm() > 0.0 {
+            let [x, y] = across(axis).map(|v| v * radius);
+            let point = |part: f64| {
+                let (sin, cos) = (0.8 * TAU * part).sin_cos();
+                at + x * cos + y * sin
+            };
+            self.line((0..=24).map(|n| point(f64::from(n) / 24.0)), ink);
+            self.arrow(point(0.93), point(1.0) - point(0.93), ink, name);
         }
     }
 

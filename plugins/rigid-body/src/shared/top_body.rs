@@ -1,9 +1,13 @@
 //! The body of a heavy top: what a user may know of it, and what its motion needs.
 
-use dalembert_core::{Inputs, Refusal, Worksheet};
+use dalembert_core::{Ink, Inputs, Refusal, Worksheet};
 use dalembert_mechanics::rigid;
+use nalgebra::{Rotation3, Vector3};
 
-use crate::{shared::body::Shape, sources::BEER};
+use crate::{
+    shared::{body::Shape, scene::Scene},
+    sources::BEER,
+};
 
 /// A body of revolution that turns about a fixed point of its axis.
 #[derive(Clone, Debug, Inputs)]
@@ -75,6 +79,31 @@ pub struct TopMoments<N> {
     pub transverse: Option<N>,
     /// Moment of the weight with the axis level `K`.
     pub couple: N,
+}
+
+impl TopBody {
+    /// Draws the top with its axis along a rotation's third, `length` from its tip to the middle of its rim, and the letters of
+    /// what is given of it.
+    pub(crate) fn draw(&self, turn: &Rotation3<f64>, length: f64, scene: &mut Scene) {
+        let axis = turn * Vector3::z();
+        let radius = 0.42 * length;
+        scene.cone(Vector3::zeros(), axis * length, radius, Ink::Body);
+        scene.disc(axis * length, turn.matrix(), radius, Ink::Body);
+        // The distance of G is measured on the side away from the vertical.
+        let level = Vector3::z().cross(&axis).try_normalize(0.0).unwrap_or_else(Vector3::x);
+        let out = level.cross(&axis);
+        let centre = axis * (0.7 * length);
+        scene.dimension("l", [Vector3::zeros(), centre], out * (1.1 * radius));
+        let inertia = match self.inertia {
+            TopInertia::AboutPoint { .. } => "m, I_a, I_t",
+            TopInertia::AboutCentre { .. } => "m, I_a, I_G",
+            TopInertia::Gyration { .. } => "m, k_a, k_t",
+            TopInertia::Shape { .. } => "m",
+            TopInertia::AxialOnly { .. } => "m, I_a",
+        };
+        scene.label(axis * length + out * radius, inertia);
+        scene.label(Vector3::zeros(), "O");
+    }
 }
 
 impl<W: Worksheet> TopBodyGiven<W> {

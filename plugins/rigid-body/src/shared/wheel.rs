@@ -49,3 +49,14 @@ pub(crate) fn moments<W: Worksheet>(
     };
     [sheet.step("I_a", "kg*m^2", moments[0], reason[0]), sheet.step("I_t", "kg*m^2", moments[1], reason[1])]
 }
+
+impl Wheel {
+    /// The letters of what is given of it, after the mass.
+    pub fn letters(&self) -> &'static str {
+        match self {
+            Wheel::Disc | Wheel::Hoop => "m",
+            Wheel::Moments { .. } => "m, I_a, I_t",
+            Wheel::Radii { .. } => "m, k_a, k_t",
+        }
+    }
+}

@@ -166,6 +166,17 @@ impl Analysis for BarOnTwoSprings {
                 (self.rear_distance, 0.0),
                 3.0,
             );
+            let low = -0.2 * (self.front_distance + self.rear_distance);
+            match self.body {
+                Mass::Mass { .. } => sketch.label("m", (0.0, 0.0)),
+                Mass::Weight { .. } => sketch.force("W", (0.0, 0.0), (0.0, low)),
+            };
+            let end = (-self.front_distance, 0.0);
+            match self.inertia {
+                BarInertia::Moment { .. } => sketch.label("J", (0.5 * self.rear_distance, 0.0)),
+                BarInertia::Radius { .. } => sketch.label("i", (0.5 * self.rear_distance, 0.0)),
+                BarInertia::Slender { .. } => sketch.dimension("L", end, (self.rear_distance, 0.0), 5.0),
+            };
             Exhibit::Drawing(sketch.finish())
         });
         for mode in 0..2 {

@@ -1,6 +1,6 @@
 //! Free vibration with dry friction, alone or beside viscous damping.
 
-use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, register};
+use dalembert_core::{About, Analysis, Drawing, Exhibit, Inputs, Refusal, Sketch, Worksheet, register};
 use dalembert_mechanics::Real;
 
 use crate::{
@@ -119,7 +119,9 @@ impl Analysis for CoulombDamping {
             time: given.time,
             fall: given.fall,
         };
-        oscillator.solve(sheet)
+        oscillator.solve(sheet)?;
+        sheet.show(|| Exhibit::Drawing(self.drawing()));
+        Ok(())
     }
 }
 
@@ -158,4 +160,38 @@ fn friction<W: Worksheet>(
             force
         }
     })
+}
+
+impl CoulombDamping {
+    /// The mass where it is released, beside the line of its spring at rest.
+    fn drawing(&self) -> Drawing {
+        let away = 0.7 * if self.displacement < 0.0 { -1.0 } else { 1.0 };
+        let mut sketch = Sketch::new("The mass on its spring, with friction");
+        sketch
+            .ground((-2.8, 1.2), (-2.8, -0.7))
+            .ground((-2.8, -0.7), (2.4, -0.7))
+            .axis((0.0, -0.7), (0.0, 1.4))
+            .spring(self.stiffness.letters(), (-2.8, 0.3), (away - 0.7, 0.3))
+            .mass(self.mass.letter(), (away - 0.7, -0.7), (away + 0.7, 0.7))
+            .dimension("x₀", (0.0, 1.1), (away, 1.1), 0.0)
+            .axis((away, 0.7), (away, 1.3));
+        if self.damping > 0.0 {
+            sketch.damper("c", (-2.8, -0.3), (away - 0.7, -0.3));
+        }
+        if self.velocity != 0.0 {
+            let (side, along) = (away + 0.7, 0.7 * self.velocity.signum());
+            sketch.motion("v₀", (side - along.min(0.0), 0.3), (side - along.min(0.0) + along, 0.3));
+        }
+        match self.friction {
+            FrictionForce::Normal { .. } => {
+                sketch.force("N", (away, 1.8), (away, 0.75));
+            }
+            FrictionForce::Decay { .. } => {
+                sketch.label("X₁, X₂", (away, -0.7));
+            }
+            _ => {}
+        }
+        let friction = if let FrictionForce::Force { .. } = self.friction { "F" } else { "µN" };
+        sketch.force(friction, (away + 1.6, -0.55), (away + 0.75, -0.55)).finish()
+    }
 }

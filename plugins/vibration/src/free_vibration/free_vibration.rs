@@ -15,7 +15,7 @@ use self::{
     form::{FreeResponse, Units},
     system::{FreeOscillator, Oscillator, system},
 };
-use crate::sources::RAO;
+use crate::{shared::turning, sources::RAO};
 
 /// An oscillator, how it starts, and what is asked of it.
 #[derive(Clone, Debug, Inputs)]
@@ -350,25 +350,26 @@ fn root_locus(motion: &FreeMotion) -> Plot {
     .equal()
 }
 
-/// Mass, spring and damper, or disc and shaft.
 fn drawing(oscillator: &Oscillator) -> Drawing {
-    let mut sketch = Sketch::new("One degree of freedom");
-    if let Oscillator::Rotation { .. } = oscillator {
-        sketch
-            .ground((1.0, 1.6), (-1.0, 1.6))
-            .spring("kₜ", (0.0, 1.6), (0.0, 0.3))
-            .mass("J", (-0.9, -0.3), (0.9, 0.3))
-            .damper("cₜ", (0.0, -1.4), (0.0, -0.3))
-            .ground((-1.0, -1.4), (1.0, -1.4))
-            .arc((0.0, 0.0), 1.2, (-0.5, 0.5), Ink::Motion)
-            .label("θ", (1.2, 0.0));
-    } else {
-        sketch
-            .ground((-2.2, 0.9), (-2.2, -0.9))
-            .spring("k", (-2.2, 0.35), (-0.7, 0.35))
-            .damper("c", (-2.2, -0.35), (-0.7, -0.35))
-            .mass("m", (-0.7, -0.7), (0.7, 0.7))
-            .motion("x", (0.0, 1.0), (0.9, 1.0));
+    match oscillator {
+        Oscillator::Rotation { .. } => {
+            let mut sketch = Sketch::new("One degree of freedom in rotation");
+            turning::hung(&mut sketch, ["k_t".into(), "J".into()], 1.6);
+            turning::turn(&mut sketch, "θ₀, Ω₀", (0.0, -0.35), 0.9, Ink::Motion);
+            sketch.damper("c_t", (0.0, -1.5), (0.0, -0.36)).ground((-0.8, -1.5), (0.8, -1.5)).finish()
+        }
+        _ => {
+            // The mass where it is released, beside the line of its spring at rest.
+            let away = 0.7;
+            Sketch::new("One degree of freedom, at the start")
+                .ground((-2.6, 0.9), (-2.6, -0.9))
+                .spring("k", (-2.6, 0.35), (away - 0.7, 0.35))
+                .damper("c", (-2.6, -0.35), (away - 0.7, -0.35))
+                .mass("m", (away - 0.7, -0.7), (away + 0.7, 0.7))
+                .axis((0.0, -1.0), (0.0, 1.3))
+                .dimension("x₀", (0.0, 1.1), (away, 1.1), 0.0)
+                .motion("v₀", (away + 0.7, 0.0), (away + 1.4, 0.0))
+                .finish()
+        }
     }
-    sketch.finish()
 }

@@ -8,6 +8,7 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{Real, sdof, section as area, spring};
 
+mod drawing;
 mod fit;
 
 use crate::{
@@ -228,6 +229,9 @@ impl Analysis for LogarithmicDecrement {
         }
         let numbers = (decrement.value(), self.fall);
         sheet.show(|| Exhibit::Plot(self.decay_plot(numbers)));
+        if let Some(drawing) = self.system.drawing() {
+            sheet.show(|| Exhibit::Drawing(drawing));
+        }
         Ok(())
     }
 }

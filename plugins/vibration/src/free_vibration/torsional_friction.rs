@@ -1,6 +1,6 @@
 //! Free torsional vibration with dry friction, alone or beside viscous damping.
 
-use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, register};
+use dalembert_core::{About, Analysis, Drawing, Exhibit, Ink, Inputs, Refusal, Sketch, Worksheet, register};
 use dalembert_mechanics::Real;
 
 use crate::{
@@ -8,8 +8,10 @@ use crate::{
         decay::DecayCount,
         dry_friction::{FrictionFromDecay, FrictionOscillator, natural_frequency},
         inertia::{Inertia, moment_of_inertia},
+        letters::joined,
         oscillator::motion::OscillatorMotion,
         spring::torsional::{TorsionalSpring, stiffness},
+        turning,
     },
     sources::{GROVER, RAO},
 };
@@ -112,7 +114,9 @@ impl Analysis for TorsionalFriction {
             time: given.time,
             fall: given.fall,
         };
-        oscillator.solve(sheet)
+        oscillator.solve(sheet)?;
+        sheet.show(|| Exhibit::Drawing(self.drawing()));
+        Ok(())
     }
 }
 
@@ -139,5 +143,38 @@ fn friction<W: Worksheet>(
             );
             Ok(torque)
         }
+    }
+}
+
+impl TorsionalFriction {
+    /// The disc on its shaft with a brake at its rim.
+    fn drawing(&self) -> Drawing {
+        let shaft = match &self.spring {
+            TorsionalSpring::Shaft { section, .. } => joined(&["k_t", section.letters()]),
+            _ => "k_t".into(),
+        };
+        let mut sketch = Sketch::new("The disc on its torsional spring, with friction");
+        turning::hung(&mut sketch, [shaft, joined(self.inertia.letters())], 1.8);
+        if let TorsionalSpring::Shaft { .. } = self.spring {
+            sketch.dimension("L", (0.0, 0.14), (0.0, 1.8), 5.0);
+        }
+        let start = if self.rate == 0.0 { "θ₀" } else { "θ₀, Ω₀" };
+        turning::turn(&mut sketch, start, (0.0, -0.35), 0.9, Ink::Motion);
+        let torque = match self.friction {
+            FrictionTorque::Torque { .. } => "T_f",
+            FrictionTorque::Brake { .. } => "µN",
+            FrictionTorque::Decay { .. } => "A₁, A₂",
+        };
+        sketch
+            .mass("", (0.9, -0.16), (1.15, 0.16))
+            .ground((1.15, -0.3), (1.15, 0.3))
+            .label(torque, (1.0, 0.16));
+        if let FrictionTorque::Brake { .. } = self.friction {
+            sketch.force("N", (1.9, 0.0), (1.2, 0.0)).dimension("ρ", (0.0, 0.3), (0.9, 0.3), 0.0);
+        }
+        if self.damping > 0.0 {
+            sketch.damper("c_t", (0.0, -1.5), (0.0, -0.36)).ground((-0.8, -1.5), (0.8, -1.5));
+        }
+        sketch.finish()
     }
 }

@@ -1,6 +1,6 @@
 //! A mass on a shaking base: absolute and relative motion, the wavy road, and the motion from rest.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use dalembert_core::{
     About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
@@ -187,7 +187,7 @@ impl Analysis for BaseExcitation {
                 Exhibit::Plot(self.over_speed(natural * wavelength / (2.0 * PI), base.value(), own))
             });
         }
-        sheet.show(|| Exhibit::Drawing(drawing(motion)));
+        sheet.show(|| Exhibit::Drawing(self.drawing(motion)));
         Ok(())
     }
 }
@@ -371,13 +371,47 @@ impl BaseExcitation {
     }
 }
 
-/// The mass on its base.
-fn drawing(motion: OscillatorMotion) -> Drawing {
-    if motion == OscillatorMotion::Rotation {
-        return plots::inertia_spring_damper("Φ sin ωt");
+impl BaseExcitation {
+    /// The mass on its base, or on its wheel on the road.
+    fn drawing(&self, motion: OscillatorMotion) -> Drawing {
+        let body = self.mass.as_ref().map_or_else(|| "m".into(), OscillatingBody::letters);
+        let letters = [body, self.elasticity.letters().into()];
+        if motion == OscillatorMotion::Rotation {
+            return plots::inertia_spring_damper("Φ sin(ω t)", letters);
+        }
+        let mut sketch = plots::supported("The mass on its base", letters);
+        match self.base {
+            Base::Road { .. } => {
+                // A wheel rolls over waves that are drawn of a length and a height of their own.
+                let (length, height) = (3.2, 0.25);
+                let road = |n: i32| {
+                    let x = -2.4 + 4.8 * f64::from(n) / 48.0;
+                    (x, -3.0 + height * (TAU * x / length).cos())
+                };
+                sketch = sketch.titled("The vehicle on its wavy road (not to scale)");
+                sketch
+                    .bars([(-0.7, -1.5), (0.7, -1.5)])
+                    .bars([(0.0, -1.5), (0.0, -2.25)])
+                    .disc("", (0.0, -2.25), 0.5)
+                    .joint("", (0.0, -2.25))
+                    .curve((0..=48).map(road).collect::<Vec<_>>(), Ink::Body)
+                    .motion("v", (-1.4, 0.0), (-2.2, 0.0))
+                    .dimension("λ", (-1.6, -3.25), (1.6, -3.25), -1.0)
+                    .dimension("Y", (1.6, -3.0), (1.6, -2.75), -1.5)
+                    .axis((-2.4, -3.0), (2.4, -3.0))
+                    .finish()
+            }
+            _ => sketch
+                .block("", (-1.2, -1.9), (1.2, -1.5), Ink::Faint)
+                .motion(self.base_letters(), (1.6, -2.0), (1.6, -1.3))
+                .finish(),
+        }
     }
-    plots::supported("The mass on its base")
-        .block("", (-1.2, -1.9), (1.2, -1.5), Ink::Faint)
-        .motion("y", (1.5, -2.0), (1.5, -1.3))
-        .finish()
+
+    fn base_letters(&self) -> &'static str {
+        match self.base {
+            Base::Acceleration { .. } => "ÿ = A_b sin(ω t)",
+            _ => "y = Y sin(ω t)",
+        }
+    }
 }

@@ -333,7 +333,7 @@ impl Analysis for EquivalentDamping {
         let amplitude = amplitude.value();
         sheet.show(|| Exhibit::Plot(self.hysteresis(&numbers, amplitude)));
         sheet.show(|| Exhibit::Plot(self.response(&numbers, amplitude)));
-        sheet.show(|| Exhibit::Drawing(drawing(motion)));
+        sheet.show(|| Exhibit::Drawing(self.drawing(motion)));
         Ok(())
     }
 }
@@ -460,15 +460,18 @@ impl EquivalentDamping {
     }
 }
 
-fn drawing(motion: OscillatorMotion) -> Drawing {
-    if motion == OscillatorMotion::Rotation {
-        return inertia_spring_damper("T₀ cos ωt");
+impl EquivalentDamping {
+    fn drawing(&self, motion: OscillatorMotion) -> Drawing {
+        if motion == OscillatorMotion::Rotation {
+            let letters = [self.mass.letters(), self.stiffness.letters().into()];
+            return inertia_spring_damper("T₀ cos(ω t)", letters);
+        }
+        Sketch::new("One degree of freedom")
+            .ground((-1.0, -1.5), (1.0, -1.5))
+            .spring("k(1 + iη)", (0.0, -1.5), (0.0, -0.4))
+            .mass(self.mass.letters(), (-0.9, -0.4), (0.9, 0.4))
+            .force("F₀ cos(ω t)", (0.0, 0.4), (0.0, 1.2))
+            .motion("x", (1.2, -0.2), (1.2, 0.5))
+            .finish()
     }
-    Sketch::new("One degree of freedom")
-        .ground((-1.0, -1.5), (1.0, -1.5))
-        .spring("k(1 + iη)", (0.0, -1.5), (0.0, -0.4))
-        .mass("m", (-0.8, -0.4), (0.8, 0.4))
-        .force("F₀ cos ωt", (0.0, 0.4), (0.0, 1.2))
-        .motion("x", (1.1, -0.2), (1.1, 0.5))
-        .finish()
 }

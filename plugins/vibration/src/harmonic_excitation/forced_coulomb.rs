@@ -142,7 +142,7 @@ impl Analysis for ForcedCoulomb {
         });
         sheet.show(|| Exhibit::Plot(hysteresis(friction.value(), stiffness.value(), amplitude)));
         sheet.show(|| Exhibit::Plot(history(&excited, natural.value())));
-        sheet.show(|| Exhibit::Drawing(drawing()));
+        sheet.show(|| Exhibit::Drawing(self.drawing()));
         Ok(())
     }
 }
@@ -505,14 +505,24 @@ fn cycle_plot(motion: Vec<(f64, f64)>, push: Vec<(f64, f64)>) -> Plot {
     )
 }
 
-fn drawing() -> Drawing {
-    Sketch::new("The mass on its spring, with friction")
-        .ground((-2.4, 1.2), (-2.4, -0.7))
-        .ground((-2.4, -0.7), (2.4, -0.7))
-        .spring("k", (-2.4, 0.0), (-0.7, 0.0))
-        .mass("m", (-0.7, -0.7), (0.7, 0.7))
-        .force("F", (1.6, -0.55), (0.75, -0.55))
-        .force("F₀ cos ωt", (0.7, 0.2), (1.8, 0.2))
-        .motion("x", (0.0, 1.0), (0.9, 1.0))
-        .finish()
+impl ForcedCoulomb {
+    fn drawing(&self) -> Drawing {
+        let mut sketch = Sketch::new("The mass on its spring, with friction");
+        sketch
+            .ground((-2.4, 1.2), (-2.4, -0.7))
+            .ground((-2.4, -0.7), (2.4, -0.7))
+            .spring(self.stiffness.letters(), (-2.4, 0.0), (-0.7, 0.0))
+            .mass(self.mass.letter(), (-0.7, -0.7), (0.7, 0.7))
+            .force(
+                if let FrictionLevel::Force { .. } = self.friction { "F" } else { "µN" },
+                (1.6, -0.55),
+                (0.75, -0.55),
+            )
+            .force("F₀ cos(ω t)", (0.7, 0.2), (1.8, 0.2));
+        if let FrictionLevel::Normal { .. } = self.friction {
+            sketch.force("N", (0.3, 1.5), (0.3, 0.75));
+        }
+        let motion = if let ForceOrAmplitude::Amplitude { .. } = self.excitation { "x, X" } else { "x" };
+        sketch.motion(motion, (-0.6, 1.0), (0.1, 1.0)).finish()
+    }
 }

@@ -226,7 +226,12 @@ impl Analysis for FrequencyResponseIdentification {
                 (peak.frequency.value(), peak.receptance.value()),
             ))
         });
-        sheet.show(|| Exhibit::Drawing(oscillator::plots::mass_spring_damper("F₀ cos ωt")));
+        sheet.show(|| {
+            Exhibit::Drawing(oscillator::plots::mass_spring_damper(
+                "F₀ cos(ω t)",
+                ["m".into(), "k, ωₚ".into()],
+            ))
+        });
         Ok(())
     }
 }

@@ -156,16 +156,31 @@ impl Analysis for HarmonicForce {
             let [spring, damper, inertia] = forces;
             Exhibit::Drawing(plots::force_vectors(motion, spring, damper, inertia))
         });
-        sheet.show(|| Exhibit::Drawing(drawing(motion)));
+        sheet.show(|| Exhibit::Drawing(self.drawing(motion)));
         Ok(())
     }
 }
 
-/// The oscillator under its force or torque.
-fn drawing(motion: OscillatorMotion) -> Drawing {
-    match motion {
-        OscillatorMotion::Translation => plots::mass_spring_damper("F₀ cos ωt"),
-        OscillatorMotion::Rotation => plots::inertia_spring_damper("T₀ cos ωt"),
+impl HarmonicForce {
+    /// The oscillator under its force or torque.
+    fn drawing(&self, motion: OscillatorMotion) -> Drawing {
+        let letters = [self.mass.letters(), self.elasticity.letters().into()];
+        match motion {
+            OscillatorMotion::Translation => {
+                let force = match self.excitation {
+                    ForceStrength::Motion { .. } => "F₀ cos(ω t), X",
+                    _ => "F₀ cos(ω t)",
+                };
+                plots::mass_spring_damper(force, letters)
+            }
+            OscillatorMotion::Rotation => {
+                let torque = match self.excitation {
+                    ForceStrength::Rotation { .. } => "T₀ cos(ω t), Θ",
+                    _ => "T₀ cos(ω t)",
+                };
+                plots::inertia_spring_damper(torque, letters)
+            }
+        }
     }
 }
 
@@ -485,7 +500,7 @@ impl HarmonicForce {
                 build_up(Wave::Sine).show(cycles, "Motion from rest", growth, sheet);
             }
         }
-        sheet.show(|| Exhibit::Drawing(drawing(motion)));
+        sheet.show(|| Exhibit::Drawing(self.drawing(motion)));
         Ok(())
     }
 }

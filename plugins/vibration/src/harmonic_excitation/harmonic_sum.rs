@@ -11,7 +11,10 @@ use dalembert_mechanics::Real;
 mod work;
 
 use crate::{
-    shared::oscillator::{is_one, transient_from_rest::Wave},
+    shared::{
+        letters::{indexed, of_row},
+        oscillator::{is_one, transient_from_rest::Wave},
+    },
     sources::{RAO, THOMSON},
 };
 
@@ -179,9 +182,7 @@ fn sum<W: Worksheet>(
     });
     let last = span(&groups.iter().map(|group| group.frequency.value()).collect::<Vec<_>>());
     sheet.show(|| Exhibit::Plot(over_time(typed, wave, last, groups.len() == 2)));
-    if let [_] = groups[..] {
-        sheet.show(|| Exhibit::Drawing(vectors(typed)));
-    }
+    sheet.show(|| Exhibit::Drawing(vectors(typed, groups.len() == 1)));
     Ok(())
 }
 
@@ -335,17 +336,25 @@ fn over_time(motions: &[Harmonic], wave: Wave, last: f64, two: bool) -> Plot {
     Plot::new("Sum against time", x, y, series).over("question.sum.time")
 }
 
-/// The vectors of one frequency, tip to tail, and their sum.
-fn vectors(motions: &[Harmonic]) -> Drawing {
+fn vectors(motions: &[Harmonic], resultant: bool) -> Drawing {
     let size = motions.iter().map(|one| one.amplitude).fold(f64::MIN_POSITIVE, f64::max);
-    let mut sketch = Sketch::new("Rotating vectors");
+    let mut sketch = Sketch::new("Rotating vectors at the start");
     let mut tip = (0.0, 0.0);
-    for (n, one) in (1..).zip(motions) {
+    for (one, row) in motions.iter().zip(1..) {
         let (sin, cos) = one.phase.sin_cos();
         let length = 3.0 * one.amplitude / size;
         let next = (tip.0 + length * cos, tip.1 + length * sin);
-        sketch.edge(Text::new(n.to_string()), tip, next, Ink::Motion);
+        sketch.edge(of_row(&["A"], row), tip, next, Ink::Motion).axis(tip, (tip.0 + 1.2, tip.1)).angle(
+            of_row(&["α"], row),
+            tip,
+            0.0,
+            one.phase,
+        );
         tip = next;
     }
-    sketch.edge("R", (0.0, 0.0), tip, Ink::Result).finish()
+    let letters: Vec<String> = (1..=motions.len()).map(|row| indexed("ω", row)).collect();
+    if resultant {
+        sketch.edge("R", (0.0, 0.0), tip, Ink::Result);
+    }
+    sketch.couple(Text::verbatim(letters.join(", ")), (0.0, 0.0), (3.6, 5.2), Ink::Motion).finish()
 }

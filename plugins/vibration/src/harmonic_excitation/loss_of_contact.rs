@@ -385,8 +385,8 @@ impl LossOfContact {
         let mut sketch = Sketch::new("The body on the moving surface");
         match &self.body {
             ContactBody::Rigid { spring, .. } => {
-                sketch.mass("m", (-0.6, 0.0), (0.6, 0.9)).bars([(-1.4, 0.0), (1.4, 0.0)]).motion(
-                    "A sin ωt",
+                sketch.mass("m", (-0.6, 0.0), (0.6, 0.9)).mass("", (-1.4, -0.15), (1.4, 0.0)).motion(
+                    "A sin(ω t)",
                     (1.8, -0.5),
                     (1.8, 0.5),
                 );

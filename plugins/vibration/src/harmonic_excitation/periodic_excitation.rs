@@ -1,8 +1,8 @@
 //! A periodic force or base: its Fourier coefficients, the response to each harmonic, and all of them together.
 
 use dalembert_core::{
-    About, Analysis, Axis, Cell, Column, Exhibit, Inputs, Plot, Refusal, Series, TableExhibit, Text,
-    Worksheet, register, trace::ROUNDING,
+    About, Analysis, Axis, Cell, Column, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, TableExhibit,
+    Text, Worksheet, register, trace::ROUNDING,
 };
 use dalembert_mechanics::{
     Real, sdof,
@@ -168,7 +168,25 @@ impl Analysis for PeriodicExcitation {
         );
         self.together(&system, &pieces, steady.as_ref(), given.time, sheet);
         system.spectrum(&pieces, given.frequency.value(), sheet);
+        sheet.show(|| Exhibit::Drawing(self.drawing()));
         Ok(())
+    }
+}
+
+impl PeriodicExcitation {
+    /// The oscillator under its load, or on its moving base.
+    fn drawing(&self) -> Drawing {
+        let body = self.mass.as_ref().map_or_else(|| "m".into(), OscillatingBody::letters);
+        let letters = [body, self.elasticity.letters().into()];
+        match self.excitation {
+            PeriodicWave::Force { .. } => plots::mass_spring_damper("F₀ f(ω t)", letters),
+            PeriodicWave::Torque { .. } => plots::inertia_spring_damper("T₀ f(ω t)", letters),
+            PeriodicWave::BaseRotation { .. } => plots::inertia_spring_damper("Φ f(ω t)", letters),
+            PeriodicWave::Base { .. } => plots::supported("The mass on its base", letters)
+                .block("", (-1.2, -1.9), (1.2, -1.5), Ink::Faint)
+                .motion("y = Y f(ω t)", (1.6, -2.0), (1.6, -1.3))
+                .finish(),
+        }
     }
 }
 

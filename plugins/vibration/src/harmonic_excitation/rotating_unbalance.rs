@@ -283,17 +283,23 @@ impl RotatingUnbalance {
         .mark("at this speed", (self.speed, amplitude))
     }
 
-    /// The machine on its support, with the unbalance at its radius.
+    /// The machine on its support.
     fn machine(&self) -> Drawing {
         let mut sketch = Sketch::new("The machine on its support");
         sketch::carrying(&self.support, &mut sketch);
+        let motion = match self.damping {
+            MachineDamping::LargestAmplitude { .. } => "X ≤ Xₘₐₓ",
+            _ => "X",
+        };
         sketch
             .mass("", (-0.6, -0.4), (0.6, 0.8))
+            .label("m", (-0.4, -0.2))
             .circle((0.0, 0.2), 0.4, Ink::Faint)
             .axis((0.0, 0.2), (0.28, 0.48))
             .round("m₀e", (0.28, 0.48), 0.08, Ink::Danger)
             .joint("", (0.0, 0.2))
-            .motion("X", (0.9, -0.3), (0.9, 0.7))
+            .couple("ω", (0.0, 0.2), (3.6, 5.4), Ink::Motion)
+            .motion(motion, (0.9, -0.3), (0.9, 0.7))
             .finish()
     }
 }

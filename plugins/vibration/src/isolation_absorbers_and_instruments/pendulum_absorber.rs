@@ -480,6 +480,7 @@ impl PendulumAbsorber {
         let over = |plot: Plot, input| Exhibit::Plot(if is_given { plot.over(input) } else { plot });
         sheet.show(|| over(view.effective(), "problem.rotor.order"));
         sheet.show(|| over(view.against_speed(), "problem.rotor.speed"));
+        sheet.show(|| Exhibit::Drawing(view.drawing(&self.problem)));
         sheet.show(|| Exhibit::Animation(view.animation()));
         Ok(())
     }

@@ -158,7 +158,7 @@ impl Analysis for VibrationInstrument {
             let plot = plots::family(title, y, (here, lag(here)), lag, sdof::phase_lag_from_ratios);
             Exhibit::Plot(plots::answered(plot, "frequency", "phase"))
         });
-        sheet.show(|| Exhibit::Drawing(drawing()));
+        sheet.show(|| Exhibit::Drawing(self.drawing()));
         Ok(())
     }
 }
@@ -484,15 +484,21 @@ impl VibrationInstrument {
     }
 }
 
-/// The seismic mass in its case.
-fn drawing() -> Drawing {
-    Sketch::new("The seismic mass in its case")
-        .body("", [(-1.3, -1.5), (-1.3, 1.1), (1.3, 1.1), (1.3, -1.5)])
-        .ground((-1.6, -1.5), (1.6, -1.5))
-        .spring("k", (-0.4, -1.5), (-0.4, -0.4))
-        .damper("c", (0.4, -1.5), (0.4, -0.4))
-        .mass("m", (-0.8, -0.4), (0.8, 0.3))
-        .motion("z", (1.0, -0.3), (1.0, 0.4))
-        .motion("y", (1.7, -1.7), (1.7, -1.0))
-        .finish()
+impl VibrationInstrument {
+    fn drawing(&self) -> Drawing {
+        let reading = match self.reading {
+            Some(InstrumentReading::Displacement { .. }) => "z, Z",
+            Some(InstrumentReading::Acceleration { .. }) => "z, A_r",
+            None => "z",
+        };
+        Sketch::new("The seismic mass in its case")
+            .body("", [(-1.3, -1.5), (-1.3, 1.1), (1.3, 1.1), (1.3, -1.5)])
+            .ground((-1.6, -1.5), (1.6, -1.5))
+            .spring("k", (-0.4, -1.5), (-0.4, -0.4))
+            .damper("c", (0.4, -1.5), (0.4, -0.4))
+            .mass("m", (-0.8, -0.4), (0.8, 0.3))
+            .motion(reading, (1.0, -0.3), (1.0, 0.4))
+            .motion("y", (1.7, -1.7), (1.7, -1.0))
+            .finish()
+    }
 }

@@ -162,6 +162,7 @@ impl Analysis for VibrationIsolation {
             None => machine,
         };
         let mounts = Mounts { mass, count: f64::from(self.mounts), gravity: given.gravity };
+        sheet.show(|| Exhibit::Drawing(self.drawing()));
         match &given.question {
             IsolationTaskGiven::Design { required, damping_ratio, speeds, disturbance } => {
                 mounts.design(required, *damping_ratio, speeds, disturbance.as_ref(), sheet)
@@ -386,7 +387,6 @@ impl<N: Real> Mounts<N> {
             // Of a range of speeds the answer is the largest transmissibility.
             Exhibit::Plot(if band[0] == band[1] { plot.over("question.judge.speeds.lowest") } else { plot })
         });
-        sheet.show(|| Exhibit::Drawing(pictures::drawing()));
         Ok(())
     }
 

@@ -162,6 +162,7 @@ impl Analysis for DuffingOscillator {
         sheet.answer("stiffness", motion.of("Stiffness", "Torsional stiffness"), stiffness);
         sheet.answer("natural_frequency", "Natural frequency at small amplitudes", natural);
         let worked = WorkedDuffing { motion, mass, stiffness, cubic };
+        sheet.show(|| Exhibit::Drawing(self.drawing(motion)));
         sheet.verify(|| {
             let small = Duffing { cubic: 0.0, ..worked.numbers(0.0) }.free_period_by_quadrature(1.0);
             sheet.check(

@@ -207,7 +207,10 @@ impl LargePendulum {
                 .link("", (0.0, 0.0), end)
                 .pin("", (0.0, 0.0))
                 .disc("", end, 0.08)
-                .label("θ", (0.0, -0.3));
+                .line("L", (0.0, 0.0), end, Ink::Body)
+                .angle("θ", (0.0, 0.0), -PI / 2.0, angle - PI / 2.0)
+                .axis((0.0, 0.0), (1.15 * self.amplitude.sin(), -1.15 * self.amplitude.cos()))
+                .label("θ₀", (1.15 * self.amplitude.sin(), -1.15 * self.amplitude.cos()));
             sketch
         };
         Sketch::animation("The oscillation", (0..FRAMES).map(frame), 2.0)

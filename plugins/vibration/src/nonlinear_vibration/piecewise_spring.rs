@@ -1,11 +1,15 @@
 //! Free vibration on a spring of two slopes: a gap, a stop, a spring that saturates.
 
 use dalembert_core::{
-    About, Analysis, Animation, Axis, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
+    About, Analysis, Animation, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Worksheet,
+    register,
 };
 use dalembert_mechanics::{Real, sdof, vibration::piecewise::TwoSlopes};
 
-use crate::sources::{NAYFEH, THOMSON};
+use crate::{
+    shared::letters::joined,
+    sources::{NAYFEH, THOMSON},
+};
 
 /// A mass on a spring whose stiffness changes at a corner, the same on both sides.
 #[derive(Clone, Debug, Inputs)]
@@ -199,6 +203,7 @@ impl Analysis for PiecewiseSpring {
         sheet.show(|| Exhibit::Plot(self.motion(&spring, reach, period)));
         sheet.show(|| Exhibit::Plot(self.backbone(&spring, reach, period)));
         sheet.show(|| Exhibit::Plot(characteristic(&spring, reach)));
+        sheet.show(|| Exhibit::Drawing(self.drawing()));
         sheet.show(|| Exhibit::Animation(self.animation(&spring, reach, period)));
         Ok(())
     }
@@ -307,6 +312,38 @@ impl PiecewiseSpring {
         )
         .over("displacement")
         .mark("at this amplitude", (amplitude, std::f64::consts::TAU / period))
+    }
+
+    /// The mass between its springs: the first acts from the middle on, the second beyond y.
+    fn drawing(&self) -> Drawing {
+        let mut sketch = Sketch::new("The mass and its springs (y is not to scale)");
+        sketch
+            .ground((-3.4, 0.9), (-3.4, -0.6))
+            .ground((-3.4, -0.6), (3.4, -0.6))
+            .ground((3.4, -0.6), (3.4, 0.9))
+            .mass("m", (-0.6, -0.6), (0.6, 0.5));
+        let (first, second) = match self.characteristic {
+            Characteristic::Saturating { .. } => (true, false),
+            Characteristic::TwoSlopes { .. } => (true, true),
+            Characteristic::Gap { .. } => (false, true),
+        };
+        if first {
+            sketch.spring("k₁", (-3.4, 0.2), (-0.6, 0.2));
+        }
+        if second {
+            // Stops at both sides, on springs.
+            for side in [-1.0, 1.0] {
+                let name = if side > 0.0 { "k₂" } else { "" };
+                let level = if first { -0.3 } else { 0.0 };
+                sketch
+                    .spring(name, (3.4 * side, level), (1.5 * side, level))
+                    .bars([(1.5 * side, level - 0.25), (1.5 * side, level + 0.25)]);
+            }
+        }
+        sketch.dimension("y", (0.6, 0.5), (1.5, 0.5), 1.5).axis((1.5, -0.5), (1.5, 0.8));
+        let start = [("x₀", self.displacement), ("v₀", self.velocity)];
+        let letters = start.map(|(letter, value)| if value == 0.0 { "" } else { letter });
+        sketch.motion(joined(&letters), (-0.4, 1.1), (0.5, 1.1)).finish()
     }
 
     fn animation(&self, spring: &TwoSlopes, amplitude: f64, period: f64) -> Animation {

@@ -1,7 +1,8 @@
 //! One degree of freedom under a random force or torque, or on a randomly excited base.
 
 use dalembert_core::{
-    About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Symbol, Text, Worksheet, register,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Symbol, Text, Worksheet,
+    register,
 };
 use dalembert_mechanics::{
     Real,
@@ -14,6 +15,7 @@ use crate::{
         oscillator::{
             motion::OscillatorMotion,
             parts::{BodyDamping, BodySprings, OscillatingBody, motion_of},
+            plots,
         },
         spectral_density::{
             AccelerationDensity, AccelerationDensityGiven, AngularAccelerationDensity,
@@ -124,7 +126,25 @@ impl Analysis for RandomResponse {
             problem.force(level, sheet)?;
         }
         sheet.show(|| Exhibit::Plot(problem.plot(on_base)));
+        sheet.show(|| Exhibit::Drawing(self.drawing()));
         Ok(())
+    }
+}
+
+impl RandomResponse {
+    /// The oscillator on its base, or under its load.
+    fn drawing(&self) -> Drawing {
+        let body = self.mass.as_ref().map_or_else(|| "m".into(), OscillatingBody::letters);
+        let letters = [body, self.elasticity.letters().into()];
+        match self.excitation {
+            RandomExcitation::Force { .. } => plots::mass_spring_damper("F(t)", letters),
+            RandomExcitation::Torque { .. } => plots::inertia_spring_damper("T(t)", letters),
+            RandomExcitation::BaseRotation { .. } => plots::inertia_spring_damper("α(t)", letters),
+            RandomExcitation::Base { .. } => plots::supported("The mass on its base", letters)
+                .block("", (-1.2, -1.9), (1.2, -1.5), Ink::Faint)
+                .motion("ÿ(t)", (1.6, -2.0), (1.6, -1.3))
+                .finish(),
+        }
     }
 }
 

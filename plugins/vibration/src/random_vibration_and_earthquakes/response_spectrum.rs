@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use dalembert_core::{
-    About, Analysis, Axis, Cell, Column, Exhibit, Inputs, Plot, Refusal, Series, Symbol, TableExhibit, Text,
-    Worksheet, register,
+    About, Analysis, Axis, Cell, Column, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Symbol,
+    TableExhibit, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -19,7 +19,8 @@ mod combination;
 use self::combination::combined;
 use crate::{
     shared::{
-        chain::{self, ChainMass, ChainMassGiven},
+        chain::{self, ChainMass, ChainMassGiven, building},
+        continuous::{HALF_BEAM, beam},
         section::{Section, second_moment},
     },
     sources::{BEER, BIGGS, CHOPRA, RAO},
@@ -162,6 +163,9 @@ impl Analysis for ResponseSpectrum {
 
     fn solve<W: Worksheet>(&self, given: &ResponseSpectrumGiven<W>, sheet: W) -> Result<(), Refusal> {
         let problem = Problem { demand: &given.spectrum, table: self.spectrum.table()?, ratio: given.ratio };
+        if let Some(drawing) = self.drawing() {
+            sheet.show(|| Exhibit::Drawing(drawing));
+        }
         match (&self.structure, &given.structure) {
             (_, StructureGiven::Chain { links }) => problem.chain(links, sheet),
             (_, StructureGiven::Modes { modes }) => problem.modes(modes, sheet),
@@ -180,6 +184,36 @@ impl Analysis for ResponseSpectrum {
                 problem.beam(&beam, *modes, sheet)
             }
             (_, StructureGiven::Beam { .. }) => unreachable!("what is given is made from the structure"),
+        }
+    }
+}
+
+impl ResponseSpectrum {
+    /// The building, or the beam with its fibre; none where only modes are known.
+    fn drawing(&self) -> Option<Drawing> {
+        let demand = match self.spectrum {
+            Demand::Displacement { .. } => "S_d",
+            Demand::Velocity { .. } => "S_v",
+            Demand::Acceleration { .. } | Demand::Table { .. } => "S_a",
+        };
+        match &self.structure {
+            Structure::Chain { links } => Some(building(links).label(demand, (-2.9, -0.15)).finish()),
+            Structure::Modes { .. } => None,
+            Structure::Beam { section, .. } => {
+                const WIDTH: f64 = 6.0;
+                let mut sketch = beam("The beam on its moving supports", WIDTH);
+                for x in [0.0, WIDTH] {
+                    sketch.pin("", (x, -HALF_BEAM)).motion("ÿ(t)", (x, -1.9), (x, -1.3));
+                }
+                section.label(&mut sketch, (0.35 * WIDTH, HALF_BEAM));
+                Some(
+                    sketch
+                        .label("m̄", (0.6 * WIDTH, HALF_BEAM))
+                        .dimension("c", (0.8 * WIDTH, 0.0), (0.8 * WIDTH, 2.0 * HALF_BEAM), 0.0)
+                        .label(demand, (WIDTH, -1.9))
+                        .finish(),
+                )
+            }
         }
     }
 }

@@ -146,7 +146,9 @@ impl Analysis for CoupledPendulums {
         let modes = natural_modes(&mass, &stiffness).map_err(refusal)?;
         sheet.verify(|| agreement(&two, &modes, sheet));
         sheet.show(|| {
-            Exhibit::Drawing(self.sketch([0.0; 2]).titled("The pendulums and their spring").finish())
+            let mut sketch = self.sketch([0.0; 2]).titled("The pendulums and their spring");
+            self.letters(&mut sketch);
+            Exhibit::Drawing(sketch.finish())
         });
         for mode in 0..2 {
             let shape = [modes.shapes[(0, mode)], modes.shapes[(1, mode)]];
@@ -168,13 +170,34 @@ impl Analysis for CoupledPendulums {
 }
 
 impl CoupledPendulums {
-    /// The pendulums turned by so much.
-    fn sketch(&self, turns: [f64; 2]) -> Sketch {
+    /// Length, distance of the spring and whether there is a bob, of each pendulum; and their distance in the drawing.
+    fn sizes(&self) -> ([(f64, f64, bool); 2], f64) {
         let sizes = [&self.left, &self.right].map(|pendulum| match pendulum {
             Pendulum::Rod { length, spring, .. } => (*length, *spring, false),
             Pendulum::Bob { length, spring, .. } => (*length, *spring, true),
         });
         let apart = 0.8 * sizes[0].0.max(sizes[1].0).max(sizes[0].1).max(sizes[1].1);
+        (sizes, apart)
+    }
+
+    /// Masses, lengths and distances of the spring, at the outer side of each pendulum.
+    fn letters(&self, sketch: &mut Sketch) {
+        let (sizes, apart) = self.sizes();
+        let letters = [(["m_1", "l_1", "a_1"], -1.0), (["m_2", "l_2", "a_2"], 1.0)];
+        for (place, ((length, spring, bob), ([mass, whole, arm], side))) in
+            sizes.into_iter().zip(letters).enumerate()
+        {
+            let x = apart * place as f64;
+            sketch
+                .dimension(arm, (x, 0.0), (x, -spring), 2.5 * side)
+                .dimension(whole, (x, 0.0), (x, -length), 5.5 * side)
+                .label(mass, (x, if bob { -length } else { -0.5 * length }));
+        }
+    }
+
+    /// The pendulums turned by so much.
+    fn sketch(&self, turns: [f64; 2]) -> Sketch {
+        let (sizes, apart) = self.sizes();
         let mut sketch = Sketch::default();
         let mut ends = Vec::new();
         for (place, ((length, spring, bob), turn)) in sizes.into_iter().zip(turns).enumerate() {

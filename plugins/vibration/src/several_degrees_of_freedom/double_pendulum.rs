@@ -1,6 +1,6 @@
 //! Small oscillations of two pendulums, one hanging from the other.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Sketch, Text, Worksheet, register};
 use dalembert_mechanics::{Real, vibration::modes::natural_modes};
@@ -236,7 +236,11 @@ impl Analysis for DoublePendulum {
                 );
             }
         });
-        sheet.show(|| Exhibit::Drawing(self.sketch([0.25, 0.5]).titled("The pendulums").finish()));
+        sheet.show(|| {
+            let mut sketch = self.sketch([0.25, 0.5]).titled("The pendulums");
+            self.letters([0.25, 0.5], &mut sketch);
+            Exhibit::Drawing(sketch.finish())
+        });
         for (mode, ratio) in (1..).zip(shapes) {
             sheet.show(|| {
                 let largest = ratio.abs().max(1.0);
@@ -256,8 +260,8 @@ impl Analysis for DoublePendulum {
 }
 
 impl DoublePendulum {
-    /// The pendulums turned by so much.
-    fn sketch(&self, turns: [f64; 2]) -> Sketch {
+    /// The places of the lower pivot and of the lower end, and which of them are bobs; the pendulums together are 4 long.
+    fn places(&self, turns: [f64; 2]) -> ((f64, f64), (f64, f64), [bool; 2]) {
         let (l1, bob1) = match self.upper {
             UpperPendulum::Bob { length, .. } => (length, true),
             UpperPendulum::Rod { length, .. } | UpperPendulum::Body { length, .. } => (length, false),
@@ -272,15 +276,40 @@ impl DoublePendulum {
             (x + scale * length * turn.sin(), y - scale * length * turn.cos())
         };
         let joint = from((0.0, 0.0), l1, turns[0]);
-        let end = from(joint, l2, turns[1]);
+        (joint, from(joint, l2, turns[1]), [bob1, bob2])
+    }
+
+    /// Masses and lengths beside the pendulums.
+    fn letters(&self, turns: [f64; 2], sketch: &mut Sketch) {
+        let (joint, end, _) = self.places(turns);
+        let middle = |a: (f64, f64), b: (f64, f64)| (f64::midpoint(a.0, b.0), f64::midpoint(a.1, b.1));
+        sketch.dimension("l_1", (0.0, 0.0), joint, 4.0);
+        match self.upper {
+            UpperPendulum::Bob { .. } => sketch.label("m_1", joint),
+            UpperPendulum::Rod { .. } => sketch.label("m_1", middle((0.0, 0.0), joint)),
+            UpperPendulum::Body { .. } => sketch.label("m_1, J_G_1, c_1", middle((0.0, 0.0), joint)),
+        };
+        match self.lower {
+            LowerPendulum::Bob { .. } => sketch.dimension("l_2", joint, end, 4.0).label("m_2", end),
+            LowerPendulum::Rod { .. } => {
+                sketch.dimension("l_2", joint, end, 4.0).label("m_2", middle(joint, end))
+            }
+            LowerPendulum::Body { .. } => sketch.dimension("c_2", joint, end, 4.0).label("m_2, J_G_2", end),
+        };
+    }
+
+    /// The pendulums turned by so much.
+    fn sketch(&self, turns: [f64; 2]) -> Sketch {
+        let (joint, end, [bob1, bob2]) = self.places(turns);
         let mut sketch = Sketch::default();
         sketch
             .axis((0.0, 0.0), (0.0, -4.0))
             .link("", (0.0, 0.0), joint)
             .link("", joint, end)
             .pin("", (0.0, 0.0))
-            .label("θ₁", from((0.0, 0.0), l1, turns[0] / 2.0))
-            .label("θ₂", from(joint, 0.7 * l2, turns[1] / 2.0));
+            .axis(joint, (joint.0, joint.1 - 1.6))
+            .angle("θ₁", (0.0, 0.0), -FRAC_PI_2, turns[0] - FRAC_PI_2)
+            .angle("θ₂", joint, -FRAC_PI_2, turns[1] - FRAC_PI_2);
         if bob1 {
             sketch.disc("", joint, 0.2);
         } else {

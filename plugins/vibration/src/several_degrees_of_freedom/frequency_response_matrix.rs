@@ -8,11 +8,14 @@ use dalembert_mechanics::Real;
 use nalgebra::{Complex, DVector};
 
 use crate::{
-    shared::system::{
-        System, assemble,
-        damping::{SystemDamping, in_modes},
-        modes::find,
-        picture,
+    shared::{
+        letters::of_row,
+        system::{
+            System, assemble,
+            damping::{SystemDamping, in_modes},
+            modes::find,
+            picture,
+        },
     },
     sources::{EWINS, RAO},
 };
@@ -369,7 +372,11 @@ impl FrequencyResponseMatrix {
         sheet: W,
     ) {
         let SteadyResponse { system, found, .. } = response;
-        sheet.show(|| Exhibit::Drawing(picture::at_rest(&self.system)));
+        sheet.show(|| {
+            let load = |(force, row): (&HarmonicForce, usize)| (force.coordinate, of_row(&["F", "φ"], row));
+            let loads: Vec<_> = self.forces.iter().zip(1..).map(load).collect();
+            Exhibit::Drawing(picture::at_rest(&self.system, &loads))
+        });
         let asked = self.frequencies.iter().map(|asked| asked.frequency).fold(0.0, f64::max);
         let natural = found.modes.squares.last().map_or(0.0, |square| square.sqrt());
         let last = self.highest.unwrap_or_else(|| 1.3 * asked.max(natural));

@@ -142,7 +142,18 @@ impl Analysis for HalfCar {
             );
         }
         modal_properties(&system, &found, &damped, &shapes, sheet)?;
-        sheet.show(|| Exhibit::Drawing(self.sketch([0.0; 4]).titled("The half-car").finish()));
+        sheet.show(|| {
+            let mut sketch = self.sketch([0.0; 4]).titled("The half-car");
+            let (front, rear) = (self.front.distance, self.rear.distance);
+            let top = 0.28 * (front + rear);
+            sketch.dimension("l_f", (-front, top), (0.0, top), 1.5).dimension(
+                "l_r",
+                (0.0, top),
+                (rear, top),
+                1.5,
+            );
+            Exhibit::Drawing(sketch.finish())
+        });
         for (mode, shape) in shapes.iter().enumerate() {
             sheet.show(|| {
                 let frames = (0..24).map(|frame| {
@@ -163,16 +174,15 @@ impl Analysis for HalfCar {
 }
 
 impl HalfCar {
-    /// The vehicle with the ends of its body and its wheels moved up by so much.
     fn sketch(&self, [front, rear, front_wheel, rear_wheel]: [f64; 4]) -> Sketch {
         let (a, b) = (-self.front.distance, self.rear.distance);
         let size = b - a;
         let (road, axle) = (-0.85 * size, -0.55 * size);
         let mut sketch = Sketch::default();
-        sketch.ground((a - 0.2 * size, road), (b + 0.2 * size, road));
+        sketch.ground((a - 0.3 * size, road), (b + 0.3 * size, road));
         let ends = [
-            (a, front, front_wheel, ["k_f", "c_f", "m_w,f", "k_t,f"]),
-            (b, rear, rear_wheel, ["k_r", "c_r", "m_w,r", "k_t,r"]),
+            (a, front, front_wheel, ["k_f", "c_f", "m_w_f", "k_t_f"]),
+            (b, rear, rear_wheel, ["k_r", "c_r", "m_w_r", "k_t_r"]),
         ];
         for (x, end, wheel, [spring, damper, mass, tyre]) in ends {
             let hub = axle + wheel;
@@ -181,11 +191,24 @@ impl HalfCar {
                 .spring_and_damper((spring, damper), (x, hub + 0.05 * size), (x, end), 0.16 * size)
                 .mass(mass, (x - 0.14 * size, hub - 0.05 * size), (x + 0.14 * size, hub + 0.05 * size));
         }
-        let middle = front + (rear - front) * -a / size;
+        // The body stands over the line from end to end, with a bonnet ahead of the cab.
+        let level = |x: f64| front + (rear - front) * (x - a) / size;
+        let outline = [
+            (-0.14, 0.0),
+            (-0.14, 0.1),
+            (0.2, 0.13),
+            (0.36, 0.28),
+            (0.86, 0.28),
+            (1.0, 0.13),
+            (1.14, 0.12),
+            (1.14, 0.0),
+        ];
+        let place = |(along, up): (f64, f64)| (a + along * size, level(a + along * size) + up * size);
         sketch
             .axis((a - 0.15 * size, 0.0), (b + 0.15 * size, 0.0))
-            .bars([(a - 0.1 * size, 1.1 * front - 0.1 * rear), (b + 0.1 * size, 1.1 * rear - 0.1 * front)])
-            .mass_centre("G", (0.0, middle));
+            .body("", outline.map(place))
+            .label("m, J", place((0.6, 0.2)))
+            .mass_centre("G", (0.0, level(0.0) + 0.06 * size));
         sketch
     }
 }

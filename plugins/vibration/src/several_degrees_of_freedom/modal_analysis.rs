@@ -157,7 +157,7 @@ impl ModalAnalysis {
         sheet: W,
     ) {
         let n = system.size();
-        sheet.show(|| Exhibit::Drawing(picture::at_rest(&self.system)));
+        sheet.show(|| Exhibit::Drawing(picture::at_rest(&self.system, &[])));
         sheet.show(|| Exhibit::Plot(plot_of_shapes(shapes)));
         for (mode, shape) in shapes.iter().enumerate().take(FILMED) {
             sheet.show(|| Exhibit::Animation(picture::mode(&self.system, mode + 1, &largest_one(shape))));

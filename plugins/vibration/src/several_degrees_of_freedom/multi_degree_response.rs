@@ -16,7 +16,7 @@ use crate::{
     shared::system::{
         Assembled, System, assemble,
         damping::{ModalDamping, SystemDamping, in_modes},
-        excitation::{BaseAcceleration, Excitation, Force, InitialCondition, Observed},
+        excitation::{BaseAcceleration, Excitation, Force, InitialCondition, Observed, loads},
         histories::History,
         modes::{WorkedModes, find},
         picture,
@@ -106,7 +106,7 @@ impl Analysis for MultiDegreeResponse {
         let motion = TimeResponse::new(&poles, &momentum, &excitation);
         self.write(&system, &damped, &excitation, &poles, &motion, sheet)?;
         self.resonance(&found, &damped, sheet);
-        sheet.show(|| Exhibit::Drawing(picture::at_rest(&self.system)));
+        sheet.show(|| Exhibit::Drawing(picture::at_rest(&self.system, &loads(&self.forces))));
         let matrices = [&system.mass, &damped.physical, &system.stiffness];
         self.curves(&poles, &motion, (matrices, &excitation), duration, sheet)
     }

@@ -26,7 +26,7 @@ use crate::{
     shared::system::{
         System, assemble,
         damping::{SystemDamping, in_modes},
-        excitation::{BaseAcceleration, Excitation, Force, InitialCondition, Observed},
+        excitation::{BaseAcceleration, Excitation, Force, InitialCondition, Observed, loads},
         modes::find,
         picture,
     },
@@ -177,7 +177,7 @@ impl Analysis for NumericalIntegration {
         self.stability(&found.frequencies, given.step, sheet);
         sheet.show(|| Exhibit::Table(self.table(&motion, &equations)));
         sheet.show(|| Exhibit::Plot(self.plot(&motion, exact)));
-        sheet.show(|| Exhibit::Drawing(picture::at_rest(&self.system)));
+        sheet.show(|| Exhibit::Drawing(picture::at_rest(&self.system, &loads(&self.forces))));
         Ok(())
     }
 }

@@ -7,6 +7,7 @@ use dalembert_mechanics::{
 };
 
 mod critical;
+mod drawing;
 mod exhibits;
 mod firing;
 mod line;
@@ -329,6 +330,8 @@ impl Analysis for EngineOrders {
         {
             sheet.show(|| Exhibit::Plot(view.response()));
         }
+        let cranks = line.inertias.len() - self.front.len() - self.rear.len();
+        sheet.show(|| Exhibit::Drawing(drawing::crankshaft(self, cranks)));
         sheet.show(|| Exhibit::Drawing(view.stars()));
         Ok(())
     }

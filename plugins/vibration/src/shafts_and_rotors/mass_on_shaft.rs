@@ -1,13 +1,18 @@
 //! A mass or flywheel on a light shaft: its longitudinal, transverse and torsional frequencies.
 
+use std::f64::consts::PI;
+
 use dalembert_core::{
-    About, Analysis, Cell, Column, Drawing, Exhibit, Inputs, Refusal, Sketch, TableExhibit, Text, Worksheet,
-    register,
+    About, Analysis, Cell, Column, Drawing, Exhibit, Ink, Inputs, Refusal, Sketch, TableExhibit, Text,
+    Worksheet, register,
 };
 use dalembert_mechanics::{Real, beam, sdof, section, spring};
 
 use crate::{
-    shared::continuous::{ShearModulus, shear_modulus},
+    shared::{
+        continuous::{ShearModulus, shear_modulus},
+        letters::joined,
+    },
     sources::{BEER, BEVAN, RAO, SHIGLEY},
 };
 
@@ -412,7 +417,8 @@ impl MassOnShaft {
         let scale = 8.0 / (left + right);
         let (at, end) = (left * scale, 8.0f64);
         let mut sketch = Sketch::new("The body on the shaft");
-        sketch.bars([(0.0, 0.0), (end.max(at), 0.0)]);
+        let half = 0.12;
+        sketch.mass("", (0.0, -half), (end.max(at), half));
         match self.support {
             ShaftSupport::SimplySupported { .. } => sketch.pin("", (0.0, 0.0)),
             _ => sketch.ground((0.0, 1.0), (0.0, -1.0)),
@@ -424,10 +430,37 @@ impl MassOnShaft {
                 sketch.pin("", (end, 0.0))
             }
         };
+        match self.support {
+            ShaftSupport::Cantilever { .. } => sketch.dimension("L", (0.0, -1.2), (at, -1.2), -1.5),
+            _ => sketch.dimension("a", (0.0, -1.2), (at, -1.2), -1.5).dimension(
+                "b",
+                (at, -1.2),
+                (end, -1.2),
+                -1.5,
+            ),
+        };
+        let mass = match self.body {
+            ShaftBody::Mass { .. } => "m",
+            ShaftBody::Weight { .. } => "W",
+        };
+        let letters = joined(&[mass, if self.torsion.is_some() { "κ" } else { "" }]);
+        let section = match self.section {
+            RoundSection::Solid { .. } => "d",
+            RoundSection::Hollow { .. } => "D, d",
+        };
         sketch
-            .mass("m", (at - 0.25, -1.2), (at + 0.25, 1.2))
-            .motion("", (at, 1.3), (at, 2.1))
-            .motion("", (at + 0.3, 0.3), (at + 1.1, 0.3))
-            .finish()
+            .label(section, (0.4 * at, half))
+            .mass("", (at - 0.35, -1.2), (at + 0.35, 1.2))
+            .label(letters, (at - 0.35, 1.2))
+            .motion("y", (at, 1.3), (at, 2.1))
+            .motion("u", (at + 0.45, 0.5), (at + 1.25, 0.5));
+        if self.torsion.is_some() {
+            let turn = |n: i32| {
+                let (sin, cos) = (PI * (0.6 + 0.8 * f64::from(n) / 12.0)).sin_cos();
+                (0.75 * at + 0.2 * cos, 0.6 * sin)
+            };
+            sketch.curve((0..12).map(turn).collect::<Vec<_>>(), Ink::Motion).motion("θ", turn(11), turn(12));
+        }
+        sketch.finish()
     }
 }

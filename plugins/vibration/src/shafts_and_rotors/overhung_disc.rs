@@ -185,7 +185,7 @@ impl Analysis for OverhungDisc {
                 &backward.map(|speed| speed.map(Real::value)),
             ))
         });
-        sheet.show(|| Exhibit::Drawing(drawing()));
+        sheet.show(|| Exhibit::Drawing(self.drawing()));
         Ok(())
     }
 }
@@ -460,23 +460,48 @@ impl OverhungDisc {
     }
 }
 
-/// The disc at the end of its shaft, bent.
-fn drawing() -> Drawing {
-    let line = (0..=20).map(|n| {
-        let s = f64::from(n) / 20.0;
-        (-2.0 + 3.5 * s, 0.5 * s * s * (3.0 - s) / 2.0)
-    });
-    let (tip, slope) = ((1.5, 0.5), 0.22f64);
-    let disc = |along: f64, across: f64| {
+impl OverhungDisc {
+    fn drawing(&self) -> Drawing {
+        let line = (0..=20).map(|n| {
+            let s = f64::from(n) / 20.0;
+            (-2.0 + 3.5 * s, 0.5 * s * s * (3.0 - s) / 2.0)
+        });
+        let (tip, slope) = ((1.5, 0.5), 0.22f64);
         let (sin, cos) = slope.sin_cos();
-        (tip.0 + along * cos - across * sin, tip.1 + along * sin + across * cos)
-    };
-    Sketch::new("The disc on its bent shaft")
-        .ground((-2.0, 0.8), (-2.0, -0.8))
-        .axis((-2.0, 0.0), (2.2, 0.0))
-        .bars(line.collect::<Vec<_>>())
-        .body("m, I_d, I_p", [disc(-0.05, -0.9), disc(0.05, -0.9), disc(0.05, 0.9), disc(-0.05, 0.9)])
-        .motion("y", (2.0, 0.0), (2.0, 0.5))
-        .couple("Ω", (-1.2, 0.0), (-1.2, 1.2), Ink::Motion)
-        .finish()
+        let disc = |along: f64, across: f64| {
+            (tip.0 + along * cos - across * sin, tip.1 + along * sin + across * cos)
+        };
+        let half = 0.1;
+        let mut sketch = Sketch::new("The disc on its bent shaft");
+        sketch
+            .ground((-2.0, 0.8), (-2.0, -0.8))
+            .axis((-2.0, 0.0), (2.4, 0.0))
+            .bars(line.collect::<Vec<_>>())
+            .body("", [disc(-half, -0.9), disc(half, -0.9), disc(half, 0.9), disc(-half, 0.9)])
+            .motion("y", (2.1, 0.0), (2.1, 0.5))
+            .angle("θ", (0.2, 0.0), 0.0, slope);
+        match self.disc {
+            TiltingDisc::Inertia { .. } => sketch.label("m, I_d, I_p", disc(half, 0.8)),
+            TiltingDisc::Gyration { .. } => sketch
+                .label("m", disc(half, 0.8))
+                .dimension("h", disc(-half, 0.9), disc(half, 0.9), 1.0)
+                .dimension("r_p", disc(half, 0.0), disc(half, -0.65), -1.0),
+            TiltingDisc::Geometry { .. } => sketch
+                .dimension("h", disc(-half, 0.9), disc(half, 0.9), 1.0)
+                .dimension("D_d", disc(half, -0.9), disc(half, 0.9), -2.0),
+        };
+        match &self.shaft {
+            LightShaft::Cantilever { section, .. } => {
+                sketch.dimension("L", (-2.0, -0.4), (1.5, -0.4), -1.5);
+                section.label(&mut sketch, (-1.2, 0.0));
+            }
+            LightShaft::Influence { .. } => {
+                sketch.label("α, β, γ", (-0.4, 0.15));
+            }
+        }
+        if self.speed.is_some() {
+            sketch.couple("Ω", (-1.2, 0.0), (-1.2, 1.2), Ink::Motion);
+        }
+        sketch.finish()
+    }
 }

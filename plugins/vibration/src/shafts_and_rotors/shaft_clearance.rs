@@ -1,7 +1,7 @@
 //! Conditions for an unbalanced rotor to clear its stator: diameters or stiffnesses of its shaft, eccentricities,
 //! speeds.
 
-use std::f64::consts::FRAC_1_SQRT_2;
+use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 use dalembert_core::{
     About, Analysis, Drawing, Exhibit, Ink, Inputs, Refusal, Sketch, Text, Worksheet, register,
@@ -336,27 +336,44 @@ impl ShaftClearance {
         }
     }
 
-    /// The rotor on its shaft, inside the stator.
     fn drawing(&self) -> Drawing {
-        let mounting = match &self.sought {
-            PermittedQuantity::Diameter { shaft, .. } => shaft.mounting,
+        let (mounting, round) = match &self.sought {
+            PermittedQuantity::Diameter { shaft, .. } => (shaft.mounting, true),
             PermittedQuantity::Eccentricity { shaft: RotorShaft::Round { mounting, .. }, .. }
-            | PermittedQuantity::Speed { shaft: RotorShaft::Round { mounting, .. }, .. } => *mounting,
-            _ => Mounting::SimplySupported,
+            | PermittedQuantity::Speed { shaft: RotorShaft::Round { mounting, .. }, .. } => (*mounting, true),
+            _ => (Mounting::SimplySupported, false),
         };
-        let mut sketch = Sketch::new("The rotor in its stator");
+        let mut sketch = Sketch::new("The rotor in its stator (clearance and diameter drawn wider)");
         let x = mounting.draw(&mut sketch);
         sketch
-            .mass("", (x - 0.35, -0.8), (x + 0.35, 0.8))
-            .line("stator", (x - 0.5, 1.0), (x + 0.5, 1.0), Ink::Danger)
-            .curve([(x - 0.5, -1.0), (x + 0.5, -1.0)], Ink::Danger)
-            .axis((x - 0.35, 0.0), (x + 0.8, 0.0))
-            .dimension("R", (x + 0.5, 0.0), (x + 0.5, 1.0), 0.0)
-            .round("e", (x, 0.12), 0.06, Ink::Danger);
-        if matches!(self.sought, PermittedQuantity::Diameter { .. }) {
-            sketch.label("d", (-1.4, 0.0));
+            .mass("", (x - 0.45, -0.8), (x + 0.45, 0.8))
+            .label("m", (x - 0.2, -0.5))
+            .line("stator", (x - 0.7, 1.15), (x + 0.7, 1.15), Ink::Danger)
+            .curve([(x - 0.7, -1.15), (x + 0.7, -1.15)], Ink::Danger)
+            .axis((-2.7, 0.0), (x + 1.2, 0.0))
+            .dimension("R", (x + 0.3, 0.8), (x + 0.3, 1.15), 0.0)
+            .round("", (x, 0.25), 0.06, Ink::Danger);
+        if round {
+            mounting.label(&mut sketch, 1.5);
+        } else {
+            sketch.label("k", (-1.4, 0.0));
         }
-        sketch.finish()
+        let (unbalance, speed) = match self.sought {
+            PermittedQuantity::Diameter { .. } | PermittedQuantity::Stiffness { .. } => {
+                ("m₀e", "ω_a ≤ ω ≤ ω_b")
+            }
+            PermittedQuantity::Eccentricity { .. } => ("e", "ω_a ≤ ω ≤ ω_b"),
+            PermittedQuantity::Speed { .. } => ("m₀e", "ω"),
+        };
+        let turn = |n: i32| {
+            let (sin, cos) = (PI * (0.6 + 0.8 * f64::from(n) / 12.0)).sin_cos();
+            (-1.1 + 0.15 * cos, 0.45 * sin)
+        };
+        sketch
+            .label(unbalance, (x, 0.25))
+            .curve((0..12).map(turn).collect::<Vec<_>>(), Ink::Motion)
+            .motion(speed, turn(11), turn(12))
+            .finish()
     }
 }
 

@@ -1,8 +1,8 @@
 //! Several discs on a shaft: the lowest frequency by approximate methods, beside the exact one, and all critical speeds.
 
 use dalembert_core::{
-    About, Analysis, Axis, Cell, Column, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Symbol,
-    TableExhibit, Text, Worksheet, register,
+    About, Analysis, Axis, Cell, Column, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch,
+    Symbol, TableExhibit, Worksheet, register,
 };
 use dalembert_mechanics::{Real, beam::influence};
 use dalembert_numerics::gauss_legendre;
@@ -14,6 +14,7 @@ use crate::{
     shared::{
         body_load::MassOrWeight,
         continuous::{LineMass, LineMassGiven, line_mass},
+        letters::of_row,
         section::{LightProfile, light_profile},
     },
     sources::{BEER, BLEVINS, RAO, SHIGLEY},
@@ -204,16 +205,32 @@ impl ShaftWithDiscs {
         let width = 6.0;
         let at = |x: f64| x / self.length * width;
         let mut sketch = Sketch::new("The discs on the shaft");
-        sketch.bars([(0.0, 0.0), (width, 0.0)]);
+        sketch.mass("", (0.0, -0.06), (width, 0.06));
         match self.bearings {
-            Bearings::SimplySupported => sketch.pin("", (0.0, 0.0)).pin("", (width, 0.0)),
+            Bearings::SimplySupported => sketch.pin("", (0.0, -0.06)).pin("", (width, -0.06)),
             Bearings::Cantilever => sketch.ground((0.0, 0.6), (0.0, -0.6)),
-            Bearings::Overhanging { span } => sketch.pin("", (0.0, 0.0)).pin("", (at(span), 0.0)),
+            Bearings::Overhanging { span } => sketch
+                .pin("", (0.0, -0.06))
+                .pin("", (at(span), -0.06))
+                .dimension("l", (0.0, 0.8), (at(span), 0.8), 0.0),
         };
-        for (n, disc) in (1..).zip(&self.discs) {
+        for (disc, row) in self.discs.iter().zip(1..) {
             let x = at(disc.distance);
-            sketch.mass(Text::new("disc {n}").with("n", n), (x - 0.1, -0.7), (x + 0.1, 0.7));
+            sketch.mass("", (x - 0.12, -0.6), (x + 0.12, 0.6));
+            match disc.load {
+                MassOrWeight::Mass { .. } => sketch.label(of_row(&["m"], row), (x, 0.6)),
+                MassOrWeight::Weight { .. } => sketch.force(of_row(&["W"], row), (x, -0.6), (x, -1.1)),
+            };
         }
+        // Distances from the left end, as ordinates on one line.
+        let level = -1.5;
+        sketch.vector("x", (0.0, level), (width + 0.5, level), Ink::Faint);
+        for (disc, row) in self.discs.iter().zip(1..) {
+            let x = at(disc.distance);
+            sketch.axis((x, level - 0.08), (x, level + 0.2)).label(of_row(&["x"], row), (x, level - 0.08));
+        }
+        sketch.axis((0.0, level - 0.15), (0.0, level + 0.15)).dimension("L", (0.0, 0.9), (width, 0.9), 0.0);
+        self.section.draw(&mut sketch, (width + 1.3, 0.2), 0.8);
         sketch.finish()
     }
 }

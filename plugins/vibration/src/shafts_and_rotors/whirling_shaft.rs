@@ -13,7 +13,7 @@ mod forces;
 mod limit;
 
 use crate::{
-    shared::jeffcott::{RotorShaft, stiffness},
+    shared::jeffcott::{Mounting, RotorShaft, stiffness},
     sources::{RAO, SARKAR},
 };
 
@@ -230,7 +230,7 @@ impl Analysis for WhirlingShaft {
         let at = (speed.value(), amplitude.value());
         sheet.show(|| Exhibit::Plot(amplitude_over_speed(numbers, at, limit.as_ref())));
         sheet.show(|| Exhibit::Plot(phase_over_speed(numbers, at.0)));
-        sheet.show(|| Exhibit::Drawing(vectors(numbers, at)));
+        sheet.show(|| Exhibit::Drawing(self.vectors(numbers, at)));
         Ok(())
     }
 }
@@ -464,22 +464,46 @@ fn phase_over_speed([natural, _, zeta]: [f64; 3], at: f64) -> Plot {
     .mark("at this speed", (at, sdof::phase_lag_from_ratios(at / natural, zeta)))
 }
 
-/// The rotor seen along its axis: bearing centre O, shaft centre W, centre of mass G.
-fn vectors([natural, eccentricity, zeta]: [f64; 3], (speed, amplitude): (f64, f64)) -> Drawing {
-    let lag = sdof::phase_lag_from_ratios(speed / natural, zeta);
-    // The longer of the two arrows has the length 1; the shorter one stays visible.
-    let longer = amplitude.max(eccentricity);
-    let [a, e] = [amplitude, eccentricity].map(|length| (length / longer).max(0.25));
-    // The centre of mass is ahead of the deflection by the lag, in the sense of the rotation.
-    let w = (a, 0.0);
-    let g = (w.0 + e * lag.cos(), e * lag.sin());
-    Sketch::new("Bearing centre O, shaft centre W, centre of mass G (a short arrow is drawn longer)")
-        .circle((0.0, 0.0), a, Ink::Faint)
-        .circle(w, 0.6, Ink::Body)
-        .motion("", (0.0, 0.0), w)
-        .vector("G", w, g, Ink::Danger)
-        .label("O", (0.0, 0.0))
-        .label("W", w)
-        .couple("ω", w, (2.2, 3.4), Ink::Faint)
-        .finish()
+impl WhirlingShaft {
+    /// The shaft from its side, and the rotor along its axis.
+    fn vectors(&self, [natural, eccentricity, zeta]: [f64; 3], (speed, amplitude): (f64, f64)) -> Drawing {
+        let lag = sdof::phase_lag_from_ratios(speed / natural, zeta);
+        // The longer of the two arrows has the length 1; the shorter one stays visible.
+        let longer = amplitude.max(eccentricity);
+        let [a, e] = [amplitude, eccentricity].map(|length| (length / longer).max(0.25));
+        // The centre of mass is ahead of the deflection by the lag, in the sense of the rotation.
+        let origin = (4.6, 0.0);
+        let w = (origin.0 + a, 0.0);
+        let g = (w.0 + e * lag.cos(), e * lag.sin());
+        let mut sketch = Sketch::new(
+            "The shaft from its side, and along its axis: bearing centre O, shaft centre W, centre of mass G (a short arrow is drawn longer)",
+        );
+        let mounting = match &self.shaft {
+            RotorShaft::Round { mounting, .. } => *mounting,
+            RotorShaft::Stiffness { .. } => Mounting::SimplySupported,
+        };
+        let x = mounting.draw(&mut sketch);
+        match &self.shaft {
+            RotorShaft::Round { .. } => mounting.label(&mut sketch, 1.2),
+            RotorShaft::Stiffness { .. } => {
+                sketch.label("k", (-1.4, 0.0));
+            }
+        }
+        let unbalance = match self.imbalance {
+            Imbalance::Eccentricity { .. } => "e",
+            Imbalance::Unbalance { .. } => "m₀e = m e",
+        };
+        sketch
+            .mass("", (x - 0.35, -0.8), (x + 0.35, 0.8))
+            .label("m", (x, 0.8))
+            .circle(origin, a, Ink::Faint)
+            .circle(w, 0.6, Ink::Body)
+            .motion("", origin, w)
+            .edge(unbalance, w, g, Ink::Danger)
+            .label("G", g)
+            .label("O", origin)
+            .label("W", w)
+            .couple("ω", w, (0.6, 1.9), Ink::Motion);
+        sketch.finish()
+    }
 }

@@ -1,13 +1,16 @@
 //! A chain of masses on springs that stands on its base, with its modes written out.
 
-use dalembert_core::{Inputs, Refusal, Symbol, Worksheet};
+use dalembert_core::{Inputs, Refusal, Sketch, Symbol, Worksheet};
 use dalembert_mechanics::{
     Real,
     vibration::base_modes::{self, BaseMode},
 };
 
 use crate::{
-    shared::oscillator::{Mass, mass},
+    shared::{
+        letters::of_row,
+        oscillator::{Mass, mass},
+    },
     sources::CHOPRA,
 };
 
@@ -135,4 +138,34 @@ pub(crate) fn check_motions<W: Worksheet>(
         let what = "displacements of a mode: inertia and springs balance at every mass";
         sheet.check_zeros(what, residuals, size * highest.powi(2));
     }
+}
+
+impl ChainMass {
+    /// The letter of its mass, or of its weight.
+    fn letter(&self) -> &'static str {
+        match self.mass {
+            Mass::Mass { .. } => "m",
+            Mass::Weight { .. } => "W",
+        }
+    }
+}
+
+/// A chain as a building: floors that carry the masses, on columns, from the moving base.
+pub(crate) fn building(links: &[ChainMass]) -> Sketch {
+    const FLOORS: usize = 8;
+    let mut sketch = Sketch::new("The chain as a building on its moving base");
+    let (half, storey, thick) = (1.6, 1.3, 0.45);
+    sketch.ground((-2.0, 0.0), (2.0, 0.0)).motion("ÿ(t)", (-3.4, -0.15), (-2.4, -0.15));
+    for (link, row) in links.iter().take(FLOORS).zip(1..) {
+        let (low, high) = (storey * (row - 1) as f64, storey * row as f64);
+        let foot = if row == 1 { low } else { low + thick };
+        for side in [-0.85, 0.85] {
+            sketch.bars([(side * half, foot), (side * half, high)]);
+        }
+        sketch
+            .mass(of_row(&[link.letter()], row), (-half, high), (half, high + thick))
+            .label(of_row(&["k"], row), (0.85 * half, f64::midpoint(foot, high)))
+            .motion(of_row(&["x"], row), (half + 0.2, high + thick / 2.0), (half + 0.9, high + thick / 2.0));
+    }
+    sketch
 }

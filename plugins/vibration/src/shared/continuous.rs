@@ -138,6 +138,16 @@ pub(crate) fn shapes_film(shapes: &[Sampled], length: f64, ends: impl Fn(&mut Sk
     Exhibit::Animation(Sketch::animation("Mode shapes in motion", (0..FRAMES).map(frame), 2.0))
 }
 
+/// Half the thickness of a drawn beam.
+pub(crate) const HALF_BEAM: f64 = 0.09;
+
+/// A beam of a width from the left end, with its length below.
+pub(crate) fn beam(title: &'static str, width: f64) -> Sketch {
+    let mut sketch = Sketch::new(title);
+    sketch.mass("", (0.0, -HALF_BEAM), (width, HALF_BEAM)).dimension("L", (0.0, -1.2), (width, -1.2), 0.0);
+    sketch
+}
+
 /// The support of a beam at a point: clamped, pinned, or guided, which holds the slope alone.
 pub(crate) fn draw_support(
     sketch: &mut Sketch,

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use dalembert_core::{
-    Axis, Drawing, Exhibit, Ink, Plot, Refusal, Series, Sketch, Worksheet,
+    Axis, Exhibit, Plot, Refusal, Series, Worksheet,
     exhibit::{Cell, Column, TableExhibit},
 };
 use dalembert_mechanics::{
@@ -232,7 +232,6 @@ impl<N: Real> FrictionOscillator<N> {
         sheet.show(|| Exhibit::Plot(history(&decay, &rest, asked, units)));
         sheet.show(|| Exhibit::Plot(phase_plane(&decay, &rest, units)));
         sheet.show(|| Exhibit::Table(turning_points(&decay, units)));
-        sheet.show(|| Exhibit::Drawing(drawing(motion, damping.value() > 0.0)));
         Ok(())
     }
 }
@@ -327,41 +326,4 @@ fn turning_points(decay: &FrictionDecay, units: FrictionUnits) -> TableExhibit {
         rows,
         foot: Vec::new(),
     }
-}
-
-fn drawing(motion: OscillatorMotion, damped: bool) -> Drawing {
-    match motion {
-        OscillatorMotion::Translation => block_with_friction(damped),
-        OscillatorMotion::Rotation => disc_with_friction(damped),
-    }
-}
-
-fn block_with_friction(damped: bool) -> Drawing {
-    let mut sketch = Sketch::new("The mass on its spring, with friction");
-    sketch
-        .ground((-2.4, 1.2), (-2.4, -0.7))
-        .ground((-2.4, -0.7), (2.0, -0.7))
-        .spring("k", (-2.4, 0.3), (-0.7, 0.3))
-        .mass("m", (-0.7, -0.7), (0.7, 0.7))
-        .force("F", (1.6, -0.55), (0.75, -0.55))
-        .motion("x", (0.0, 1.0), (0.9, 1.0));
-    if damped {
-        sketch.damper("c", (-2.4, -0.3), (-0.7, -0.3));
-    }
-    sketch.finish()
-}
-
-fn disc_with_friction(damped: bool) -> Drawing {
-    let mut sketch = Sketch::new("The body on its torsional spring, with friction");
-    sketch
-        .ground((1.0, 1.8), (-1.0, 1.8))
-        .spring("k_t", (0.0, 1.8), (0.0, 0.3))
-        .mass("J", (-1.1, -0.3), (1.1, 0.3))
-        .force("T_f", (2.1, -0.2), (1.15, -0.2))
-        .arc((0.0, 0.0), 1.5, (2.7, 3.6), Ink::Motion)
-        .label("θ", (-1.75, 0.0));
-    if damped {
-        sketch.damper("c_t", (0.0, -1.5), (0.0, -0.3)).ground((-1.0, -1.5), (1.0, -1.5));
-    }
-    sketch.finish()
 }

@@ -346,3 +346,48 @@ pub fn moment_of_inertia<W: Worksheet>(given: &InertiaGiven<W>, sheet: W, symbol
         }
     }
 }
+
+impl Mass {
+    /// The letter of the mass, or how it follows from the weight.
+    pub(crate) fn letter(&self) -> &'static str {
+        match self {
+            Mass::Mass { .. } => "m",
+            Mass::Weight { .. } => "m = W/g",
+        }
+    }
+}
+
+impl TranslatingBody {
+    /// The letter of the mass, or how it follows from the weight.
+    pub(crate) fn letter(&self) -> &'static str {
+        match self {
+            TranslatingBody::Mass(mass) | TranslatingBody::Rolling { mass, .. } => mass.letter(),
+        }
+    }
+}
+
+impl RotorInertia {
+    /// The letters of what is given.
+    pub(crate) fn letters(&self) -> &'static [&'static str] {
+        match self {
+            RotorInertia::Given { .. } => &["J"],
+            RotorInertia::Gyration { .. } => &["m", "κ"],
+            RotorInertia::WeightMoment { .. } => &["WR²"],
+            RotorInertia::Disc { .. } => &["m", "D"],
+        }
+    }
+}
+
+impl Inertia {
+    /// The letters of what is given.
+    pub(crate) fn letters(&self) -> &'static [&'static str] {
+        match self {
+            Inertia::Rotor(rotor) => rotor.letters(),
+            Inertia::Ring { .. } => &["m", "D"],
+            Inertia::Shape { mass, .. } => match mass {
+                Mass::Mass { .. } => &["m"],
+                Mass::Weight { .. } => &["W"],
+            },
+        }
+    }
+}

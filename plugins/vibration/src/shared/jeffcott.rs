@@ -71,6 +71,9 @@ pub(crate) fn stiffness<W: Worksheet>(shaft: &RotorShaft, given: &RotorShaftGive
     }
 }
 
+/// Half the diameter of a drawn shaft.
+const HALF: f64 = 0.09;
+
 impl Mounting {
     /// Stiffness of the shaft at the rotor.
     pub(crate) fn stiffness<N: Real>(self, young: N, second_moment: N, length: N) -> N {
@@ -111,19 +114,30 @@ impl Mounting {
         }
     }
 
-    /// The shaft and what holds it, and the place of the rotor.
+    /// The shaft and what holds it, and the place of the rotor. Its diameter is drawn wider than it is.
     pub(crate) fn draw(self, sketch: &mut Sketch) -> f64 {
         let (left, right) = (-2.5, if self == Mounting::Cantilever { 1.5 } else { 2.5 });
-        sketch.bars([(left, 0.0), (right, 0.0)]);
+        sketch.mass("", (left, -HALF), (right, HALF));
         match self {
-            Mounting::SimplySupported => sketch.pin("", (left, 0.0)),
+            Mounting::SimplySupported => sketch.pin("", (left, -HALF)),
             _ => sketch.ground((left, 0.6), (left, -0.6)),
         };
         match self {
             Mounting::Cantilever => return 1.5,
             Mounting::Clamped => sketch.ground((right, -0.6), (right, 0.6)),
-            Mounting::SimplySupported | Mounting::ClampedPinned => sketch.pin("", (right, 0.0)),
+            Mounting::SimplySupported | Mounting::ClampedPinned => sketch.pin("", (right, -HALF)),
         };
         0.0
+    }
+
+    /// Dimension of the length under the shaft, and of the diameter across it.
+    pub(crate) fn label(self, sketch: &mut Sketch, below: f64) {
+        let right = if self == Mounting::Cantilever { 1.5 } else { 2.5 };
+        sketch.dimension("L", (-2.5, -below), (right, -below), -1.0).dimension(
+            "d",
+            (-1.7, -HALF),
+            (-1.7, HALF),
+            0.0,
+        );
     }
 }

@@ -366,3 +366,24 @@ fn undamped<W: Worksheet>(
     };
     Ok(sheet.step("ωₙ", "rad/s", value, (slower, RAO.at("§2.6"))))
 }
+
+impl SpringData {
+    /// The letters at the spring.
+    pub(crate) fn letters(&self) -> &'static str {
+        match self {
+            SpringData::Stiffness { .. } | SpringData::Springs { .. } => "k",
+            SpringData::StaticDeflection { .. } => "k, δ_st",
+            SpringData::NaturalFrequency { .. } => "k, ωₙ",
+        }
+    }
+}
+
+impl Elasticity {
+    /// The letters at the spring.
+    pub(crate) fn letters(&self) -> &'static str {
+        match self {
+            Elasticity::Springs(springs) => springs.letters(),
+            Elasticity::DampedFrequency { .. } => "k, ω_d",
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! Cross-sections: what bending, axial and torsional stiffness need of them.
 
-use dalembert_core::{Inputs, Refusal, Symbol, Worksheet};
+use dalembert_core::{Inputs, Point, Refusal, Sketch, Symbol, Worksheet};
 use dalembert_mechanics::{Real, section};
 
 use crate::sources::{BEER, COWPER};
@@ -327,4 +327,130 @@ pub fn polar_moment<W: Worksheet>(
         RoundSectionGiven::Tube { .. } => "Polar second moment of area of a tube",
     };
     Ok(sheet.step(symbol, "cm^4", round.polar_moment(), (why, BEER.at("app. A"))))
+}
+
+impl RoundSection {
+    /// The letters of its diameters.
+    pub(crate) fn letters(&self) -> &'static str {
+        match self {
+            RoundSection::Round { .. } => "d",
+            RoundSection::Tube { .. } => "D, d",
+        }
+    }
+}
+
+impl ShaftSection {
+    /// The letters of its lengths, one by one.
+    pub(crate) fn each(&self) -> &'static [&'static str] {
+        match self {
+            ShaftSection::Round(RoundSection::Round { .. }) => &["d"],
+            ShaftSection::Round(RoundSection::Tube { .. }) => &["D", "d"],
+            ShaftSection::Given { .. } => &["I_t"],
+        }
+    }
+
+    /// The letters of its lengths.
+    pub(crate) fn letters(&self) -> &'static str {
+        match self {
+            ShaftSection::Round(section) => section.letters(),
+            ShaftSection::Given { .. } => "",
+        }
+    }
+}
+
+impl Section {
+    /// Writes its lengths at a place beside a beam; none of a section that is known by its second moment of area.
+    pub(crate) fn label(&self, sketch: &mut Sketch, at: Point) {
+        match self {
+            Section::Given { .. } => {}
+            Section::Round(section) => {
+                sketch.label(section.letters(), at);
+            }
+            Section::Rectangle { .. } => {
+                sketch.label("b, h", at);
+            }
+        }
+    }
+}
+
+impl Profile {
+    /// The letters of what is given, one by one.
+    pub(crate) fn letters(&self) -> &'static [&'static str] {
+        match self {
+            Profile::Given { .. } => &["A", "I"],
+            Profile::Round(RoundSection::Round { .. }) => &["d"],
+            Profile::Round(RoundSection::Tube { .. }) => &["D", "d"],
+            Profile::Rectangle { .. } => &["b", "h"],
+        }
+    }
+
+    /// The cross-section about a centre, with its lengths.
+    pub(crate) fn draw(&self, sketch: &mut Sketch, centre: Point, size: f64) {
+        match self {
+            Profile::Given { .. } => any_section(sketch, "A, I", centre, size),
+            Profile::Round(section) => section.draw(sketch, centre, size),
+            Profile::Rectangle { breadth, height } => rectangle(sketch, [*breadth, *height], centre, size),
+        }
+    }
+}
+
+impl LightProfile {
+    /// The cross-section about a centre, with its lengths.
+    pub(crate) fn draw(&self, sketch: &mut Sketch, centre: Point, size: f64) {
+        match self {
+            LightProfile::Given { area: None, .. } => any_section(sketch, "I", centre, size),
+            LightProfile::Given { .. } => any_section(sketch, "A, I", centre, size),
+            LightProfile::Round(section) => section.draw(sketch, centre, size),
+            LightProfile::Rectangle { breadth, height } => {
+                rectangle(sketch, [*breadth, *height], centre, size);
+            }
+        }
+    }
+}
+
+impl RoundSection {
+    /// The cross-section about a centre, with its diameters.
+    pub(crate) fn draw(&self, sketch: &mut Sketch, (x, y): Point, size: f64) {
+        let radius = size / 2.0;
+        sketch.disc("", (x, y), radius);
+        match self {
+            RoundSection::Round { .. } => sketch.dimension("d", (x - radius, y), (x + radius, y), 0.0),
+            RoundSection::Tube { outer, inner } => {
+                let hole = radius * (inner / outer).min(0.9);
+                sketch.disc("", (x, y), hole).dimension("d", (x - hole, y), (x + hole, y), 0.0).dimension(
+                    "D",
+                    (x - radius, y),
+                    (x + radius, y),
+                    -5.0,
+                )
+            }
+        };
+    }
+}
+
+/// A rectangle of a section, at least a fifth of the size thick.
+fn rectangle(sketch: &mut Sketch, [breadth, height]: [f64; 2], (x, y): Point, size: f64) {
+    let largest = breadth.max(height);
+    let [b, h] = [breadth, height].map(|length| (length / largest).max(0.2) * size / 2.0);
+    sketch
+        .mass("", (x - b, y - h), (x + b, y + h))
+        .dimension("b", (x - b, y - h), (x + b, y - h), -1.5)
+        .dimension("h", (x + b, y - h), (x + b, y + h), -1.5);
+}
+
+/// A section that is known by its numbers alone, drawn as a beam with flanges.
+fn any_section(sketch: &mut Sketch, letters: &'static str, (x, y): Point, size: f64) {
+    let (wide, high, web, flange) = (0.35 * size, 0.5 * size, 0.08 * size, 0.14 * size);
+    let side = |sign: f64| {
+        [
+            (x + sign * wide, y + high),
+            (x + sign * wide, y + high - flange),
+            (x + sign * web, y + high - flange),
+            (x + sign * web, y - high + flange),
+            (x + sign * wide, y - high + flange),
+            (x + sign * wide, y - high),
+        ]
+    };
+    let outline: Vec<Point> = side(1.0).into_iter().chain(side(-1.0).into_iter().rev()).collect();
+    sketch.body("", outline).label(letters, (x + wide, y));
 }

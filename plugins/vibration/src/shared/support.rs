@@ -1,6 +1,8 @@
 //! Supports of beams in bending.
 
-use dalembert_core::Inputs;
+use dalembert_core::{Inputs, Sketch};
+
+use crate::shared::continuous::{HALF_BEAM, draw_support};
 
 /// A support at an end of a beam or between its spans.
 #[derive(Clone, Debug, Inputs)]
@@ -44,6 +46,22 @@ impl Support {
             clamped: matches!(self, Support::Clamped | Support::Guided),
             spring: transverse.unwrap_or(0.0) * length.powi(3) / bending,
             turning_spring: rotational.unwrap_or(0.0) * length / bending,
+        }
+    }
+
+    /// The support at the end of a drawn beam.
+    pub(crate) fn draw(&self, sketch: &mut Sketch, x: f64, left_end: bool) {
+        let held = matches!(self, Support::Pinned | Support::Clamped);
+        let clamped = matches!(self, Support::Clamped | Support::Guided);
+        let y = if clamped { 0.0 } else { -HALF_BEAM };
+        draw_support(sketch, (held, clamped), (x, y), left_end);
+        if let Support::Springs { transverse, rotational } = self {
+            if transverse.is_some() {
+                sketch.spring("k", (x, -1.0), (x, -HALF_BEAM)).ground((x - 0.3, -1.0), (x + 0.3, -1.0));
+            }
+            if rotational.is_some() {
+                sketch.torsion_spring("k_t", (x, 0.0), 0.0);
+            }
         }
     }
 }

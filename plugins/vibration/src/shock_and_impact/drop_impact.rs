@@ -396,17 +396,27 @@ impl DropImpact {
         let mut sketch = Sketch::new("The body above its spring");
         sketch
             .ground((-1.0, -1.5), (1.0, -1.5))
-            .spring("k", (-0.4, -1.5), (-0.4, -0.4))
+            .spring(self.elasticity.letters(), (-0.4, -1.5), (-0.4, -0.4))
             .damper("c", (0.4, -1.5), (0.4, -0.4))
-            .mass("m", (-0.5, 1.0), (0.5, 1.7));
-        let top = if self.pan.is_some() {
-            sketch.mass("", (-0.8, -0.4), (0.8, -0.2));
-            -0.2
+            .mass(self.body.letter(), (-0.7, 1.0), (0.7, 1.7));
+        let top = if let Some(pan) = &self.pan {
+            sketch.mass("", (-0.8, -0.4), (0.8, -0.15)).label(
+                match pan {
+                    Mass::Mass { .. } => "m_p",
+                    Mass::Weight { .. } => "W_p",
+                },
+                (-0.8, -0.3),
+            );
+            -0.15
         } else {
             sketch.bars([(-0.8, -0.4), (0.8, -0.4)]);
             -0.4
         };
-        sketch.dimension("h", (0.9, top), (0.9, 1.0), 0.0).finish()
+        match self.fall {
+            Fall::Height { .. } => sketch.dimension("h", (0.9, top), (0.9, 1.0), 0.0),
+            Fall::Speed { .. } => sketch.motion("v", (0.0, 1.0), (0.0, 0.3)),
+        };
+        sketch.finish()
     }
 }
 

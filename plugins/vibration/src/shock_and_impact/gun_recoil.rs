@@ -158,7 +158,7 @@ impl Analysis for GunRecoil {
         sheet.answer("total_time", "Recoil and return", total);
         let times = [out.value(), total.value()];
         sheet.show(|| Exhibit::Plot(history(&motion, times)));
-        sheet.show(|| Exhibit::Drawing(drawing()));
+        sheet.show(|| Exhibit::Drawing(self.drawing()));
         Ok(())
     }
 }
@@ -187,13 +187,22 @@ fn history(motion: &FreeMotion, [out, total]: [f64; 2]) -> Plot {
     .mark("end of the timed return", (total, motion.state(total - out)[0]))
 }
 
-fn drawing() -> Drawing {
-    Sketch::new("The barrel on its recoil spring")
-        .ground((-2.4, 0.9), (-2.4, -0.9))
-        .spring("k", (-2.4, 0.35), (-0.9, 0.35))
-        .damper("c_c", (-2.4, -0.35), (-0.9, -0.35))
-        .mass("m", (-0.9, -0.6), (0.5, 0.6))
-        .mass("", (0.5, -0.2), (2.4, 0.2))
-        .motion("x", (0.3, 1.0), (-0.7, 1.0))
-        .finish()
+impl GunRecoil {
+    /// The barrel before firing, its recoil and the return to the last distance.
+    fn drawing(&self) -> Drawing {
+        let mut sketch = Sketch::new("The barrel on its recoil spring (distances not to scale)");
+        sketch
+            .ground((-2.8, 0.9), (-2.8, -0.9))
+            .spring("k", (-2.8, 0.35), (-0.9, 0.35))
+            .damper("c_c", (-2.8, -0.35), (-0.9, -0.35))
+            .mass(self.mass.letter(), (-0.9, -0.6), (0.6, 0.6))
+            .mass("", (0.6, -0.2), (2.4, 0.2))
+            .axis((-0.9, 0.6), (-0.9, 1.4))
+            .dimension("x₁", (-1.3, 0.9), (-0.9, 0.9), 0.0);
+        match self.recoil {
+            Recoil::Distance { .. } => sketch.dimension("R", (-2.1, 1.3), (-0.9, 1.3), 0.0),
+            Recoil::Speed { .. } => sketch.motion("v₀", (0.3, 0.9), (-0.6, 0.9)),
+        };
+        sketch.motion("x", (0.6, -0.9), (-0.3, -0.9)).finish()
+    }
 }

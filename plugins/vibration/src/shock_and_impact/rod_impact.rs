@@ -197,7 +197,11 @@ impl RodImpact {
             let tau = 3.0 * f64::from(n) / 24.0;
             let place = |xi: f64| 5.0 * (xi - 0.15 * impact::displacement(xi, tau));
             let mut sketch = Sketch::default();
-            sketch.ground((0.0, 1.0), (0.0, -1.0));
+            sketch.ground((0.0, 1.0), (0.0, -1.0)).dimension("L", (0.0, -0.4), (5.0, -0.4), -2.0).motion(
+                "v",
+                (5.0, 0.8),
+                (4.0, 0.8),
+            );
             for part in 0..10 {
                 let (from, to) = (f64::from(part) / 10.0, f64::from(part + 1) / 10.0);
                 let loaded = impact::stress(0.5 * (from + to), tau) > 0.0;

@@ -143,7 +143,7 @@ impl Analysis for RodUnderSuddenForce {
         }
         sheet.show(|| Exhibit::Plot(self.history(&scales, displacement.value())));
         sheet.show(|| Exhibit::Plot(self.along(&scales, displacement.value())));
-        sheet.show(|| Exhibit::Drawing(drawing()));
+        sheet.show(|| Exhibit::Drawing(self.drawing()));
         Ok(())
     }
 }
@@ -240,12 +240,18 @@ impl RodUnderSuddenForce {
     }
 }
 
-fn drawing() -> Drawing {
-    let mut sketch = Sketch::new("The free rod and the force on its end");
-    sketch
-        .mass("", (-2.0, -0.3), (3.0, 0.3))
-        .force("F", (-3.4, 0.0), (-2.05, 0.0))
-        .motion("u", (-1.8, 0.7), (-0.6, 0.7))
-        .dimension("L", (-2.0, -0.6), (3.0, -0.6), -1.0);
-    sketch.finish()
+impl RodUnderSuddenForce {
+    fn drawing(&self) -> Drawing {
+        let x = -2.0 + 5.0 * (self.place / self.length).min(1.0);
+        let mut sketch = Sketch::new("The free rod and the force on its end");
+        sketch
+            .mass("", (-2.0, -0.3), (3.0, 0.3))
+            .force("F", (-3.4, 0.0), (-2.05, 0.0))
+            .motion("u", (-1.8, 0.7), (-0.6, 0.7))
+            .dimension("L", (-2.0, -0.3), (3.0, -0.3), -2.5);
+        if x > -2.0 {
+            sketch.dimension("x", (-2.0, -0.3), (x, -0.3), -1.0).axis((x, -0.4), (x, 0.4));
+        }
+        sketch.finish()
+    }
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
+    About, Analysis, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -23,10 +23,12 @@ use crate::{
         free_motion::{DampedOscillator, system_of_body},
         load::{AccelerationPoint, LoadHistory},
         oscillator::{
+            Elasticity, SpringData,
             motion::OscillatorMotion,
             parts::{BodyDamping, BodySprings, OscillatingBody, motion_of},
             plots,
         },
+        spring::sketch::carrying,
     },
     sources::{CHOPRA, RAO, THOMSON},
 };
@@ -465,23 +467,45 @@ impl TransientResponse {
     }
 
     fn drawing(&self) -> Drawing {
+        let body = self.mass.as_ref().map_or_else(|| "m".into(), OscillatingBody::letters);
+        let letters = [body.clone(), self.elasticity.letters().into()];
         if self.excitation.motion() == OscillatorMotion::Rotation {
-            return plots::inertia_spring_damper(match self.excitation {
+            let torque = match self.excitation {
                 Excitation::AngularImpulse { .. } => "I",
                 Excitation::BaseRotation { .. } => "α(t)",
-                Excitation::InitialRotation { .. } => "Ω₀",
+                Excitation::InitialRotation { .. } => "θ₀, Ω₀",
+                Excitation::Torque { size: TorqueSize::Largest { .. }, .. } => "T(t) ≤ T₀",
+                Excitation::Torque { .. } => "T(t), I",
                 _ => "T(t)",
-            });
+            };
+            return plots::inertia_spring_damper(torque, letters);
         }
-        let mut sketch = plots::supported("One degree of freedom");
-        sketch.ground((-1.0, -1.5), (1.0, -1.5));
+        let mut sketch = match &self.elasticity {
+            BodySprings::Any(Elasticity::Springs(SpringData::Springs { springs })) => {
+                let mut sketch = Sketch::new("The mass on its springs");
+                carrying(springs, &mut sketch);
+                sketch.mass(body, (-0.6, -0.4), (0.6, 0.4)).motion("x", (1.0, -0.2), (1.0, 0.5));
+                sketch
+            }
+            _ => {
+                let mut sketch = plots::supported("One degree of freedom", letters);
+                sketch.ground((-1.0, -1.5), (1.0, -1.5));
+                sketch
+            }
+        };
+        if self.fibre.is_some() {
+            sketch.label("c_f", (-1.8, -0.5));
+        }
         let (tail, head) = ((0.0, 0.4), (0.0, 1.2));
         match self.excitation {
             Excitation::Impulse { .. } => sketch.force("I", tail, head),
-            Excitation::BaseAcceleration { .. } | Excitation::BaseTable { .. } => {
-                sketch.force("ÿ(t)", (-1.2, -1.8), (-1.2, -1.0))
+            Excitation::BaseAcceleration { .. } => sketch.force("ÿ(t) ≤ a₀", (-1.2, -1.8), (-1.2, -1.0)),
+            Excitation::BaseTable { .. } => sketch.force("ÿ(t)", (-1.2, -1.8), (-1.2, -1.0)),
+            Excitation::Initial { .. } => sketch.motion("x₀, v₀", tail, head),
+            Excitation::Force { size: ForceSize::Largest { .. }, .. } => {
+                sketch.force("F(t) ≤ F₀", tail, head)
             }
-            Excitation::Initial { .. } => sketch.motion("v₀", tail, head),
+            Excitation::Force { .. } => sketch.force("F(t), I", tail, head),
             _ => sketch.force("F(t)", tail, head),
         };
         sketch.finish()

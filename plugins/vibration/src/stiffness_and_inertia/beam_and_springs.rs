@@ -207,9 +207,9 @@ impl BeamAndSprings {
                 .damper("c", (x, 0.0), (x, top))
                 .bars([(x, top), (0.0, top)]);
         }
-        sketch.mass("m", (-0.7, top - 0.9), (0.7, top)).motion("x", (0.95, top - 0.2), (0.95, top - 0.9));
+        sketch.mass("m", (-0.7, top - 0.9), (0.7, top)).motion("x, ω_d", (1.2, top - 0.1), (1.2, top - 0.8));
         if self.excitation.is_some() {
-            sketch.force("F₀ cos ωt", (0.0, top - 0.9), (0.0, top - 1.7));
+            sketch.force("F₀ cos(ω t)", (0.0, top - 0.9), (0.0, top - 1.7));
         }
         sketch.finish()
     }

@@ -183,11 +183,25 @@ impl Analysis for EquivalentStiffness {
 impl EquivalentStiffness {
     fn drawing(&self) -> Drawing {
         match &self.motion {
-            SupportedMotion::Translation { springs, load, .. } => {
-                sketched(springs, load.as_ref().map(|_| "m"))
+            SupportedMotion::Translation { springs, load, .. } => sketched(
+                springs,
+                load.as_ref().map(|load| match load {
+                    SupportedLoad::Mass { .. } => ("m", "x"),
+                    SupportedLoad::Weight { .. } => ("W", "x"),
+                    SupportedLoad::Frequency { .. } => ("m", "x, ωₙ"),
+                    SupportedLoad::Deflection { .. } => ("m", "x, δ"),
+                }),
+            ),
+            SupportedMotion::Rotation { springs, body, .. } => sketched(
+                springs,
+                body.as_ref().map(|body| match body {
+                    TorsionalBody::Known { .. } => ("J", "θ"),
+                    TorsionalBody::Frequency { .. } => ("J", "θ, ωₙ"),
+                }),
+            ),
+            SupportedMotion::Sought { .. } => {
+                sketched(&Spring::Stiffness { stiffness: 1.0 }, Some(("m", "x, ωₙ")))
             }
-            SupportedMotion::Rotation { springs, body, .. } => sketched(springs, body.as_ref().map(|_| "J")),
-            SupportedMotion::Sought { .. } => sketched(&Spring::Stiffness { stiffness: 1.0 }, Some("m")),
         }
     }
 }
@@ -447,7 +461,7 @@ fn against_load(load: f64, natural: impl Fn(f64) -> f64, x: Axis) -> Plot {
 }
 
 /// The network under its support, with what it carries.
-fn sketched<T: Suspended>(springs: &T, carried: Option<&'static str>) -> Drawing {
+fn sketched<T: Suspended>(springs: &T, carried: Option<(&'static str, &'static str)>) -> Drawing {
     let (width, height) = sketch::size(springs);
     let half = (width / 2.0).max(0.9);
     let mut sketch = Sketch::new("The springs and the body they support");
@@ -455,13 +469,15 @@ fn sketched<T: Suspended>(springs: &T, carried: Option<&'static str>) -> Drawing
     sketch::hanging(springs, (0.0, 0.0), height, &[], &mut sketch);
     let low = -height;
     match carried {
-        Some("J") => sketch
+        Some(("J", turn)) => sketch
             .mass("J", (-1.1, low - 0.35), (1.1, low))
             .arc((0.0, low - 0.35), 0.7, (std::f64::consts::PI, TAU), Ink::Motion)
-            .label("θ", (0.7, low - 0.35)),
-        Some(_) => {
-            sketch.mass("m", (-0.7, low - 0.9), (0.7, low)).motion("x", (0.95, low - 0.2), (0.95, low - 0.9))
-        }
+            .label(turn, (0.7, low - 0.35)),
+        Some((mass, motion)) => sketch.mass(mass, (-0.7, low - 0.9), (0.7, low)).motion(
+            motion,
+            (1.0, low - 0.2),
+            (1.0, low - 0.9),
+        ),
         None => sketch.force("F", (0.0, low), (0.0, low - 0.8)),
     };
     sketch.finish()

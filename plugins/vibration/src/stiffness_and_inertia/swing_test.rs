@@ -232,7 +232,7 @@ impl Analysis for SwingTest {
                 sheet.show(|| {
                     Exhibit::Plot(period_over_distance(gyration, g, &[("measured", s, period.value())]))
                 });
-                sheet.show(|| Exhibit::Drawing(pendulum(&[("O", 1.0)])));
+                sheet.show(|| Exhibit::Drawing(pendulum(&[("O", 1.0)], self.mass_letter(), ("s", 1.0, 0.0))));
                 answer(inertia, mass, sheet);
             }
             (
@@ -251,7 +251,13 @@ impl Analysis for SwingTest {
                 sheet.show(|| Exhibit::Plot(period_over_distance(gyration, g, &marks)));
                 let share = found.distances[1].value() / found.distances[0].value();
                 let second = if matches!(side, CentreSide::Between) { -share } else { share };
-                sheet.show(|| Exhibit::Drawing(pendulum(&[("1", 1.0), ("2", second)])));
+                sheet.show(|| {
+                    Exhibit::Drawing(pendulum(
+                        &[("1", 1.0), ("2", second)],
+                        self.mass_letter(),
+                        ("L", 1.0, second),
+                    ))
+                });
                 answer(found.inertia, mass, sheet);
             }
             (
@@ -262,7 +268,7 @@ impl Analysis for SwingTest {
                 let period = period(swings, own, "", sheet);
                 let wires = hung::Wires { radius: *radius, top: *top, length: *length, gravity };
                 let inertia = hung::on_wires(&wires, mass, period, platform.as_ref(), under.as_ref(), sheet)?;
-                sheet.show(|| Exhibit::Drawing(hung::wires(self.leaning())));
+                sheet.show(|| Exhibit::Drawing(hung::wires(self.leaning(), self.mass_letter())));
                 answer(inertia, mass, sheet);
             }
             (TestGiven::Torsion { swings, wire }, Test::Torsion { swings: own, wire: kind }) => {
@@ -297,7 +303,7 @@ impl Analysis for SwingTest {
                         period,
                     );
                 });
-                sheet.show(|| Exhibit::Drawing(hung::rails()));
+                sheet.show(|| Exhibit::Drawing(hung::rails(self.mass_letter())));
                 answer(inertia, mass, sheet);
             }
             (TestGiven::Incline { body, journal, slope, distance, time }, _) => {
@@ -324,7 +330,7 @@ impl Analysis for SwingTest {
                         mass * gravity * *distance * slope.sin(),
                     );
                 });
-                sheet.show(|| Exhibit::Drawing(hung::incline()));
+                sheet.show(|| Exhibit::Drawing(hung::incline(self.mass_letter())));
                 answer(inertia, mass, sheet);
             }
             _ => {}
@@ -422,6 +428,21 @@ fn rolled<W: Worksheet>(mass: W::Num, square: W::Num, sheet: W) -> Result<W::Num
 }
 
 impl SwingTest {
+    /// The letter of the mass, or of the weight.
+    fn mass_letter(&self) -> &'static str {
+        match &self.test {
+            Test::OnePoint { body, .. }
+            | Test::TwoPoints { body, .. }
+            | Test::Wires { body, .. }
+            | Test::Rails { body, .. }
+            | Test::Incline { body, .. } => match body {
+                MassOrWeight::Mass { .. } => "m",
+                MassOrWeight::Weight { .. } => "W",
+            },
+            Test::Torsion { .. } => "",
+        }
+    }
+
     /// Inward inclination of the wires at the top, relative to the radius at the body.
     fn leaning(&self) -> f64 {
         match &self.test {

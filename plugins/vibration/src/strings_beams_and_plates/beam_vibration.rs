@@ -8,6 +8,7 @@ use dalembert_mechanics::{
     beam::dynamic_stiffness::{Beam, BeamError, BeamStation},
 };
 
+mod drawing;
 mod sprung;
 
 use self::sprung::{SprungBeam, SprungMass, SprungShape};
@@ -251,6 +252,7 @@ impl Analysis for BeamVibration {
             (1..).zip(&shapes).map(one).collect()
         };
         sheet.show(|| shapes_plot(&sampled()));
+        sheet.show(|| Exhibit::Drawing(self.drawing()));
         sheet.show(|| {
             shapes_film(&sampled(), self.length, |sketch, width, y| stations(&whole, sketch, width, y))
         });

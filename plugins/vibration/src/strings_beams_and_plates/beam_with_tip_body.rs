@@ -1,8 +1,8 @@
 //! A cantilever with masses on rigid arms at its tip: bending, stretching and torsion together.
 
 use dalembert_core::{
-    About, Analysis, Cell, Column, Drawing, Exhibit, Inputs, Refusal, Sketch, TableExhibit, Text, Worksheet,
-    register,
+    About, Analysis, Cell, Column, Drawing, Exhibit, Ink, Inputs, Refusal, Sketch, TableExhibit, Text,
+    Worksheet, register,
 };
 use dalembert_mechanics::{
     Real, Vector,
@@ -12,7 +12,7 @@ use dalembert_mechanics::{
 use nalgebra::Vector3;
 
 use crate::{
-    shared::section::RoundSection,
+    shared::{letters::of_row, section::RoundSection},
     sources::{BEER, BLEVINS, COWPER, WITTRICK},
 };
 
@@ -257,13 +257,25 @@ impl BeamWithTipBody {
         let reach = self.masses.iter().fold(0.0f64, |reach, mass| reach.max(mass.place.amax()));
         let scale = if reach > 0.0 { (2.0 / reach).min(length / self.length * 3.0) } else { 1.0 };
         let mut sketch = Sketch::new("The beam and its body in the plane xy");
-        sketch.ground((0.0, 1.0), (0.0, -1.0)).bars([(0.0, 0.0), (length, 0.0)]);
+        sketch.ground((0.0, 1.0), (0.0, -1.0)).mass("", (0.0, -0.1), (length, 0.1)).dimension(
+            "L",
+            (0.0, -0.5),
+            (length, -0.5),
+            -1.0,
+        );
         for (n, mass) in (1..).zip(&self.masses) {
             let (x, y) = (length + scale * mass.place.x, scale * mass.place.y);
             sketch
                 .axis((length, 0.0), (x, y))
+                .vector(of_row(&["r"], n), (length, 0.0), (x, y), Ink::Faint)
                 .mass("", (x - 0.2, y - 0.2), (x + 0.2, y + 0.2))
-                .label(Text::new("mass {n}").with("n", n), (x, y));
+                .label(of_row(&["m"], n), (x, y));
+        }
+        match &self.section {
+            TipSection::Round(section) => section.draw(&mut sketch, (-1.6, 0.0), 0.8),
+            TipSection::Rectangle { .. } => {
+                sketch.label("b_y, b_z", (0.4 * length, 0.1));
+            }
         }
         sketch.finish()
     }

@@ -1,7 +1,8 @@
 //! Bending vibration of a beam over several supports, each span with its own section.
 
 use dalembert_core::{
-    About, Analysis, Cell, Column, Exhibit, Inputs, Refusal, Sketch, TableExhibit, Text, Worksheet, register,
+    About, Analysis, Cell, Column, Drawing, Exhibit, Inputs, Refusal, Sketch, TableExhibit, Text, Worksheet,
+    register,
 };
 use dalembert_mechanics::{
     Real,
@@ -13,7 +14,8 @@ use dalembert_mechanics::{
 
 use crate::{
     shared::{
-        continuous::{LineMass, Sampled, draw_support, line_mass, shapes_film, shapes_plot},
+        continuous::{HALF_BEAM, LineMass, Sampled, draw_support, line_mass, shapes_film, shapes_plot},
+        letters::of_row,
         section::{Profile, profile},
         support::{Restraint, Support},
     },
@@ -201,6 +203,7 @@ impl Analysis for MultiSpanBeam {
             (1..).zip(&shapes).map(one).collect()
         };
         sheet.show(|| shapes_plot(&sampled()));
+        sheet.show(|| Exhibit::Drawing(self.drawing(&beam)));
         sheet.show(|| {
             shapes_film(&sampled(), length.value(), |sketch, width, y| joints(&beam, sketch, width, y))
         });
@@ -209,6 +212,29 @@ impl Analysis for MultiSpanBeam {
 }
 
 impl MultiSpanBeam {
+    /// The spans on their supports, with the letters of each.
+    fn drawing(&self, beam: &Spans) -> Drawing {
+        const WIDTH: f64 = 8.0;
+        let mut sketch = Sketch::new("The spans and their supports");
+        sketch.mass("", (0.0, 0.0), (WIDTH, 2.0 * HALF_BEAM));
+        joints(beam, &mut sketch, WIDTH, 0.0);
+        let mut from = 0.0;
+        for ((span, given), row) in beam.spans.iter().zip(&self.spans).zip(1..) {
+            let to = from + span.length * WIDTH;
+            sketch.dimension(of_row(&["L"], row), (from, -1.5), (to, -1.5), 0.0);
+            sketch.label(of_row(given.section.letters(), row), (f64::midpoint(from, to), 2.0 * HALF_BEAM));
+            from = to;
+        }
+        for (joint, (at, row)) in
+            [&self.left].into_iter().chain(self.spans.iter().map(|span| &span.end)).zip(ends(beam).zip(0..))
+        {
+            if joint.mass.is_some() && row > 0 {
+                sketch.label(of_row(&["m"], row), (at * WIDTH, 0.3));
+            }
+        }
+        sketch.finish()
+    }
+
     /// The beam with its length, `EI` and `m̄` of the first span as units; `numbers` are those of each span.
     fn beam(&self, numbers: &[(f64, f64)], length: f64) -> Spans {
         let (bending, mass) = numbers[0];
@@ -295,6 +321,15 @@ fn elements(beam: &Spans, roots: &[f64], unit: f64) -> Exhibit {
         columns,
         rows: [2, 4, 8, 16].map(row).into_iter().chain([exact.collect()]).collect(),
         foot: Vec::new(),
+    })
+}
+
+/// Places of the joints as shares of the whole length.
+fn ends(beam: &Spans) -> impl Iterator<Item = f64> {
+    let lengths = [0.0].into_iter().chain(beam.spans.iter().map(|span| span.length));
+    lengths.scan(0.0, |sum, length| {
+        *sum += length;
+        Some(*sum)
     })
 }
 

@@ -17,6 +17,7 @@ use dalembert_mechanics::{
 use crate::{
     shared::{
         continuous::{LineMass, line_mass},
+        letters::of_row,
         section::{Profile, ProfileGiven, profile},
     },
     sources::{BEER, BLEVINS, TIMOSHENKO, WITTRICK},
@@ -396,7 +397,7 @@ impl PlaneFrame {
             let [from, to] = [member.from, member.to].map(|at| &self.joints[at - 1]);
             let ends = [place(from.x, from.y), place(to.x, to.y)];
             let Some((shape, phase)) = moved else {
-                sketch.link(Text::new("{n}").with("n", n + 1), ends[0], ends[1]);
+                sketch.link(of_row(member.section.letters(), n + 1), ends[0], ends[1]);
                 continue;
             };
             sketch.axis(ends[0], ends[1]);
@@ -411,7 +412,7 @@ impl PlaneFrame {
         }
         for (n, joint) in (1..).zip(&self.joints) {
             let at = place(joint.x, joint.y);
-            let name = if moved.is_none() { Text::new("joint {n}").with("n", n) } else { Text::new("") };
+            let name = if moved.is_none() { joint_letters(joint, n) } else { Text::new("") };
             match joint.support {
                 JointSupport::Free => {}
                 JointSupport::Pinned => {
@@ -505,4 +506,21 @@ fn motions(shapes: &[FrameShape], joints: usize) -> Exhibit {
         rows: (0..joints).map(row).collect(),
         foot: Vec::new(),
     })
+}
+
+/// Coordinates of a joint, with the letters of what stands there.
+fn joint_letters(joint: &PlacedJoint, row: usize) -> Text {
+    let mut letters = vec!["x", "y"];
+    if joint.mass.is_some_and(|mass| mass > 0.0) {
+        letters.push("m");
+    }
+    if joint.inertia.is_some_and(|inertia| inertia > 0.0) {
+        letters.push("J");
+    }
+    if let JointSupport::Springs { along_x, along_y, rotational } = joint.support {
+        letters.extend(along_x.map(|_| "k_x"));
+        letters.extend(along_y.map(|_| "k_y"));
+        letters.extend(rotational.map(|_| "k_t"));
+    }
+    of_row(&letters, row)
 }

@@ -222,6 +222,7 @@ impl Analysis for PlateAndMembrane {
         };
         sheet.show(|| table(&figures));
         let outline = self.outline();
+        sheet.show(|| pictures::outline(self));
         sheet.show(|| pictures::nodal_lines(&figures, outline));
         for figure in figures.iter().take(3) {
             sheet.show(|| pictures::animation(figure, outline));

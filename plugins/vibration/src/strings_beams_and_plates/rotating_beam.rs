@@ -3,7 +3,8 @@
 use std::cell::OnceCell;
 
 use dalembert_core::{
-    About, Analysis, Axis, Exhibit, Inputs, Name, Plot, Refusal, Series, Text, Worksheet, register,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Name, Plot, Refusal, Series, Sketch, Text,
+    Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -242,12 +243,39 @@ impl Analysis for RotatingBeam {
             (1..).zip(&shapes).map(one).collect()
         };
         sheet.show(|| shapes_plot(&sampled()));
+        sheet.show(|| Exhibit::Drawing(self.drawing()));
         sheet.show(|| {
             shapes_film(&sampled(), self.length, |sketch, _, y| {
                 sketch.ground((0.0, y + 0.5), (0.0, y - 0.5));
             })
         });
         Ok(())
+    }
+}
+
+impl RotatingBeam {
+    /// The blade on its hub, which is drawn with a radius of its own where there is none.
+    fn drawing(&self) -> Drawing {
+        const WIDTH: f64 = 5.0;
+        let hub = (self.hub / self.length * WIDTH).clamp(0.5, 3.0);
+        let mut sketch = Sketch::new("The blade on its hub, and its section");
+        sketch
+            .mass("", (0.0, -0.1), (WIDTH, 0.1))
+            .disc("", (-hub, 0.0), hub)
+            .joint("", (-hub, 0.0))
+            .dimension("L", (0.0, -0.5), (WIDTH, -0.5), -1.0);
+        if self.hub > 0.0 {
+            sketch.dimension("R", (-hub, 0.0), (0.0, 0.0), 0.0);
+        }
+        sketch.couple("n", (-hub, 0.0), (0.6, 2.4), Ink::Motion);
+        if self.tip.is_some() {
+            sketch.round("m_t", (WIDTH, 0.0), 0.2, Ink::Body);
+        }
+        if let BladeDirection::Angle { .. } = self.direction {
+            sketch.label("ψ", (WIDTH, 0.1));
+        }
+        self.section.draw(&mut sketch, (WIDTH + 1.3, 0.0), 0.9);
+        sketch.finish()
     }
 }
 

@@ -1,5 +1,7 @@
 //! Strings, rods, shafts and shear beams: bodies of one wave equation.
 
+mod drawing;
+
 use dalembert_core::{
     About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet, register,
 };
@@ -317,6 +319,7 @@ impl Analysis for StringRodShaft {
                 .collect()
         };
         sheet.show(|| shapes_plot(&sampled()));
+        sheet.show(|| Exhibit::Drawing(drawing::drawing(self, ends)));
         sheet.show(|| {
             shapes_film(&sampled(), self.length, |sketch, width, y| draw_ends(ends, sketch, width, y))
         });

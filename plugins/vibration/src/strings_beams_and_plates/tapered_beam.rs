@@ -272,6 +272,33 @@ impl TaperedBeam {
         draw_support(sketch, held(&self.right), (width, y), false);
     }
 
+    /// Length, and the lengths of the sections at both ends.
+    fn letters(&self, sketch: &mut Sketch, points: &[(f64, f64, f64)], width: f64) {
+        let half = |share: f64| 0.45 * share.min(3.0);
+        let (Some(first), Some(last)) = (points.first(), points.last()) else { return };
+        let mut across = |name: &'static str, x: f64, y: f64, share: f64, shift: f64| {
+            sketch.dimension(name, (x, y - half(share)), (x, y + half(share)), shift);
+        };
+        match self.section {
+            TaperedSection::Rectangle { .. } => {
+                across("h₀", 0.0, 0.0, first.2, 2.5);
+                across("h_L", width, 0.0, last.2, -2.0);
+                if points.iter().any(|point| point.1 != 1.0) {
+                    across("b₀", 0.0, -1.8, first.1, 2.5);
+                    across("b_L", width, -1.8, last.1, -2.0);
+                } else {
+                    sketch.label("b₀ = b_L", (0.5 * width, 0.45));
+                }
+            }
+            TaperedSection::Round { .. } => {
+                across("d₀", 0.0, 0.0, first.2, 2.5);
+                across("d_L", width, 0.0, last.2, -2.0);
+            }
+            TaperedSection::RectangleTable { .. } | TaperedSection::RoundTable { .. } => {}
+        }
+        sketch.dimension("L", (0.0, 0.9), (width, 0.9), 0.0);
+    }
+
     /// The beam from the side, and from above where its width changes.
     fn drawing(&self, beam: &VaryingBeam) -> Drawing {
         let width = 6.0;
@@ -287,12 +314,13 @@ impl TaperedBeam {
             let below = points.iter().rev().map(|point| (point.0 * width, y - half(point)));
             above.chain(below).collect::<Vec<_>>()
         };
-        let mut sketch = Sketch::new("The beam and its taper");
-        sketch.body("", outline(0.0, &|point| point.2)).label("side view", (width, 0.0));
+        let mut sketch = Sketch::new("The beam and its taper, from the side and from above");
+        sketch.body("", outline(0.0, &|point| point.2));
         self.ends(&mut sketch, width, 0.0);
         if points.iter().any(|point| point.1 != 1.0) {
-            sketch.body("", outline(-1.8, &|point| point.1)).label("top view", (width, -1.8));
+            sketch.body("", outline(-1.8, &|point| point.1));
         }
+        self.letters(&mut sketch, &points, width);
         sketch.finish()
     }
 

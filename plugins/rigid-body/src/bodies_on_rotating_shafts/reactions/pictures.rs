@@ -201,10 +201,23 @@ impl Reactions {
         let axis = seen_from(axes, last.rotation * (joint.axis / joint.axis.amax()).normalize());
         let origin = here(last.origin);
         scene.line([origin - axis * reach * 0.3, origin + axis * reach * 1.2], Ink::Faint);
-        let mut points: Vec<Vector3<f64>> = self.supports.iter().map(|support| support.at).collect();
-        points.push(centre);
-        points.sort_by(|a, b| a.dot(&axis).total_cmp(&b.dot(&axis)));
-        scene.line(points, Ink::Body);
+        joints::draw(&self.joints, frames, axes, 0.6 * reach, &mut scene);
+        self.body.draw_parts(&mut scene, |point| here(last.point(point).place));
+        if let ShaftDrive::Couple { .. } = self.drive {
+            scene.turn("T", origin - axis * reach * 0.2, axis, 0.15 * reach, Ink::Force);
+        }
+        for load in &self.loads {
+            let along = |vector: Vector3<f64>| vector.normalize() * (0.5 * reach);
+            match load.acts {
+                Acts::Force { force, at } if force.norm() > 0.0 => {
+                    scene.arrow(at, along(force), Ink::Force, given_name(&load.name));
+                }
+                Acts::Couple { moment } if moment.norm() > 0.0 => {
+                    scene.turn(given_name(&load.name), centre, moment, 0.2 * reach, Ink::Force);
+                }
+                _ => {}
+            }
+        }
         scene.label(centre, "G");
         let largest = found.supports.iter().map(|of| of.force.norm()).fold(0.0f64, f64::max);
         for (support, of) in self.supports.iter().zip(&found.supports) {

@@ -6,7 +6,6 @@ use dalembert_core::{Axis, Exhibit, Ink, Plot, Series};
 use dalembert_mechanics::{Vector as _, rigid::torque_free::FreeBody};
 use nalgebra::{Matrix3, Vector3};
 
-use super::AXES;
 use crate::shared::scene::{self, Scene};
 
 /// Two periods, or some turns of a rotation that has none.
@@ -65,7 +64,12 @@ fn fixed_frame(inertia: Vector3<f64>, start: Vector3<f64>) -> Matrix3<f64> {
 }
 
 /// The inertia ellipsoid rolls on the plane normal to the angular momentum; the polhode is drawn on it.
-pub(super) fn poinsot(body: &FreeBody, inertia: Vector3<f64>, start: Vector3<f64>, shown: f64) -> Exhibit {
+pub(super) fn poinsot(
+    body: &FreeBody,
+    (inertia, names): (Vector3<f64>, [&'static str; 3]),
+    start: Vector3<f64>,
+    shown: f64,
+) -> Exhibit {
     let frame = fixed_frame(inertia, start);
     // The ellipsoid ω·I ω = 2T, its longest semi-axis one unit.
     let energy = start.dot(inertia.component_mul(&start));
@@ -78,12 +82,13 @@ pub(super) fn poinsot(body: &FreeBody, inertia: Vector3<f64>, start: Vector3<f64
         let t = shown / 2.0 * part;
         let turn = frame.transpose() * body.attitude(t).matrix();
         let mut scene = Scene::new();
-        scene.floor(Vector3::z() * plane, 1.0);
+        scene.floor(Vector3::z() * plane, 0.7);
         scene.ellipsoid(Vector3::zeros(), &turn, half / unit, Ink::Body);
-        scene.axes(Vector3::zeros(), &turn, 1.2, AXES);
+        scene.axes(Vector3::zeros(), &turn, 1.2, names);
         scene.line(polhode.iter().map(|point| turn * point), Ink::Motion);
         scene.arrow(Vector3::zeros(), Vector3::z() * 1.2, Ink::Force, "H");
-        scene.arrow(Vector3::zeros(), turn * body.velocity(t) / unit, Ink::Result, "ω");
+        let omega = if part == 0.0 { "ω₀" } else { "ω" };
+        scene.arrow(Vector3::zeros(), turn * body.velocity(t) / unit, Ink::Result, omega);
         scene
     })
 }

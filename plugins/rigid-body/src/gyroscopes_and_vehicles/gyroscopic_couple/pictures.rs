@@ -5,8 +5,11 @@ use std::f64::consts::{FRAC_PI_3, PI, TAU};
 use dalembert_core::{Axis, Exhibit, Ink, Plot, Series};
 use nalgebra::{Rotation3, Vector3};
 
-use super::{CarrierMotion, GyroscopicCouple, RotorCarrier};
-use crate::shared::scene::{self, Scene};
+use super::{Bow, CarrierMotion, GyroscopicCouple, LeftOrRight, RotorCarrier};
+use crate::shared::{
+    flat::letters,
+    scene::{self, Scene},
+};
 
 impl GyroscopicCouple {
     /// The couple over two periods of a harmonic motion, or against the radius of a turn.
@@ -71,15 +74,33 @@ impl GyroscopicCouple {
             let spun = rest * Rotation3::from_axis_angle(&Vector3::z_axis(), turn * t);
             scene.disc(Vector3::zeros(), spun.matrix(), 0.7, Ink::Body);
             scene.line([-axle, axle], Ink::Body);
+            let rim = spun * Vector3::x() * 0.7;
+            scene.label(
+                rest * Vector3::new(0.5, 0.5, 0.0),
+                letters(&[self.rotor.letters(), if self.transverse_inertia.is_some() { "I_t" } else { "" }]),
+            );
+            if !self.rotor.radius_letter().is_empty() {
+                scene.line([Vector3::zeros(), rim], Ink::Faint);
+                scene.label(rest * Vector3::new(0.35, 0.0, 0.0), self.rotor.radius_letter());
+            }
+            if self.bearings.is_some() {
+                let side = rest * Vector3::y() * 0.45;
+                scene.dimension("a", [-axle, Vector3::zeros()], side);
+                scene.dimension("b", [Vector3::zeros(), axle], side);
+                for end in [-axle, axle] {
+                    scene.circle(end, axle, 0.12, Ink::Body);
+                }
+            }
             let mut arrow = |vector: Vector3<f64>, length: f64, ink: Ink, name: &'static str| {
                 if let Some(unit) = vector.try_normalize(0.0) {
                     scene.arrow(Vector3::zeros(), unit * length, ink, name);
                 }
             };
             arrow(momentum, 1.5, Ink::Motion, "ω");
-            arrow(precession, 1.3, Ink::Motion, "Ω");
-            if matches!(self.motion, CarrierMotion::HeldAtOneEnd { .. }) {
+            arrow(precession, 1.3, Ink::Motion, self.precession_letter());
+            if let CarrierMotion::HeldAtOneEnd { .. } = self.motion {
                 arrow(couple, 1.7, Ink::Force, "M");
+                scene.dimension("L", [-axle, Vector3::zeros()], Vector3::z() * -0.3);
             } else {
                 arrow(-couple, 1.7, Ink::Result, "M_R");
             }
@@ -99,7 +120,30 @@ impl GyroscopicCouple {
         };
         scene.line(plan.iter().map(|&(x, y)| Vector3::new(x, y, -0.8)), Ink::Faint);
         let front = plan.iter().map(|(x, _)| *x).fold(0.0, f64::max);
-        scene.arrow(Vector3::new(front, 0.0, -0.8), Vector3::x() * 0.5, Ink::Faint, "x");
+        let forward = Vector3::new(front, 0.0, -0.8);
+        match &self.motion {
+            CarrierMotion::SteadyTurn { towards, .. } => {
+                let side = if *towards == LeftOrRight::Left { Vector3::y() } else { -Vector3::y() };
+                scene.arrow(forward, Vector3::x() * 0.7, Ink::Motion, "v");
+                scene.arrow(Vector3::z() * -0.8, side * 1.6, Ink::Faint, "R");
+            }
+            CarrierMotion::VerticalCurve { bow, .. } => {
+                let side = if *bow == Bow::Rising { Vector3::z() } else { -Vector3::z() };
+                scene.arrow(forward, Vector3::x() * 0.7, Ink::Motion, "v");
+                scene.arrow(Vector3::z() * -0.8, side * 1.4, Ink::Faint, "R");
+            }
+            _ => scene.arrow(forward, Vector3::x() * 0.5, Ink::Faint, "x"),
+        }
+    }
+
+    /// The letter of the motion of the carrier, or of the precession that follows from it.
+    fn precession_letter(&self) -> &'static str {
+        match self.motion {
+            CarrierMotion::Pitching { .. } | CarrierMotion::Rolling { .. } => "ω_p",
+            CarrierMotion::HarmonicPitching { .. } | CarrierMotion::HarmonicRolling { .. } => "A",
+            CarrierMotion::Gimbal { .. } => "ω_g, γ",
+            _ => "Ω",
+        }
     }
 }
 

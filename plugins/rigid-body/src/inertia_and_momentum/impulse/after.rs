@@ -18,6 +18,7 @@ use crate::{
             AboutPoint, WorkedBody, about_line, about_point, crossed, directed, matrix_times, refused,
             transferred, transferred_sum,
         },
+        flat,
         scene::Scene,
     },
     sources::{BEER, HIBBELER, MERIAM},
@@ -476,13 +477,30 @@ impl Impulse {
             let along = |vector: Vector3<f64>| {
                 vector.try_normalize(0.0).map_or_else(Vector3::zeros, |unit| unit * (0.7 * size))
             };
-            for one in &gifts.at_points {
-                let arrow = along(one.impulse.value());
-                scene.arrow(one.point.value() - arrow, arrow, Ink::Force, "J");
+            for (blow, row) in self.blows.iter().zip(1..) {
+                let (vector, letters): (_, &[&'static str]) = match blow.strength {
+                    Strength::Impulse { impulse } => (impulse, &["J", "r_J"]),
+                    Strength::Force { force, .. } => (force, &["F", "r_J"]),
+                };
+                let arrow = along(vector);
+                scene.arrow(blow.point - arrow, arrow, Ink::Force, flat::of_row(letters, row));
+            }
+            for (projectile, row) in self.projectiles.iter().zip(1..) {
+                let (tip, arrow) = (projectile.point, along(projectile.velocity));
+                scene.arrow(tip - arrow, arrow, Ink::Force, flat::of_row(&["r_p"], row));
+                scene.label(tip - arrow, flat::of_row(&["m_p", "v_p"], row));
             }
             let centre = body.properties.centre;
             for couple in &gifts.couples {
                 scene.arrow(centre, along(couple.value()), Ink::Force, "K");
+            }
+            self.turning.label(&mut scene, centre, 0.6 * size);
+            self.going.label(&mut scene, centre, 0.5 * size);
+            match self.hold {
+                BodyConstraint::Nothing => {}
+                BodyConstraint::Point { point }
+                | BodyConstraint::Axis { point, .. }
+                | BodyConstraint::Surface { point, .. } => scene.label(point, "r_C"),
             }
             scene.arrow(centre, along(omega), Ink::Result, "ω′");
             scene.arrow(centre, along(velocity), Ink::Motion, "v_G′");

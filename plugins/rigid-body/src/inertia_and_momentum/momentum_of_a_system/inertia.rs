@@ -59,6 +59,18 @@ pub enum AxisInertia {
     },
 }
 
+impl AxisInertia {
+    /// The letters of what is given.
+    pub(super) fn letters(&self) -> &'static [&'static str] {
+        match self {
+            AxisInertia::MomentOfInertia { .. } => &["I"],
+            AxisInertia::Disc { .. } | AxisInertia::Particle { .. } => &["m", "r"],
+            AxisInertia::RadiusOfGyration { .. } => &["m", "k"],
+            AxisInertia::Beside { .. } => &["I_G", "m", "r"],
+        }
+    }
+}
+
 /// Motion of a body before.
 #[derive(Clone, Debug, Inputs)]
 pub enum MotionBefore {

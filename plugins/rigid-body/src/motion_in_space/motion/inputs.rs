@@ -123,6 +123,17 @@ pub enum Moments {
     },
 }
 
+impl Moments {
+    /// The letters of what is given along each axis of the body.
+    pub(super) fn letters(&self) -> [&'static str; 3] {
+        match self {
+            Moments::Principal { .. } | Moments::Tensor { .. } => ["I_x", "I_y", "I_z"],
+            Moments::Revolution { .. } => ["I_t", "", "I_a"],
+            Moments::Described { .. } => ["", "", ""],
+        }
+    }
+}
+
 /// Initial attitude of the body axes.
 #[derive(Clone, Debug, Inputs)]
 pub enum Attitude {

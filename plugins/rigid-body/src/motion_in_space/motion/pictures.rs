@@ -114,9 +114,13 @@ impl Motion {
             scene.cuboid(centre, &rotation, edges, Ink::Body);
             if body.arm != Vector3::zeros() {
                 scene.line([Vector3::zeros(), centre], Ink::Body);
-                scene.label(Vector3::new(0.0, 0.0, -0.1 * size), "O");
+                scene.label(Vector3::zeros(), "O");
+                let side = rotation.column(1) * (0.3 * size);
+                scene.dimension("r_G", [Vector3::zeros(), centre], side);
+                scene.label(centre, "m");
             }
             scene.arrow(Vector3::zeros(), self.axis_of(sample) * reach, Ink::Result, self.axis.name());
+            scene.axes(centre, &rotation, 0.7 * size, self.moments.letters());
             scene.arrow(Vector3::zeros(), sample.omega * (1.2 * size / omega), Ink::Motion, "ω");
             scene.arrow(Vector3::zeros(), sample.momentum * (1.2 * size / momentum), Ink::Force, "H");
             scene

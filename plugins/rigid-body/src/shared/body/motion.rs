@@ -1,11 +1,14 @@
 //! The motion of a body at one moment, as a user gives it.
 
-use dalembert_core::{Inputs, Refusal, Worksheet};
+use dalembert_core::{Ink, Inputs, Refusal, Worksheet};
 use dalembert_mechanics::{Real, Vector, rigid};
 use nalgebra::Vector3;
 
 use super::{WorkedBody, refused};
-use crate::sources::{BEER, MERIAM};
+use crate::{
+    shared::scene::Scene,
+    sources::{BEER, MERIAM},
+};
 
 /// Angular velocity of a body.
 #[derive(Clone, Debug, Inputs)]
@@ -233,5 +236,53 @@ pub(crate) fn directed(vector: Vector3<f64>) -> Result<(), Refusal> {
         Ok(())
     } else {
         Err(Refusal::because("a direction has no length: write any vector along it, such as (0; 0; 1)"))
+    }
+}
+
+impl BodyRotation {
+    /// The letters of what is given of the rotation, with the points that are named.
+    pub(crate) fn label(&self, scene: &mut Scene, at: Vector3<f64>, length: f64) {
+        match self {
+            BodyRotation::Axis { speed: 0.0, .. } => {}
+            BodyRotation::Axis { axis, .. } => {
+                if let Some(along) = axis.try_normalize(0.0) {
+                    scene.arrow(at, along * length, Ink::Motion, "ω_0");
+                }
+            }
+            BodyRotation::Vector { omega } => {
+                if let Some(along) = omega.try_normalize(0.0) {
+                    scene.arrow(at, along * length, Ink::Motion, "ω_0");
+                }
+            }
+            BodyRotation::RestingPoints { first, second, .. } => {
+                scene.label(*first, "r_U");
+                scene.label(*second, "r_V");
+                scene.line([*first, *second], Ink::Faint);
+            }
+            BodyRotation::Momentum { .. } => {}
+        }
+    }
+}
+
+impl BodyVelocity {
+    /// The letters of what is given of the velocity.
+    pub(crate) fn label(&self, scene: &mut Scene, at: Vector3<f64>, length: f64) {
+        match *self {
+            BodyVelocity::MassCentre { velocity } => {
+                if let Some(along) = velocity.try_normalize(0.0) {
+                    scene.arrow(at, along * length, Ink::Motion, "v_0");
+                }
+            }
+            BodyVelocity::Fixed { point } | BodyVelocity::Carried { point, .. } => scene.label(point, "r_F"),
+            BodyVelocity::Point { point, velocity } => {
+                scene.label(point, "r_P");
+                if let Some(along) = velocity.try_normalize(0.0) {
+                    scene.arrow(point, along * length, Ink::Motion, "v_P");
+                }
+            }
+            BodyVelocity::Fallen { .. } => {
+                scene.dimension("h", [at, at + Vector3::z() * length], Vector3::zeros());
+            }
+        }
     }
 }

@@ -6,28 +6,52 @@ use dalembert_core::Ink;
 use dalembert_mechanics::rigid::{MassProperties, Principal, primitive::Primitive};
 use nalgebra::Vector3;
 
-use super::{Body, BodyPart, Presence, shape::Described};
-use crate::shared::scene::Scene;
+use super::{Amount, Body, BodyPart, Presence, Shape, shape::Described};
+use crate::shared::{flat, scene::Scene};
 
 type Lines = Vec<Vec<Vector3<f64>>>;
+
+/// Parts of a body up to which each has its letters.
+const LETTERED: usize = 6;
 
 impl Body {
     /// Draws the body in its own axes; its size, m, for what is drawn beside it.
     pub(crate) fn draw(&self, scene: &mut Scene, body: &MassProperties, principal: &Principal) -> f64 {
-        let Body::Parts { parts } = self else {
+        let Body::Parts { .. } = self else {
             let half = equal_ellipsoid(body.mass, principal.moments);
             scene.ellipsoid(body.centre, principal.axes.matrix(), half, Ink::Body);
+            let letters = match self {
+                Body::Radii { .. } => ["m_0", "r_0", "k"],
+                _ => ["m_0", "r_0", "I_0"],
+            };
+            scene.label(body.centre + principal.axis(2) * half.z, flat::letters(&letters));
             return half.max().max(body.centre.norm());
         };
+        let size = self.draw_parts(scene, |point| point);
+        if size > 0.0 { size } else { 1.0 }
+    }
+
+    /// Draws the parts of the body with their letters, where its points are placed; its size, m, zero without parts.
+    pub(crate) fn draw_parts(&self, scene: &mut Scene, place: impl Fn(Vector3<f64>) -> Vector3<f64>) -> f64 {
+        let Body::Parts { parts } = self else { return 0.0 };
         let mut size = 0.0f64;
-        for part in parts {
+        for (part, row) in parts.iter().zip(1..) {
             let ink = if part.presence == Presence::Hole { Ink::Faint } else { Ink::Body };
-            for line in part.lines() {
+            let lines = part.lines();
+            if parts.len() <= LETTERED {
+                part.label(scene, &lines, row, &place);
+            }
+            if let Shape::Particle = part.shape
+                && let Ok(there) = part.properties()
+            {
+                scene.sphere(place(there.centre), 0.06 * there.centre.norm().max(1e-3), ink);
+            }
+            for line in lines {
                 size = line.iter().fold(size, |size, point| size.max(point.norm()));
-                scene.line(line, ink);
+                scene.line(line.into_iter().map(&place), ink);
             }
         }
-        if size > 0.0 { size } else { 1.0 }
+        size
     }
 }
 
@@ -38,6 +62,30 @@ fn equal_ellipsoid(mass: f64, moments: Vector3<f64>) -> Vector3<f64> {
 }
 
 impl BodyPart {
+    /// Letters of the mass and the position at the centre of mass, those of the shape on its outline.
+    fn label(
+        &self,
+        scene: &mut Scene,
+        lines: &[Vec<Vector3<f64>>],
+        row: usize,
+        place: impl Fn(Vector3<f64>) -> Vector3<f64>,
+    ) {
+        let Ok(there) = self.properties() else { return };
+        let mass = match self.amount {
+            Amount::Mass { .. } => "m",
+            Amount::PerLength { .. } => "μ",
+            Amount::PerArea { .. } => "σ",
+            Amount::PerVolume { .. } => "ρ",
+        };
+        scene.label(place(there.centre), flat::of_row(&[mass, "r"], row));
+        if let Some((from, to)) = self.shape.ends() {
+            scene.label(place(from), flat::of_row(&["a"], row));
+            scene.label(place(to), flat::of_row(&["b"], row));
+        } else if let Some(line) = lines.first().filter(|_| !self.shape.letters().is_empty()) {
+            scene.label(place(line[line.len() / 8]), flat::of_row(self.shape.letters(), row));
+        }
+    }
+
     /// Outline in the axes of the body.
     fn lines(&self) -> Lines {
         let (Ok(there), Ok(rotation)) = (self.properties(), self.rotation()) else { return Vec::new() };

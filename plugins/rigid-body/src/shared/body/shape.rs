@@ -390,6 +390,38 @@ impl Shape {
     }
 
     /// The ends of a rod between two points.
+    /// The letters of its lengths.
+    pub(crate) fn letters(&self) -> &'static [&'static str] {
+        match self {
+            Shape::Rod { .. } => &["L"],
+            Shape::RodBetween { .. } => &["a", "b"],
+            Shape::Arc { .. } => &["R", "β"],
+            Shape::Annulus { .. } | Shape::HollowSphere { .. } => &["R", "R_i"],
+            Shape::EllipticalPlate { .. }
+            | Shape::RectangularPlate { .. }
+            | Shape::RightTriangularPlate { .. } => &["a", "b"],
+            Shape::Box { .. } | Shape::Ellipsoid { .. } | Shape::Tetrahedron { .. } => &["a", "b", "c"],
+            Shape::Cylinder { .. }
+            | Shape::Tube { .. }
+            | Shape::HalfCylinder { .. }
+            | Shape::Cone { .. }
+            | Shape::ConicalShell { .. }
+            | Shape::Paraboloid { .. } => &["R", "h"],
+            Shape::HollowCylinder { .. } => &["R", "R_i", "h"],
+            Shape::Torus { .. } => &["R", "R_s"],
+            Shape::Radii { .. } => &["k"],
+            Shape::Ring { .. }
+            | Shape::Disc { .. }
+            | Shape::HalfDisc { .. }
+            | Shape::QuarterDisc { .. }
+            | Shape::Sphere { .. }
+            | Shape::SphericalShell { .. }
+            | Shape::Hemisphere { .. }
+            | Shape::HemisphericalShell { .. } => &["R"],
+            _ => &[],
+        }
+    }
+
     pub(super) fn ends(&self) -> Option<(Vector3<f64>, Vector3<f64>)> {
         match *self {
             Shape::RodBetween { from, to } => Some((from, to)),

@@ -112,7 +112,7 @@ pub(super) fn drawing(spring: bool) -> Drawing {
         .spring("k", (-0.6, -2.4), (-0.6, -1.0))
         .damper("ζ", (0.6, -2.4), (0.6, -1.0))
         .mass("m", (-1.2, -1.0), (1.2, 0.2))
-        .force("F₀ cos ωt", (-1.5, -1.0), (-1.5, 0.2))
+        .force("F₀ cos(ω t)", (-1.5, -1.0), (-1.5, 0.2))
         .damper("c_a", (0.35, 0.2), (0.35, 1.3))
         .block("m_a", (-0.6, 1.3), (0.6, 2.0), Ink::Result);
     if spring {

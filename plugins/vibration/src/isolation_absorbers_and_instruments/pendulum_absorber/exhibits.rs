@@ -1,9 +1,12 @@
 //! Plots and sketches of pendulums as absorbers.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use dalembert_core::{Animation, Axis, Drawing, Ink, Plot, Scale, Series, Sketch};
 use dalembert_mechanics::vibration::pendulum_absorber::Pair;
+
+use super::{Pendulum, PendulumCarrier, PendulumMass};
+use crate::shared::letters::joined;
 
 /// Points of a curve.
 const POINTS: u32 = 400;
@@ -73,6 +76,48 @@ impl PendulumRotor {
         .mark("at this speed", (self.speed, self.order * self.speed))
     }
 
+    /// The rotor along its axis with a pendulum, which is drawn long enough to be seen.
+    pub(super) fn drawing(&self, problem: &PendulumCarrier) -> Drawing {
+        let whole = self.pivot + self.arm;
+        let (pivot, arm) = (self.pivot / whole, (self.arm / whole).max(0.3));
+        let swing = 0.5_f64;
+        let end = (arm * swing.sin(), pivot + arm * swing.cos());
+        let mut sketch = Sketch::new("The rotor and its pendulum (r is not to scale)");
+        sketch
+            .circle((0.0, 0.0), pivot + 0.15, Ink::Body)
+            .dimension("R", (0.0, 0.0), (0.0, pivot), 0.0)
+            .axis((0.0, pivot), (0.0, pivot + arm))
+            .link("r", (0.0, pivot), end)
+            .joint("", (0.0, pivot))
+            .bearing("", (0.0, 0.0), 0.0)
+            .joint("", (0.0, 0.0));
+        let PendulumCarrier::Rotor { pendulum, mass, inertia, stiffness, torque, .. } = problem else {
+            return sketch.finish();
+        };
+        let bob = match pendulum {
+            Pendulum::Point | Pendulum::Bifilar => "m",
+            Pendulum::Body { .. } => "m, κ",
+            Pendulum::Roller { .. } => "m, a",
+        };
+        let angle = match mass {
+            PendulumMass::Given { .. } => "φ",
+            PendulumMass::Swing { .. } => "φ_a",
+        };
+        sketch
+            .round("", end, 0.1, Ink::Motion)
+            .label(bob, end)
+            .angle(angle, (0.0, pivot), FRAC_PI_2, FRAC_PI_2 - swing)
+            .couple("Ω", (0.0, 0.0), (-0.9, 0.7), Ink::Motion)
+            .label(joined(inertia.letters()), (-0.5 * pivot, -0.6 * pivot));
+        if torque.is_some() {
+            sketch.couple("T cos(n Ω t)", (0.0, 0.0), (3.4, 5.0), Ink::Force);
+        }
+        if stiffness.is_some() {
+            sketch.torsion_spring("k", (0.0, 0.0), 3.0);
+        }
+        sketch.finish()
+    }
+
     /// The pendulum as it swings on the rotor.
     pub(super) fn animation(&self) -> Animation {
         const FRAMES: u32 = 24;
@@ -132,14 +177,14 @@ impl SuspendedPendulum {
         let bob = (0.5, -1.6);
         Sketch::new("The mass with its pendulum")
             .ground((-2.0, 0.5), (-2.0, -0.5))
-            .spring("", (-2.0, 0.0), (-0.6, 0.0))
-            .mass("", (-0.6, -0.3), (0.6, 0.3))
+            .spring("k", (-2.0, 0.0), (-0.6, 0.0))
+            .mass("M", (-0.6, -0.3), (0.6, 0.3))
             .axis((0.0, 0.0), (0.0, -1.7))
-            .link("", (0.0, 0.0), bob)
+            .link("l", (0.0, 0.0), bob)
             .joint("", (0.0, 0.0))
-            .round("", bob, 0.12, Ink::Motion)
-            .force("F₀", (0.7, 0.0), (1.6, 0.0))
-            .label("φ", (0.18, -1.2))
+            .round("m", bob, 0.12, Ink::Motion)
+            .force("F₀ cos(ω t)", (0.7, 0.0), (1.6, 0.0))
+            .angle("φ", (0.0, 0.0), -FRAC_PI_2, 0.3 - FRAC_PI_2)
             .finish()
     }
 }

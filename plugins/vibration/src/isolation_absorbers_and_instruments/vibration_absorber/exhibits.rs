@@ -109,10 +109,10 @@ pub(super) fn drawing(motion: AbsorberMotion) -> Drawing {
             .spring("", (-0.6, -2.4), (-0.6, -1.0))
             .spring("k", (0.6, -2.4), (0.6, -1.0))
             .mass("m", (-1.2, -1.0), (1.2, 0.2))
-            .force("F₀ cos ωt", (-1.5, -1.0), (-1.5, 0.2))
+            .force("F₀ cos(ω t)", (-1.5, -1.0), (-1.5, 0.2))
             .spring("k_a", (0.0, 0.2), (0.0, 1.3))
-            .block("m_a", (-0.5, 1.3), (0.5, 2.0), Ink::Result)
-            .motion("", (0.8, 1.3), (0.8, 2.0)),
+            .block("m_a", (-0.6, 1.3), (0.6, 2.0), Ink::Result)
+            .motion("X_s", (0.8, 1.3), (0.8, 2.0)),
         AbsorberMotion::Torsion => sketch
             .ground((-2.6, 0.9), (-2.6, -0.9))
             .link("k_t", (-2.6, 0.06), (-0.5, 0.06))
@@ -121,7 +121,7 @@ pub(super) fn drawing(motion: AbsorberMotion) -> Drawing {
             .spring("", (0.2, 0.7), (1.2, 0.7))
             .spring("k_ta", (0.2, -0.7), (1.2, -0.7))
             .block("J_a", (1.2, -0.95), (1.6, 0.95), Ink::Result)
-            .force("T cos ωt", (-0.8, -0.5), (-0.8, 0.5)),
+            .force("T cos(ω t)", (-0.8, -0.5), (-0.8, 0.5)),
     };
     sketch.finish()
 }

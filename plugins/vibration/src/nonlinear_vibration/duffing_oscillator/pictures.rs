@@ -2,10 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{Axis, Cell, Column, Plot, Series, TableExhibit};
+use dalembert_core::{Axis, Cell, Column, Drawing, Ink, Plot, Series, Sketch, TableExhibit};
 use dalembert_mechanics::vibration::duffing::{self, Duffing, DuffingResponse};
 
-use crate::shared::oscillator::motion::OscillatorMotion;
+use super::{DuffingMotion, DuffingOscillator, SmallStiffness};
+use crate::shared::oscillator::{motion::OscillatorMotion, plots};
 
 /// The free motion over one period, with the cosine of the same period.
 pub(super) fn free_plot(moves: OscillatorMotion, oscillator: &Duffing, amplitude: f64, period: f64) -> Plot {
@@ -102,5 +103,45 @@ pub(super) fn table(unit: &'static str, steady: &[DuffingResponse]) -> TableExhi
         ],
         rows: steady.iter().map(row).collect(),
         foot: Vec::new(),
+    }
+}
+
+impl DuffingOscillator {
+    /// The mass on its hardening or softening spring, the disc on its shaft, or the pendulum.
+    pub(super) fn drawing(&self, motion: OscillatorMotion) -> Drawing {
+        let load = match self.motion {
+            DuffingMotion::Free { .. } => "x = A",
+            DuffingMotion::Forced { .. } => "F cos(ω t)",
+            DuffingMotion::FreeRotation { .. } => "θ = Θ",
+            DuffingMotion::ForcedRotation { .. } => "T₀ cos(ω t)",
+        };
+        let body = self.mass.letters();
+        if let SmallStiffness::Pendulum { .. } = self.stiffness {
+            return Sketch::new("The pendulum")
+                .axis((0.0, 0.0), (0.0, -2.0))
+                .body("", [(-0.2, 0.2), (0.2, 0.1), (1.4, -1.7), (0.9, -2.0)])
+                .pin("O", (0.0, 0.0))
+                .mass_centre("G", (0.65, -0.95))
+                .dimension("d_G", (0.0, 0.0), (0.65, -0.95), 4.0)
+                .label(body, (1.2, -1.8))
+                .couple(load, (0.0, 0.0), (3.6, 5.6), Ink::Motion)
+                .finish();
+        }
+        if motion == OscillatorMotion::Rotation {
+            return plots::inertia_spring_damper(load, [body, "k_t, h_t".into()]);
+        }
+        let mut sketch = Sketch::new("The mass on its nonlinear spring");
+        sketch
+            .ground((-2.6, 0.9), (-2.6, -0.7))
+            .ground((-2.6, -0.7), (1.8, -0.7))
+            .spring("k, h", (-2.6, 0.3), (-0.7, 0.3))
+            .mass(body, (-0.7, -0.7), (0.7, 0.7));
+        match self.motion {
+            DuffingMotion::Forced { .. } => {
+                sketch.damper("c", (-2.6, -0.3), (-0.7, -0.3)).force(load, (0.7, 0.0), (1.6, 0.0))
+            }
+            _ => sketch.motion(load, (0.0, 1.0), (0.9, 1.0)),
+        };
+        sketch.finish()
     }
 }

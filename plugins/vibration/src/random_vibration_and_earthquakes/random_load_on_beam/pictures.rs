@@ -115,7 +115,8 @@ impl RandomLoadOnBeam {
             }
         }
         let x = (self.place / self.length).min(1.0) * WIDTH;
-        sketch.dimension("x", (0.0, 0.0), (x, 0.0), -1.4).dimension("L", (0.0, 0.0), (WIDTH, 0.0), -2.2);
+        sketch.dimension("x", (0.0, -1.0), (x, -1.0), 0.0).dimension("L", (0.0, -1.5), (WIDTH, -1.5), 0.0);
+        self.section.draw(&mut sketch, (WIDTH + 1.9, 0.2), 0.8);
         sketch.finish()
     }
 }

@@ -67,7 +67,7 @@ impl ModalAnalysis {
         if is_damped {
             ratios(&found, &decays, sheet);
         }
-        sheet.show(|| Exhibit::Drawing(picture::at_rest(&self.system)));
+        sheet.show(|| Exhibit::Drawing(picture::at_rest(&self.system, &[])));
         sheet.show(|| Exhibit::Plot(plot_of_shapes(&shapes)));
         sheet.show(|| {
             Exhibit::Table(table_of_frequencies(&found.modes.squares, is_damped.then_some(&decays)))

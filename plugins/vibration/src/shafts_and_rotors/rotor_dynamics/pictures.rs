@@ -1,6 +1,9 @@
 //! Figures of a rotor: the rotor itself, its modes, and the diagrams over speed.
 
-use std::{cell::OnceCell, f64::consts::TAU};
+use std::{
+    cell::OnceCell,
+    f64::consts::{PI, TAU},
+};
 
 use dalembert_core::{
     Animation, Axis, Cell, Column, Drawing, Exhibit, Ink, Plot, Point, Series, Sketch, TableExhibit, Text,
@@ -15,6 +18,7 @@ use dalembert_mechanics::rotor::{
 };
 
 use super::{RotorDynamics, Stations, in_words, stiffness_map};
+use crate::shared::letters::{indexed, of_row};
 
 /// Data of the figures.
 pub(super) struct RotorFigures<'a> {
@@ -151,44 +155,131 @@ impl RotorFigures<'_> {
             .collect()
     }
 
-    /// The shaft, its discs and its supports from the side.
     fn sketch(&self) -> Drawing {
-        let mut sketch = Sketch::new("The rotor");
+        let mut sketch = Sketch::new("The rotor, with the places of its parts from the left end");
         let length: f64 = self.problem.segments.iter().map(|segment| segment.length).sum();
-        sketch.axis((-0.05 * length, 0.0), (1.05 * length, 0.0));
+        let thickest = self.problem.segments.iter().map(|segment| segment.outer).fold(0.0, f64::max);
+        self.shaft(&mut sketch, (length, thickest));
+        let lowest = self.discs(&mut sketch, (length, thickest));
+        let floor = lowest.min(-0.14 * length) - 0.06 * length;
+        self.bearings(&mut sketch, (length, thickest), floor);
+        for (unbalance, row) in self.problem.unbalances.iter().zip(1..) {
+            let at = (unbalance.position, 1.2 * thickest);
+            sketch.round(of_row(&["U", "α"], row), at, 0.012 * length, Ink::Danger);
+        }
+        let turn = |n: i32| {
+            let (sin, cos) = (PI * (0.6 + 0.8 * f64::from(n) / 12.0)).sin_cos();
+            (1.14 * length + 0.02 * length * cos, 0.07 * length * sin)
+        };
+        sketch.curve((0..12).map(turn).collect::<Vec<_>>(), Ink::Motion).motion(
+            "Ω ≤ Ωₘₐₓ",
+            turn(11),
+            turn(12),
+        );
+        self.places(&mut sketch, length, floor - 0.07 * length);
+        sketch.finish()
+    }
+
+    /// Segments end to end, with their diameters and lengths.
+    fn shaft(&self, sketch: &mut Sketch, (length, thickest): (f64, f64)) {
+        const LETTERED: usize = 6;
+        sketch.axis((-0.05 * length, 0.0), (1.18 * length, 0.0));
         let mut from = 0.0;
-        for segment in &self.problem.segments {
+        let few = self.problem.segments.len() <= LETTERED;
+        for (segment, row) in self.problem.segments.iter().zip(1..) {
             let to = from + segment.length;
             let (left, right) = (segment.outer / 2.0, segment.outer_right.unwrap_or(segment.outer) / 2.0);
             sketch.body("", [(from, -left), (from, left), (to, right), (to, -right)]);
+            if few {
+                let mut letters = vec!["L", "D"];
+                letters.extend(segment.outer_right.map(|_| "D_R"));
+                letters.extend(segment.inner.map(|_| "d"));
+                let share = if row == 1 { 0.5 } else { 0.4 };
+                sketch.label(of_row(&letters, row), (from + share * segment.length, thickest / 2.0));
+            }
             from = to;
         }
-        let thickest = self.problem.segments.iter().map(|segment| segment.outer).fold(0.0, f64::max);
-        let drop = thickest.max(0.05 * length);
-        for (disc, made) in self.problem.discs.iter().zip(&self.rotor.discs) {
-            let (radius, half) = match disc.size {
-                super::DiscSize::Geometry { outer, width, .. } => (outer / 2.0, width / 2.0),
+    }
+
+    /// Discs with their letters; the height of the lowest edge.
+    fn discs(&self, sketch: &mut Sketch, (length, thickest): (f64, f64)) -> f64 {
+        let mut lowest = -thickest / 2.0;
+        for ((disc, made), row) in self.problem.discs.iter().zip(&self.rotor.discs).zip(1..) {
+            let (radius, half, letters): (f64, f64, &[&str]) = match disc.size {
+                super::DiscSize::Geometry { outer, width, .. } => {
+                    (outer / 2.0, width / 2.0, &["D_d", "d_d", "h"])
+                }
                 super::DiscSize::Inertia { .. } => {
                     let radius = if made.mass > 0.0 { (2.0 * made.polar / made.mass).sqrt() } else { 0.0 };
-                    (radius.max(thickest), 0.01 * length)
+                    (radius.max(thickest), 0.01 * length, &["m_d", "I_d", "I_p"])
                 }
             };
             sketch.mass("", (disc.position - half, -radius), (disc.position + half, radius));
+            sketch.label(of_row(letters, row), (disc.position, radius));
+            lowest = lowest.min(-radius);
         }
-        for (support, held) in self.problem.supports.iter().zip(&self.rotor.supports) {
+        lowest
+    }
+
+    /// A spring and a damper under each bearing that gives way, on a floor.
+    fn bearings(&self, sketch: &mut Sketch, (length, thickest): (f64, f64), floor: f64) {
+        for ((support, held), row) in self.problem.supports.iter().zip(&self.rotor.supports).zip(1..) {
             let z = support.position;
             match held.hold {
-                SupportType::Bearing(_) => sketch
-                    .spring("", (z, -2.5 * drop), (z, -thickest / 2.0))
-                    .ground((z - 0.04 * length, -2.5 * drop), (z + 0.04 * length, -2.5 * drop)),
-                SupportType::Pinned => sketch.pin("", (z, -thickest / 2.0)),
-                SupportType::Clamped => sketch.ground((z, drop), (z, -drop)),
-            };
+                SupportType::Bearing(_) => {
+                    let [stiffness, damping] = match support.bearing {
+                        super::Bearing::Isotropic { .. } => [of_row(&["k"], row), of_row(&["c"], row)],
+                        super::Bearing::Orthotropic { .. } => {
+                            [of_row(&["k_xx", "k_yy"], row), of_row(&["c_xx", "c_yy"], row)]
+                        }
+                        _ => ["K".into(), "C".into()],
+                    };
+                    sketch
+                        .spring_and_damper(
+                            (stiffness, damping),
+                            (z, floor),
+                            (z, -thickest / 2.0),
+                            0.09 * length,
+                        )
+                        .bars([(z - 0.05 * length, -thickest / 2.0), (z + 0.05 * length, -thickest / 2.0)])
+                        .ground((z - 0.07 * length, floor), (z + 0.07 * length, floor));
+                }
+                SupportType::Pinned => {
+                    sketch.pin("", (z, -thickest / 2.0));
+                }
+                SupportType::Clamped => {
+                    let half = thickest.max(0.05 * length);
+                    sketch.ground((z, half), (z, -half));
+                }
+            }
         }
-        for unbalance in &self.problem.unbalances {
-            sketch.round("", (unbalance.position, thickest), 0.012 * length, Ink::Danger);
+    }
+
+    /// The places of discs, bearings and unbalances, as ordinates on one line; letters of one place together.
+    fn places(&self, sketch: &mut Sketch, length: f64, level: f64) {
+        let discs = self.problem.discs.iter().zip(1..).map(|(disc, row)| (disc.position, indexed("z", row)));
+        let supports =
+            self.problem.supports.iter().zip(1..).map(|(held, row)| (held.position, indexed("z_b", row)));
+        let unbalances =
+            self.problem.unbalances.iter().zip(1..).map(|(one, row)| (one.position, indexed("z_u", row)));
+        let mut places: Vec<(f64, Vec<String>)> = Vec::new();
+        for (z, letter) in discs.chain(supports).chain(unbalances) {
+            match places.iter_mut().find(|(other, _)| (other - z).abs() < 1e-6 * length) {
+                Some((_, letters)) => letters.push(letter),
+                None => places.push((z, vec![letter])),
+            }
         }
-        sketch.finish()
+        sketch.axis((0.0, level - 0.015 * length), (0.0, level + 0.04 * length)).vector(
+            "z",
+            (0.0, level),
+            (1.08 * length, level),
+            Ink::Faint,
+        );
+        for (z, letters) in places {
+            sketch
+                .axis((z, level), (z, level + 0.03 * length))
+                .label(Text::verbatim(letters.join(", ")), (z, level));
+        }
     }
 
     /// A mode: the centre line of the shaft seen from the side and a little from above.

@@ -1,15 +1,16 @@
 //! Drawings and animations of a train: discs along their shafts, amplitudes as ordinates.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use dalembert_core::{Animation, Drawing, Ink, Sketch, Text};
 
 use super::{TorsionalTrain, TrainInertia, verbatim};
+use crate::shared::{letters::of_row, spring::torsional::TorsionalSpring};
 
 /// Half the height of a disc, the height of an amplitude of one, and the distance of shaft lines.
-const DISC: f64 = 0.7;
+const DISC: f64 = 0.55;
 const AMPLITUDE: f64 = 0.9;
-const LINE: f64 = 3.0;
+const LINE: f64 = 2.4;
 /// Frames of an animation.
 const FRAMES: u16 = 24;
 
@@ -58,11 +59,49 @@ impl Layout {
         Self { at: at.into_iter().map(|at| at.unwrap_or((0.0, 0.0))).collect() }
     }
 
-    /// The train at rest.
+    /// The train at rest, with the letters of its discs, shafts, gears and torques.
     pub(super) fn drawing(&self, problem: &TorsionalTrain) -> Drawing {
         let mut sketch = self.still(problem, Ink::Body).titled("The train");
-        for (disc, &(x, y)) in problem.discs.iter().zip(&self.at) {
+        for ((disc, &(x, y)), row) in problem.discs.iter().zip(&self.at).zip(1..) {
             sketch.label(verbatim(&disc.name), (x, y + DISC));
+            if let TrainInertia::Rotor(rotor) = &disc.inertia {
+                sketch.label(of_row(rotor.letters(), row), (x, y - DISC));
+            }
+        }
+        for (shaft, row) in problem.shafts.iter().zip(1..) {
+            let [a, b] = shaft.ends().map(|disc| self.at[disc]);
+            let line = a.1.min(b.1);
+            let middle = (f64::midpoint(a.0, b.0), line);
+            match &shaft.stiffness {
+                TorsionalSpring::Shaft { section, .. } => {
+                    let (left, right) = (a.0.min(b.0) + 0.15, a.0.max(b.0) - 0.15);
+                    sketch.label(of_row(section.each(), row), middle).dimension(
+                        of_row(&["L"], row),
+                        (left, line),
+                        (right, line),
+                        -2.0,
+                    );
+                }
+                _ => {
+                    sketch.label(of_row(&["k_t"], row), middle);
+                }
+            }
+        }
+        for (pair, row) in problem.gears.iter().zip(1..) {
+            let [a, b] = [self.at[pair.driving.0], self.at[pair.driven.0]];
+            sketch.label(of_row(&["i"], row), (f64::midpoint(a.0, b.0), f64::midpoint(a.1, b.1)));
+        }
+        for (torque, row) in problem.torques.iter().flat_map(|all| &all.torques).zip(1..) {
+            let (x, y) = self.at[torque.disc.0];
+            let turn = |n: i32| {
+                let (sin, cos) = (PI * (0.6 + 0.8 * f64::from(n) / 12.0)).sin_cos();
+                (x + 0.35 + 0.1 * cos, y + 0.4 * sin)
+            };
+            sketch.curve((0..12).map(turn).collect::<Vec<_>>(), Ink::Force).force(
+                of_row(&["T"], row),
+                turn(11),
+                turn(12),
+            );
         }
         sketch.finish()
     }

@@ -1,6 +1,6 @@
 //! Body, springs and damping of one degree of freedom that moves along a line or about an axis.
 
-use dalembert_core::{Inputs, Refusal, Worksheet};
+use dalembert_core::{Inputs, Refusal, Text, Worksheet};
 
 use super::{
     Elasticity, ElasticityGiven, GivenDamping, SpringData, SpringDataGiven, Suspension, ViscousDamping,
@@ -9,6 +9,7 @@ use super::{
 };
 use crate::shared::{
     inertia::{Inertia, TranslatingBody, TranslatingBodyGiven, moment_of_inertia},
+    letters::joined,
     spring::{
         self,
         torsional::{self, TorsionalSpring},
@@ -313,5 +314,35 @@ impl<W: Worksheet> SpringDataGiven<W> {
                 stiffness_of(OscillatorMotion::Translation, mass, *frequency, sheet)
             }
         })
+    }
+}
+
+impl OscillatingBody {
+    /// The letters at the body.
+    pub(crate) fn letters(&self) -> Text {
+        match self {
+            OscillatingBody::Translation(body) => body.letter().into(),
+            OscillatingBody::Rotation { inertia } => joined(inertia.letters()),
+        }
+    }
+}
+
+impl BodySprings {
+    /// The letters at the springs.
+    pub(crate) fn letters(&self) -> &'static str {
+        match self {
+            BodySprings::Any(springs) => springs.letters(),
+            BodySprings::Torsional { .. } => "k_t",
+        }
+    }
+}
+
+impl BodyStiffness {
+    /// The letters at the springs.
+    pub(crate) fn letters(&self) -> &'static str {
+        match self {
+            BodyStiffness::Straight(springs) => springs.letters(),
+            BodyStiffness::Torsional { .. } => "k_t",
+        }
     }
 }

@@ -4,6 +4,7 @@ use dalembert_core::{Axis, Drawing, Exhibit, Ink, Plot, Series, Sketch, Text, Wo
 use dalembert_mechanics::sdof;
 
 use super::motion::OscillatorMotion;
+use crate::shared::turning;
 
 /// The damping ratios of a family.
 const FAMILY: [f64; 4] = [0.05, 0.2, 0.5, 1.0];
@@ -113,35 +114,30 @@ pub(crate) fn force_vectors(motion: OscillatorMotion, spring: f64, damper: f64, 
         .finish()
 }
 
-/// The mass, spring and damper.
-pub(crate) fn mass_spring_damper(force: &'static str) -> Drawing {
-    supported("One degree of freedom")
+/// The mass, spring and damper under a force.
+pub(crate) fn mass_spring_damper(force: &'static str, letters: [Text; 2]) -> Drawing {
+    supported("One degree of freedom", letters)
         .ground((-1.0, -1.5), (1.0, -1.5))
         .force(force, (0.0, 0.4), (0.0, 1.2))
         .finish()
 }
 
-/// The body between a torsional spring and a torsional damper.
-pub(crate) fn inertia_spring_damper(torque: &'static str) -> Drawing {
-    Sketch::new("One degree of freedom in rotation")
-        .ground((1.0, 1.6), (-1.0, 1.6))
-        .spring("k_t", (0.0, 1.6), (0.0, 0.3))
-        .mass("J", (-0.9, -0.3), (0.9, 0.3))
-        .damper("c_t", (0.0, -1.4), (0.0, -0.3))
-        .ground((-1.0, -1.4), (1.0, -1.4))
-        .arc((0.0, 0.0), 1.2, (-0.5, 0.5), Ink::Motion)
-        .label("θ", (1.2, 0.0))
-        .couple(torque, (0.0, 0.0), (2.2, 4.1), Ink::Force)
-        .finish()
+/// The disc on a shaft over a torsional damper, with the letters of its inertia and of the shaft.
+pub(crate) fn inertia_spring_damper(torque: &'static str, [inertia, spring]: [Text; 2]) -> Drawing {
+    let mut sketch = Sketch::new("One degree of freedom in rotation");
+    turning::hung(&mut sketch, [spring, inertia], 1.6);
+    turning::turn(&mut sketch, "θ", (0.0, -0.35), 0.9, Ink::Motion);
+    turning::turn(&mut sketch, torque, (0.0, 0.6), 0.5, Ink::Force);
+    sketch.damper("c_t", (0.0, -1.5), (0.0, -0.36)).ground((-0.8, -1.5), (0.8, -1.5)).finish()
 }
 
-/// A mass over a spring and a damper that stand at the height −1.5.
-pub(crate) fn supported(title: &'static str) -> Sketch {
+/// A mass over a spring and a damper that stand at the height −1.5, with the letters of the mass and of the spring.
+pub(crate) fn supported(title: &'static str, [mass, spring]: [Text; 2]) -> Sketch {
     let mut sketch = Sketch::new(title);
     sketch
-        .spring("k", (-0.4, -1.5), (-0.4, -0.4))
-        .damper("c", (0.4, -1.5), (0.4, -0.4))
-        .mass("m", (-0.8, -0.4), (0.8, 0.4))
-        .motion("x", (1.1, -0.2), (1.1, 0.5));
+        .spring(spring, (-0.45, -1.5), (-0.45, -0.4))
+        .damper("c", (0.45, -1.5), (0.45, -0.4))
+        .mass(mass, (-0.9, -0.4), (0.9, 0.4))
+        .motion("x", (1.2, -0.2), (1.2, 0.5));
     sketch
 }

@@ -4,9 +4,10 @@ use dalembert_core::{Point, Sketch, Symbol, Text, printer};
 
 use super::{Spring, element::symbol, torsional::TorsionalSpring};
 
-/// Height of one spring, and the width it takes up.
+/// Height of one spring, and the width it takes up; the width of a beam.
 const HEIGHT: f64 = 1.2;
 const WIDTH: f64 = 1.6;
+const BEAM: f64 = 3.2;
 
 /// A spring or a network that can be drawn hanging down.
 pub(crate) trait Suspended: Sized {
@@ -86,6 +87,7 @@ pub(crate) fn size<T: Suspended>(spring: &T) -> (f64, f64) {
         Hanging::Parallel(members) => {
             members.iter().map(size).fold((0.0, 0.0), |all, one| (all.0 + one.0, f64::max(all.1, one.1)))
         }
+        Hanging::One("cantilever" | "beam") => (BEAM, HEIGHT),
         Hanging::One(_) => (WIDTH, HEIGHT),
     }
 }
@@ -114,28 +116,54 @@ pub(crate) fn hanging<T: Suspended>(
             let widths: Vec<f64> = members.iter().map(|member| size(member).0).collect();
             let all: f64 = widths.iter().sum();
             let mut left = top.0 - all / 2.0;
-            let mut ends = Vec::new();
+            let (mut upper, mut lower) = (vec![top.0], vec![end.0]);
             for (n, (member, width)) in members.iter().zip(&widths).enumerate() {
-                let x = left + width / 2.0;
+                let bends = matches!(member.hanging(), Hanging::One("cantilever" | "beam"));
+                // A cantilever carries at the end of its width.
+                let share = if matches!(member.hanging(), Hanging::One("cantilever")) { 0.85 } else { 0.5 };
+                let x = left + share * width;
                 hanging(member, (x, top.1 - gap), height - 2.0 * gap, &[place, &[n + 1]].concat(), sketch);
-                ends.push(x);
+                lower.push(x);
+                if !bends {
+                    upper.push(x);
+                }
                 left += width;
             }
-            if let (Some(&first), Some(&last)) = (ends.first(), ends.last()) {
-                for y in [top.1 - gap, end.1 + gap] {
-                    sketch.bars([(first, y), (last, y)]);
-                }
+            for (ends, y) in [(&upper, top.1 - gap), (&lower, end.1 + gap)] {
+                let first = ends.iter().copied().fold(f64::INFINITY, f64::min);
+                let last = ends.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+                sketch.bars([(first, y), (last, y)]);
             }
-            sketch.bars([top, (top.0, top.1 - gap)]).bars([(end.0, end.1 + gap), end]);
+            if upper.len() > 1 {
+                sketch.bars([top, (top.0, top.1 - gap)]);
+            }
+            sketch.bars([(end.0, end.1 + gap), end]);
         }
         Hanging::One("cantilever") => {
-            // A bracket carries its clamped end; the load hangs on the other.
-            let (wall, level) = (top.0 - 0.45 * WIDTH, top.1 - height / 2.0);
+            // The load hangs on the free end; the wall stands by itself.
+            let (wall, level) = (top.0 - 0.8 * BEAM, top.1 - height / 2.0);
             sketch
-                .bars([top, (wall, top.1), (wall, level)])
-                .ground((wall, level + 0.2 * height), (wall, level - 0.2 * height))
-                .link(caption("cantilever", &symbol(T::SYMBOL, place)), (wall, level), (top.0, level))
-                .bars([(top.0, level), end]);
+                .ground((wall, level + 0.3 * height), (wall, level - 0.3 * height))
+                .bars([(wall, level), (top.0, level)])
+                .label(Text::new(printer::symbol(&symbol(T::SYMBOL, place))), (wall + 0.3 * BEAM, level))
+                .bars([(top.0, level), end])
+                .dimension(
+                    Text::new(printer::symbol(&symbol("L", place))),
+                    (wall, level),
+                    (top.0, level),
+                    -1.5,
+                );
+        }
+        Hanging::One("beam") => {
+            let (half, level) = (0.4 * BEAM, top.1 - 0.4 * height);
+            let ends = [(top.0 - half, level), (top.0 + half, level)];
+            sketch
+                .bars(ends)
+                .pin("", ends[0])
+                .pin("", ends[1])
+                .label(Text::new(printer::symbol(&symbol(T::SYMBOL, place))), (top.0 + 0.5 * half, level))
+                .bars([(top.0, level), end])
+                .dimension(Text::new(printer::symbol(&symbol("L", place))), ends[0], ends[1], 1.5);
         }
         Hanging::One(kind) => {
             sketch.spring(caption(kind, &symbol(T::SYMBOL, place)), top, end);
@@ -143,9 +171,19 @@ pub(crate) fn hanging<T: Suspended>(
     }
 }
 
+/// The height of a beam under a machine.
+const LINE: f64 = -0.5;
+
+/// Length of a beam and, where it is given, the distance of the machine from its left end.
+fn span(sketch: &mut Sketch, from: f64, to: f64, distance: bool) {
+    sketch.dimension("L", (from, LINE), (to, LINE), -6.5);
+    if distance {
+        sketch.dimension("a", (from, LINE), (0.0, LINE), -4.0);
+    }
+}
+
 /// Drawing of the support of a machine whose lower side lies between `(−0.6, −0.4)` and `(0.6, −0.4)`.
 pub(crate) fn carrying(spring: &Spring, sketch: &mut Sketch) {
-    const LINE: f64 = -0.5;
     // Where the supports stand, with the load at zero.
     let supports = |length: f64, distance: Option<f64>| {
         let share = distance.map_or(0.5, |distance| (distance / length).clamp(0.15, 0.85));
@@ -155,26 +193,39 @@ pub(crate) fn carrying(spring: &Spring, sketch: &mut Sketch) {
     match spring {
         Spring::Cantilever { .. } => {
             let (from, to) = left_clamp(-3.0);
-            sketch.ground(from, to).bars([(-3.0, LINE), (0.6, LINE)]);
+            sketch.ground(from, to).bars([(-3.0, LINE), (0.6, LINE)]).dimension(
+                "L",
+                (-3.0, LINE),
+                (0.0, LINE),
+                -2.0,
+            );
         }
         Spring::SimplySupported { length, distance, .. } => {
             let (from, to) = supports(*length, *distance);
             sketch.bars([(from, LINE), (to, LINE)]).pin("", (from, LINE)).pin("", (to, LINE));
+            span(sketch, from, to, distance.is_some());
         }
         Spring::Clamped { length, distance, .. } => {
             let (from, to) = supports(*length, *distance);
             let ((a, b), (c, d)) = (left_clamp(from), left_clamp(to));
             sketch.ground(a, b).ground(d, c).bars([(from, LINE), (to, LINE)]);
+            span(sketch, from, to, distance.is_some());
         }
         Spring::ClampedPinned { length, distance, .. } => {
             let (from, to) = supports(*length, *distance);
             let (a, b) = left_clamp(from);
             sketch.ground(a, b).bars([(from, LINE), (to, LINE)]).pin("", (to, LINE));
+            span(sketch, from, to, distance.is_some());
         }
         Spring::Overhang { length, overhang, .. } => {
             let span = (1.8 * length / overhang).clamp(1.2, 4.0);
             let left = -1.8 - span;
-            sketch.bars([(left, LINE), (0.6, LINE)]).pin("", (left, LINE)).pin("", (-1.8, LINE));
+            sketch
+                .bars([(left, LINE), (0.6, LINE)])
+                .pin("", (left, LINE))
+                .pin("", (-1.8, LINE))
+                .dimension("L", (left, LINE), (-1.8, LINE), -4.0)
+                .dimension("a", (-1.8, LINE), (0.0, LINE), -4.0);
         }
         Spring::Series { .. } | Spring::Parallel { .. } => {
             let height = size(spring).1;

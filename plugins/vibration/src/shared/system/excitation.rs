@@ -5,6 +5,7 @@ use dalembert_mechanics::vibration::response::TimeExcitation;
 use nalgebra::{DMatrix, DVector};
 
 use super::histories::{AccelerationHistory, ForceHistory};
+use crate::shared::letters::of_row;
 
 /// Initial condition of a coordinate.
 #[derive(Clone, Debug, Inputs)]
@@ -91,4 +92,9 @@ impl Excitation<'_> {
         }
         Ok(excitation)
     }
+}
+
+/// The letters of forces, with the coordinates that they act on.
+pub(crate) fn loads(forces: &[Force]) -> Vec<(usize, Text)> {
+    forces.iter().zip(1..).map(|(force, row)| (force.coordinate, of_row(&["F"], row))).collect()
 }

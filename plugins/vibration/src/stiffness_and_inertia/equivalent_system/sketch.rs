@@ -5,8 +5,10 @@ use std::f64::consts::PI;
 use dalembert_core::{Drawing, Ink, Point, Sketch, Text};
 
 use super::{
-    AttachedDamper, AttachedSpring, EquivalentSystem, LeverBar, LeverPosition, RollingSurface, TurningBody,
+    AttachedDamper, AttachedSpring, EquivalentSystem, LeverBar, LeverPosition, LoadAmplitude, RollingSurface,
+    TurningBody,
 };
+use crate::shared::letters::{indexed, of_row};
 
 /// The body with what is attached to it.
 pub(super) fn drawing(system: &EquivalentSystem) -> Drawing {
@@ -35,7 +37,7 @@ fn arms(system: &EquivalentSystem) -> impl Iterator<Item = f64> {
 }
 
 fn numbered(symbol: &'static str, n: usize) -> Text {
-    Text::new("{symbol}{n}").with("symbol", symbol).with("n", n)
+    of_row(&[symbol], n)
 }
 
 /// The springs by number and arm.
@@ -106,6 +108,7 @@ fn lever(system: &EquivalentSystem, position: &LeverPosition) -> Drawing {
     for (n, mass) in (1..).zip(masses) {
         sketch.particle(numbered("m", n), at(mass.distance, 0.0));
     }
+    lengths(system, at, &mut sketch);
     let centre = match *bar {
         LeverBar::Light => None,
         LeverBar::Uniform { length, pivot, .. } => Some(length / 2.0 - pivot),
@@ -117,9 +120,64 @@ fn lever(system: &EquivalentSystem, position: &LeverPosition) -> Drawing {
     sketch.finish()
 }
 
+/// Arms from the pivot, letters of equal ones together; the length of the bar and the load.
+fn lengths(system: &EquivalentSystem, at: impl Fn(f64, f64) -> Point, sketch: &mut Sketch) {
+    let TurningBody::Lever { bar, masses, .. } = &system.body else { return };
+    let origin = at(0.0, 0.0);
+    let mut arms: Vec<(f64, String)> = Vec::new();
+    arms.extend(masses.iter().zip(1..).map(|(mass, row)| (mass.distance, indexed("l", row))));
+    for (spring, row) in system.springs.iter().zip(1..) {
+        if let AttachedSpring::Linear { arm, .. } = spring {
+            arms.push((*arm, indexed("a", row)));
+        }
+    }
+    for (damper, row) in system.dampers.iter().zip(1..) {
+        if let AttachedDamper::Linear { arm, .. } = damper {
+            arms.push((*arm, indexed("b", row)));
+        }
+    }
+    arms.extend(system.reference.map(|reference| (reference, "p".to_owned())));
+    match *bar {
+        LeverBar::Uniform { length, pivot, .. } => {
+            sketch.dimension("L", at(-pivot, 0.0), at(length - pivot, 0.0), 5.0);
+            sketch.label("m", at(0.3 * length - pivot, 0.0));
+            if pivot > 0.0 {
+                sketch.dimension("e", at(-pivot, 0.0), origin, 2.5);
+            }
+        }
+        LeverBar::Given { centre, .. } => {
+            arms.push((centre, "d".to_owned()));
+            sketch.label("m, J_O", at(centre, 0.0));
+        }
+        LeverBar::Light => {}
+    }
+    match system.load.as_ref().map(|load| &load.amplitude) {
+        Some(LoadAmplitude::Force { arm, .. }) => {
+            arms.push((*arm, "a_F".to_owned()));
+            sketch.force("F₀ cos(ω t)", at(*arm, 0.35), at(*arm, 0.05));
+        }
+        Some(LoadAmplitude::Moment { .. }) => {
+            sketch.couple("M₀ cos(ω t)", origin, (0.6, 2.6), Ink::Force);
+        }
+        None => {}
+    }
+    let mut drawn: Vec<(f64, Vec<String>)> = Vec::new();
+    for (arm, letter) in arms.into_iter().filter(|(arm, _)| *arm != 0.0) {
+        match drawn.iter_mut().find(|(other, _)| (other - arm).abs() < 1e-9 * arm.abs()) {
+            Some((_, letters)) => letters.push(letter),
+            None => drawn.push((arm, vec![letter])),
+        }
+    }
+    // Below the lever, whichever way the arm goes.
+    for ((arm, letters), level) in drawn.into_iter().zip(0u8..) {
+        let below = (4.0 + 2.0 * f64::from(level)) * if arm < 0.0 { 1.0 } else { -1.0 };
+        sketch.dimension(Text::verbatim(letters.join(", ")), origin, at(arm, 0.0), below);
+    }
+}
+
 fn rolling(system: &EquivalentSystem, radius: f64, surface: &RollingSurface) -> Drawing {
     let mut sketch = Sketch::new("The rolling body");
-    sketch.disc("m", (0.0, 1.0), 1.0);
+    sketch.disc("m", (0.0, 1.0), 1.0).dimension("r", (0.0, 1.0), (0.707, 0.293), 0.0);
     match surface {
         RollingSurface::Flat => {
             sketch.ground((-2.5, 0.0), (2.5, 0.0));

@@ -5,6 +5,7 @@ use std::collections::VecDeque;
 use dalembert_core::{Drawing, Point, Sketch, Text};
 
 use super::{ElementKind, SpringNetwork};
+use crate::shared::letters::of_row;
 
 /// Nodes in columns by their distance from ground, elements between them, the load at its node.
 pub(super) fn drawing(problem: &SpringNetwork) -> Drawing {
@@ -23,23 +24,29 @@ pub(super) fn drawing(problem: &SpringNetwork) -> Drawing {
         let to = to.unwrap_or((0.0, from.1));
         let shift = 0.45 * beside as f64;
         let (from, to) = ((from.0, from.1 + shift), (to.0, to.1 + shift));
-        let name = Text::new((n + 1).to_string());
+        let name = |letter: &'static str| of_row(&[letter], n + 1);
         match &element.kind {
-            ElementKind::Spring { .. } => sketch.spring(name, from, to),
-            ElementKind::Damper { .. } => sketch.damper(name, from, to),
-            ElementKind::KelvinVoigt { .. } => sketch.spring_and_damper((name, ""), from, to, 0.5),
+            ElementKind::Spring { .. } => sketch.spring(name("k"), from, to),
+            ElementKind::Damper { .. } => sketch.damper(name("c"), from, to),
+            ElementKind::KelvinVoigt { .. } => {
+                sketch.spring_and_damper((name("k"), name("c")), from, to, 0.6)
+            }
         };
     }
-    for (node, &(x, y)) in problem.nodes.iter().zip(&at) {
+    for ((node, &(x, y)), row) in problem.nodes.iter().zip(&at).zip(1..) {
         match node.mass {
-            Some(_) => sketch.mass("", (x - 0.25, y - 0.45), (x + 0.25, y + 0.45)),
-            None => sketch.joint("", (x, y)),
-        };
-        let top = if node.mass.is_some() { y + 0.45 } else { y };
+            Some(_) => {
+                sketch.mass(of_row(&["m"], row), (x - 0.35, y - 0.5), (x + 0.35, y + 0.5));
+            }
+            None => {
+                sketch.bars([(x, y - 0.4), (x, y + 0.4)]);
+            }
+        }
+        let top = if node.mass.is_some() { y + 0.5 } else { y + 0.4 };
         sketch.label(Text::new("{x}").with("x", &node.name), (x, top));
     }
     let (x, y) = at[problem.loaded.0];
-    sketch.force("F", (x + 0.3, y), (x + 1.2, y)).finish()
+    sketch.force("F", (x + 0.35, y), (x + 1.2, y)).finish()
 }
 
 fn places(problem: &SpringNetwork) -> Vec<Point> {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use dalembert_core::{Axis, Drawing, Ink, Plot, Refusal, Series, Sketch, Text, Worksheet};
+use dalembert_core::{Axis, Drawing, Plot, Refusal, Series, Sketch, Text, Worksheet};
 use dalembert_mechanics::{Real, vibration::swing};
 
 use super::CentreSide;
@@ -171,17 +171,21 @@ pub(super) fn period_over_distance(gyration: f64, gravity: f64, marks: &[(&'stat
         .mark("minimum period", (gyration, shortest))
 }
 
-/// The body with its points of suspension, at parts of the distance of the first above the centre of mass.
-pub(super) fn pendulum(points: &[(&'static str, f64)]) -> Drawing {
+/// The body with its points of suspension, at heights over G in parts of the first, and the letters of its mass and of a distance.
+pub(super) fn pendulum(
+    points: &[(&'static str, f64)],
+    mass: &'static str,
+    (letter, from, to): (&'static str, f64, f64),
+) -> Drawing {
     let mut sketch = Sketch::new("The body and its points of suspension");
-    sketch.body("", [(-0.25, 1.3), (0.25, 1.3), (0.45, -1.2), (-0.45, -1.2)]).round(
-        "G",
-        (0.0, 0.0),
-        0.06,
-        Ink::Result,
-    );
+    let at = |height: f64| (0.0, height.clamp(-1.1, 1.1));
+    sketch
+        .body("", [(-0.25, 1.3), (0.25, 1.3), (0.45, -1.2), (-0.45, -1.2)])
+        .mass_centre("G", (0.0, 0.0))
+        .label(mass, (0.42, -0.9))
+        .dimension(letter, at(from), at(to), if from > to { 5.5 } else { -5.5 });
     for (name, height) in points {
-        sketch.pin(Text::new("{x}").with("x", name), (0.0, height.clamp(-1.1, 1.1)));
+        sketch.pin(Text::new("{x}").with("x", name), at(*height));
     }
     sketch.finish()
 }

@@ -166,14 +166,15 @@ pub(super) fn on_torsion_wire<W: Worksheet>(
 }
 
 /// A body on wires that stand at `top` times its radius above.
-pub(super) fn wires(top: f64) -> Drawing {
+pub(super) fn wires(top: f64, mass: &'static str) -> Drawing {
     Sketch::new("The body on its wires")
         .ground((1.4, 2.0), (-1.4, 2.0))
         .axis((0.0, 2.2), (0.0, -0.6))
         .link("", (-top, 2.0), (-1.0, 0.0))
         .link("l", (top, 2.0), (1.0, 0.0))
-        .mass("", (-1.2, -0.25), (1.2, 0.0))
+        .mass(mass, (-1.2, -0.3), (1.2, 0.0))
         .dimension("r", (0.0, 0.0), (1.0, 0.0), 2.0)
+        .dimension("R", (0.0, 2.0), (top, 2.0), 2.5)
         .arc((0.0, -0.5), 0.4, (PI, TAU), Ink::Motion)
         .finish()
 }
@@ -189,7 +190,7 @@ pub(super) fn torsion() -> Drawing {
 }
 
 /// A journal in a hollow rail.
-pub(super) fn rails() -> Drawing {
+pub(super) fn rails(mass: &'static str) -> Drawing {
     let (turn, reach) = (0.35f64, 1.7);
     let at = (reach * turn.sin(), 2.0 - reach * turn.cos());
     Sketch::new("The journal on the concave rail")
@@ -197,12 +198,14 @@ pub(super) fn rails() -> Drawing {
         .line("R", (0.0, 2.0), (0.0, 0.0), Ink::Faint)
         .axis((0.0, 2.0), at)
         .circle(at, 0.75, Ink::Faint)
-        .disc("ρ", at, 0.3)
+        .disc("", at, 0.3)
+        .dimension("ρ", at, (at.0 + 0.21, at.1 + 0.21), 0.0)
+        .label(mass, (at.0, at.1 + 0.75))
         .finish()
 }
 
 /// A journal on an inclined rail.
-pub(super) fn incline() -> Drawing {
+pub(super) fn incline(mass: &'static str) -> Drawing {
     let at = (1.905, 0.985);
     let angle = (1.0f64 / 3.0).atan();
     Sketch::new("The journal on the inclined rail")
@@ -210,7 +213,9 @@ pub(super) fn incline() -> Drawing {
         .axis((0.0, 0.0), (3.0, 0.0))
         .circle(at, 0.75, Ink::Faint)
         .disc("", at, 0.3)
-        .motion("", (1.6, 1.2), (0.9, 0.97))
+        .dimension("ρ", at, (at.0 + 0.21, at.1 + 0.21), 0.0)
+        .label(mass, (at.0, at.1 + 0.75))
+        .motion("s", (1.6, 1.2), (0.7, 0.9))
         .arc((0.0, 0.0), 1.0, (0.0, angle), Ink::Faint)
         .label("α", ((angle / 2.0).cos(), (angle / 2.0).sin()))
         .finish()

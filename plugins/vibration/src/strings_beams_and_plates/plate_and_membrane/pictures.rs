@@ -5,6 +5,8 @@ use std::f64::consts::TAU;
 use dalembert_core::{Exhibit, Ink, Sketch, Text};
 use dalembert_mechanics::vibration::plate::{LevyMode, RoundMode};
 
+use super::{MembraneOutline, PlateAndMembrane, PlateOutline, SurfaceMass, ThinBody};
+
 /// The edge, its larger side one, or a circle of radius one.
 #[derive(Clone, Copy)]
 pub(super) enum Outline {
@@ -154,4 +156,61 @@ fn surface(figure: &Figure, outline: Outline) -> Vec<Vec<(f64, f64, f64)>> {
             (1..=LINES).map(around).chain((0..12).map(spoke)).collect()
         }
     }
+}
+
+/// The body from above with its lengths, and the tension or the thickness.
+pub(super) fn outline(problem: &PlateAndMembrane) -> Exhibit {
+    let mut sketch = Sketch::new("The body from above");
+    let rectangle = |sketch: &mut Sketch, length: f64, breadth: f64| {
+        let (a, b) = (2.0, (2.0 * breadth / length).clamp(0.4, 4.0));
+        sketch.mass("", (-a, -b), (a, b)).dimension("a", (-a, -b), (a, -b), -2.0).dimension(
+            "b",
+            (a, -b),
+            (a, b),
+            -2.0,
+        );
+        (a, b)
+    };
+    let circle = |sketch: &mut Sketch| {
+        sketch.disc("", (0.0, 0.0), 2.0).dimension("R", (0.0, 0.0), (1.732, -1.0), 0.0);
+        (2.0, 2.0)
+    };
+    match &problem.body {
+        ThinBody::Membrane { outline, mass, .. } => {
+            let (a, b) = match *outline {
+                MembraneOutline::Rectangle { length, breadth } => rectangle(&mut sketch, length, breadth),
+                MembraneOutline::Circle { .. } => circle(&mut sketch),
+            };
+            for (x, y, name) in [(a, 0.0, "T"), (-a, 0.0, "T"), (0.0, b, "T"), (0.0, -b, "T")] {
+                let out = 0.8;
+                sketch.force(
+                    name,
+                    (x, y),
+                    (x + x.signum() * out * f64::from(x != 0.0), y + out * y.signum() * f64::from(y != 0.0)),
+                );
+            }
+            if let SurfaceMass::Density { .. } = mass {
+                strip(&mut sketch, a);
+            }
+        }
+        ThinBody::Plate { outline, .. } => {
+            let (a, _) = match *outline {
+                PlateOutline::Rectangle { length, breadth, .. } => rectangle(&mut sketch, length, breadth),
+                PlateOutline::Circle { .. } => circle(&mut sketch),
+            };
+            strip(&mut sketch, a);
+        }
+    }
+    Exhibit::Drawing(sketch.finish())
+}
+
+/// The thickness, on the edge beside the body.
+fn strip(sketch: &mut Sketch, half: f64) {
+    let left = half + 1.6;
+    sketch.mass("", (left, -0.12), (left + 1.6, 0.12)).dimension(
+        "h",
+        (left + 1.6, -0.12),
+        (left + 1.6, 0.12),
+        -1.5,
+    );
 }
