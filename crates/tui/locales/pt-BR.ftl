@@ -387,7 +387,6 @@ write-the-id-of-an-analysis-or-a-file = escreva o id de uma análise ou um arqui
 word-is-not-a-key-write-lt-for = { $word } não é uma tecla; escreva `<lt>` para `<`
 give-the-expected-text = indique o texto esperado
 unknown-command-word-write-screen-language-look-open-type-paste-resize-tab-wait-pause-caption-picture = comando desconhecido `{ $word }`: escreva screen, language, look, open, type, paste, resize, tab, wait, pause, caption, picture ou expect
-unknown-command-word-write-screen-language-look-open-type-paste-resize-tab-wait-picture-or-expect = comando desconhecido `{ $word }`: escreva screen, language, look, open, type, paste, resize, tab, wait, picture ou expect
 text-is-not-a-size-write-columns-and-rows-as-in-120x36 = `{ $text }` não é um tamanho: escreva colunas e linhas, como em `120x36`
 text-is-not-a-duration-write-400-ms-or-solved = `{ $text }` não é uma duração: escreva `400 ms` ou `solved`
 text-is-not-a-name-use-letters-digits-and = `{ $text }` não é um nome: use letras, algarismos, `-` e `_`
