@@ -3,6 +3,7 @@
 mod asking;
 mod data_entry;
 mod first_screen;
+mod keys;
 mod mouse;
 mod new_files;
 mod panes;
