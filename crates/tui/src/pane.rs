@@ -122,6 +122,11 @@ pub trait Pane: Any + Debug {
         if self.place().has_cells() { Content::Cells } else { Content::Text }
     }
 
+    /// True if it asks for what the results would give away beside it.
+    fn covers_results(&self) -> bool {
+        false
+    }
+
     /// True if it has something to show.
     fn is_useful(&self, _problem: &Problem) -> bool {
         true

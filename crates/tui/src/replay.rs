@@ -6,7 +6,7 @@
 //! language en
 //! look colour
 //! open vibration/rotating-unbalance
-//! expect 19.456 mm
+//! expect 19.456
 //! type <end><del>2000 rpm<enter>
 //! wait 1500 ms
 //! picture twice-the-speed

@@ -14,11 +14,9 @@ fn a_plan_of_the_workbench_runs_on_the_command_line() {
     let fan = folder.path().join("fan.toml");
     fs::copy(xtask::root().join("examples/fan.toml"), &fan).expect("an example");
     let mut person = Person::at(120, 36).opens_file(&fan);
-    person.types("<tab>").turns_to("Study");
+    person.turns_to("Study");
     // Tolerances of every input, with a limit; the file that is proposed.
-    person.types(
-        "<left><down><right><right><right><right>a<end><up><up><up><enter><c-u>amplitude > 20 mm<enter>",
-    );
+    person.types("<left><down>a<end><up><up><up><enter><c-u>amplitude > 20 mm<enter>");
     person.types("w<enter>");
     assert!(person.sees().contains("study plan written to"), "{}", person.sees());
     let written = fs::read_to_string(folder.path().join("fan_study.toml")).expect("a plan");
@@ -61,7 +59,7 @@ fn a_plan_of_the_workbench_runs_on_the_command_line() {
 fn a_file_that_is_no_plan_changes_nothing() {
     let folder = example();
     let mut person = Person::at(120, 36).opens_file(folder.path().join("fan.toml"));
-    person.types("<tab>").turns_to("Study");
+    person.turns_to("Study");
     let before = person.sees();
     for (text, why) in [
         ("problem = \"fan.toml\"\n[[vary]]\ninput = \"mass\"\nvalue = 3\n", "line 4: unknown field `value`"),
@@ -95,7 +93,7 @@ fn maps_and_indices_outlive_the_workbench() {
     let plan = "problem = \"fan.toml\"\nanswers = [\"amplitude\"]\nsamples = 64\nsampling = \"sobol\"\nseed = 1\nsobol_indices = true\n\n[[vary]]\ninput = \"mass\"\ndistribution = \"normal\"\ndeviation = \"2 %\"\n\n[[vary]]\ninput = \"speed\"\ndistribution = \"uniform\"\ntolerance = \"5 %\"\n\n[[map]]\ninputs = [\"speed\", \"mass\"]\n";
     fs::write(&path, plan).expect("a plan");
     let mut person = Person::at(120, 36).opens_file(folder.path().join("fan.toml"));
-    person.types("<tab>").turns_to("Study");
+    person.turns_to("Study");
     person.types("rfan_study.toml<enter>");
     assert!(person.sees().contains("plan fan_study.toml"), "{}", person.sees());
     person.types("<end><enter><c-u>7<enter>w");

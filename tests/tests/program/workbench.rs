@@ -19,9 +19,9 @@ fn at_home(home: &Path) -> Launch {
 #[test]
 fn a_user_changes_the_speed_of_the_fan_and_sees_everything_follow() {
     let mut pty = started(Launch::new(pty::program()));
-    pty.expect("19.456 mm");
+    pty.expect("19.456");
     pty.types("<end><del>1500 rpm<enter>");
-    pty.expect("4.5535 mm");
+    pty.expect("4.5535");
     pty.types("]<end>");
     pty.expect("4.5535 mm");
     pty.types("]<right>");
@@ -36,8 +36,8 @@ fn a_user_changes_the_speed_of_the_fan_and_sees_everything_follow() {
 #[test]
 fn escape_and_a_key_that_arrive_together_are_two_keys() {
     let mut pty = started(Launch::new(pty::program()));
-    pty.expect("19.456 mm");
-    pty.types("<end>");
+    pty.expect("19.456");
+    pty.types("<tab>");
     pty.idle(Duration::from_millis(150));
     pty.send(b"\x1b:quit");
     pty.expect(":quit");
@@ -65,7 +65,7 @@ fn a_key_and_its_results_are_one_frame() {
 #[test]
 fn two_hundred_keys_at_once_build_no_backlog() {
     let mut pty = started(Launch::new(pty::program()));
-    pty.expect("19.456 mm");
+    pty.expect("19.456");
     pty.types("<end>");
     pty.idle(Duration::from_millis(150));
     let before = pty.count();
@@ -88,7 +88,7 @@ fn two_hundred_keys_at_once_build_no_backlog() {
 fn what_is_typed_outlives_the_window_and_is_offered_again() {
     let home = tempfile::tempdir().expect("a folder");
     let mut pty = started(at_home(home.path()));
-    pty.expect("19.456 mm");
+    pty.expect("19.456");
     pty.types("<end><del>1234 rpm<enter>");
     pty.idle(Duration::from_millis(200));
     pty.signal(-1, Signal::TERM);
@@ -134,7 +134,7 @@ fn the_worked_solution_is_exported_and_exported_anew() {
     let folder = tempfile::tempdir().expect("a folder");
     let script = format!("cd '{}' && \"$PROGRAM\"; exit $?", folder.path().display());
     let mut pty = started(Launch::new(pty::program()).in_script(&script));
-    pty.expect("19.456 mm");
+    pty.expect("19.456");
     pty.types("X");
     pty.expect("rotating-unbalance.html");
     pty.types("<enter>");
@@ -144,7 +144,7 @@ fn the_worked_solution_is_exported_and_exported_anew() {
     assert!(first.contains("<svg") && first.contains("19.456") && first.ends_with("</html>\n"));
     // At another speed: the file is not lost without a word.
     pty.types("<end><del>1500 rpm<enter>");
-    pty.expect("4.5535 mm");
+    pty.expect("4.5535");
     pty.types("X<enter>");
     pty.expect("already exists");
     pty.types("<down><enter>");
@@ -191,7 +191,7 @@ fn escape_stops_what_a_tab_asks() {
 #[test]
 fn copies_go_to_the_clipboard_of_the_terminal() {
     let mut pty = started(Launch::new(pty::program()));
-    pty.expect("19.456 mm");
+    pty.expect("19.456");
     pty.types("y");
     pty.expect("copied");
     assert!(String::from_utf8_lossy(&pty.raw()).contains("\x1b]52;c;"));
@@ -218,7 +218,7 @@ fn a_fan_is_balanced_in_the_field_and_the_page_written() {
     pty.types("<down><down><down><down><down><down><down>5 g<enter><down>0 deg<enter>");
     pty.types("<down><down><down>10 um<enter><down>0 deg<enter>");
     pty.expect("3.5355 g");
-    pty.expect("315°");
+    pty.expect("315      °");
     pty.types(&format!("s{}<enter>", job.display()));
     pty.expect("saved as");
     pty.types("q");

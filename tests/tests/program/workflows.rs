@@ -37,14 +37,14 @@ fn homework_is_tried_by_hand_and_checked() {
     assert!(!pty.screen().contains("19.456"), "{}", pty.screen());
     // ωₙ = √(3 E I / L³ / m), by hand to four digits.
     let natural = (3.0 * 200e9 * 1.3e-6 / 1.2_f64.powi(3) / 40.0).sqrt();
-    pty.types(&format!("<down>{natural:.1}<enter>"));
+    pty.types(&format!("<down><down><down>{natural:.1}<enter>"));
     pty.expect(&format!("= {natural:.2} rad/s"));
     // ζ from another formula, and the amplitude that it leads to.
     pty.types("<down><down>0.707<enter>");
     pty.expect("Incorrect");
     let ratio = 1000.0 * PI / 30.0 / natural;
     let amplitude = 0.1 / 40.0 * ratio * ratio / (1.0 - ratio * ratio).hypot(2.0 * 0.707 * ratio) * 1e3;
-    pty.types(&format!("<down><down>{amplitude:.3}<enter>"));
+    pty.types(&format!("<home>{amplitude:.3}<enter>"));
     pty.expect("consistent with your earlier answer to");
     // The working, as far as the step that was missed, and no farther.
     pty.types("[[[");
@@ -53,17 +53,19 @@ fn homework_is_tried_by_hand_and_checked() {
     pty.expect("= 8.12");
     pty.expect("ζ = ?");
     assert!(!pty.screen().contains("0.061694"), "{}", pty.screen());
-    pty.types("]]]<up><up>0.0617<enter>");
+    pty.types("]]]<down><down><down><down><down>0.0617<enter>");
     pty.expect("= 0.061694");
     // With the last answer the exercise is done, and the list of exercises reports it.
     let amplitude = 0.1 / 40.0 * ratio * ratio / (1.0 - ratio * ratio).hypot(2.0 * 0.061694 * ratio) * 1e3;
-    pty.types(&format!("<down><down>{amplitude:.2}<enter>"));
+    pty.types(&format!("<home>{amplitude:.2}<enter>"));
     pty.expect("all required answers are correct");
     pty.types("t<esc><esc>");
     pty.expect("Exercise lists");
     let screen = pty.screen();
     let lists = screen.lines().find(|line| line.contains("Exercise lists")).unwrap_or_default();
     assert!(lists.contains(" 1/"), "{screen}");
+    pty.types("<esc>");
+    pty.expect("q quit");
     leaves(&mut pty);
 }
 

@@ -5,6 +5,7 @@ mod branches;
 mod data_entry;
 mod field;
 mod first_screen;
+mod keys;
 mod mouse;
 mod new_files;
 mod panes;

@@ -27,6 +27,17 @@ fn shown(person: &Person) -> String {
     form.part().title().english()
 }
 
+/// The rows of the form that begin with these words and have a value, which may stand in the row below them.
+fn field(screen: &str, label: &str, value: &str) -> String {
+    let form: Vec<&str> = screen.lines().filter_map(|line| line.split('│').nth(1)).collect();
+    let at = form.iter().position(|row| row.trim_start_matches([' ', '▸', '●', '✗']).starts_with(label));
+    let at = at.unwrap_or_else(|| panic!("no field `{label}`:\n{screen}"));
+    let rows = form[at..].iter().take(2).take_while(|row| **row == form[at] || !form[at].contains(value));
+    let rows: String = rows.copied().collect();
+    assert!(rows.contains(value), "`{label}` is not {value}:\n{screen}");
+    rows
+}
+
 /// The first line of the screen below its title: that of the tabs.
 fn tabs(person: &mut Person) -> String {
     person.sees().lines().nth(1).expect("a line").to_owned()
@@ -53,12 +64,8 @@ fn problems_and_configurations_are_tabs_that_change_each_other() {
         assert_eq!(shown(&person), "fan.weighted");
         // Its mass is another one, which is marked; the rest is that of the fan.
         let screen = person.sees();
-        let mass =
-            screen.lines().find(|line| line.contains("m + 2 kg")).unwrap_or_else(|| panic!("{screen}"));
-        assert!(mass.contains('●'), "{screen}");
-        let speed =
-            screen.lines().find(|line| line.contains("1500 rpm")).unwrap_or_else(|| panic!("{screen}"));
-        assert!(!speed.contains('●'), "{screen}");
+        assert!(field(&screen, "Mass of the", "m + 2 kg").contains('●'), "{screen}");
+        assert!(!field(&screen, "Speed of the", "1500 rpm").contains('●'), "{screen}");
         // A mass of 50 kg on the tab of the fan: 52 kg on that of the configuration, 50 kg on the bracket.
         person.types("{");
         move_to(&mut person, "fan.mass");
@@ -111,14 +118,12 @@ fn a_configuration_takes_what_is_typed_on_its_tab_and_returns_to_the_problem() {
     move_to(&mut person, "fan.speed");
     person.types("1200<enter>");
     let screen = person.sees();
-    let speed = screen.lines().find(|line| line.contains("1200 rpm")).unwrap_or_else(|| panic!("{screen}"));
-    assert!(speed.contains('●'), "{screen}");
+    assert!(field(&screen, "Speed of the", "1200 rpm").contains('●'), "{screen}");
     assert!(screen.contains("1500 rpm in the problem itself"), "{screen}");
     person.types("{");
     move_to(&mut person, "fan.speed");
     let screen = person.sees();
-    let speed = screen.lines().find(|line| line.contains("1500 rpm")).unwrap_or_else(|| panic!("{screen}"));
-    assert!(!speed.contains('●'), "{screen}");
+    assert!(!field(&screen, "Speed of the", "1500 rpm").contains('●'), "{screen}");
     person.types("}s");
     let wanted = before.replace("mass = \"m + 2 kg\"", "mass = \"m + 2 kg\"\nspeed = \"1200 rpm\"");
     assert_eq!(fs::read_to_string(&path).expect("the file"), wanted);
@@ -167,7 +172,7 @@ fn an_error_of_a_configuration_is_on_its_tab() {
 
 #[test]
 fn a_configuration_is_begun_by_name() {
-    let mut person = Person::at(100, 30).opens(FAN);
+    let mut person = Person::at(100, 20).opens(FAN);
     person.types("}");
     assert!(person.sees().contains("one problem without configurations"), "{}", person.sees());
     person.types(":configuration weighted<enter>");

@@ -57,7 +57,7 @@ fn closing_asks_for_unsaved_work_alone() {
     assert!(person.sees().contains("1001 rpm"));
     person.types("B<down><enter>");
     assert!(person.sees().contains("List of analyses") && person.kept.is_empty(), "{}", person.sees());
-    assert!(person.types("b").sees().contains("no open problem"));
+    assert!(person.types("<esc>b").sees().contains("no open problem"));
 }
 
 #[test]
@@ -189,7 +189,8 @@ fn the_state_of_an_exercise_stands_behind_the_longest_title() {
     let mut person = Person::at(80, 30);
     let lists = Row::Heading(Heading::Exercises);
     let at = person.model.picker.rows(person.model.contents()).iter().position(|row| *row == lists);
-    person.types("<home>").types(&"<down>".repeat(at.expect("lists of exercises"))).types("<right><down>");
+    person.types("<esc><home>").types(&"<down>".repeat(at.expect("lists of exercises")));
+    person.types("<right><down>");
     let shown = person.sees();
     let exercises = shown.lines().filter(|line| line.contains("• ")).count();
     assert!(exercises > 3 && shown.matches("not started").count() == exercises, "{shown}");
@@ -260,7 +261,7 @@ fn every_analysis_is_reached_in_its_topic() {
     let total = person.model.listings.len();
     // Everything is opened: a heading is followed by what stands under it.
     let rows = |person: &Person| person.model.picker.rows(person.model.contents());
-    person.types("<home>");
+    person.types("<esc><home>");
     let mut at = 0;
     while at < rows(&person).len() {
         if let Row::Heading(heading) = rows(&person)[at]
@@ -379,7 +380,7 @@ fn exercises_are_opened_and_marked() {
     let mut person = Person::at(120, 36);
     let lists = Row::Heading(Heading::Exercises);
     let at = person.model.picker.rows(person.model.contents()).iter().position(|row| *row == lists);
-    person.types("<home>").types(&"<down>".repeat(at.expect("lists of exercises")));
+    person.types("<esc><home>").types(&"<down>".repeat(at.expect("lists of exercises")));
     person.types("<right><down><right>");
     let screen = person.sees();
     assert!(screen.contains("Exercise lists") && screen.contains("0/"), "{screen}");
@@ -399,7 +400,7 @@ fn exercises_are_opened_and_marked() {
     };
     let shown: String = case.chars().take(20).collect();
     assert!(line(&mut person, &shown).contains('○'), "{}", person.sees());
-    person.types("<space>");
+    person.types("<esc><space>");
     assert!(line(&mut person, &shown).contains('✓'), "{}", person.sees());
     assert!(line(&mut person, "Exercise lists").contains("1/"), "{}", person.sees());
     assert!(matches!(person.remembered.last(), Some(HistoryChange::Reach { progress: Progress::Done, .. })));
@@ -460,6 +461,8 @@ fn what_is_pinned_and_recent_outlives_the_session() {
     to_list(&mut pty);
     pty.expect("Pinned");
     pty.expect("Recent");
+    pty.types("<esc>");
+    pty.expect("q quit");
     pty.types("*");
     pty.idle(Duration::from_millis(200));
     pty.types("q");
@@ -471,6 +474,8 @@ fn what_is_pinned_and_recent_outlives_the_session() {
     let mut pty = started("vibration/large-pendulum");
     pty.expect("cannot be read and is left");
     to_list(&mut pty);
+    pty.types("<esc>");
+    pty.expect("q quit");
     pty.types("*q");
     assert_eq!(pty.exit_code(), Some(0));
     assert_eq!(fs::read_to_string(&file).ok().as_deref(), Some("pinned = ["));
@@ -484,7 +489,7 @@ fn two_edited_problems_are_offered_after_a_crash() {
         launch.env("XDG_STATE_HOME", home.path().to_str().expect("a readable path")).start()
     };
     let mut pty = started();
-    pty.expect("19.456 mm");
+    pty.expect("19.456");
     pty.types("<end><del>1234 rpm<enter>");
     to_list(&mut pty);
     pty.types("/large pendulum<enter>");

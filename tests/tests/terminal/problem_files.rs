@@ -143,7 +143,7 @@ fn what_cannot_be_opened_or_saved_says_why_and_asks_again() {
     let folder = tempfile::tempdir().expect("a folder");
     let missing = folder.path().join("nothing.toml");
     let mut person = Person::at(80, 24);
-    person.types("o").types(missing.to_str().expect("a readable path")).types("<enter>");
+    person.types("<esc>o").types(missing.to_str().expect("a readable path")).types("<enter>");
     assert!(person.sees().contains("not found: check"), "{}", person.sees());
     person.types("<esc>o").types(folder.path().to_str().expect("a readable path")).types("<enter>");
     assert!(person.sees().contains("is a folder"), "{}", person.sees());

@@ -6,7 +6,7 @@ use dalembert_testkit::on_all_cores;
 use dalembert_tests::person::Person;
 use dalembert_tui::{
     Msg,
-    keys::KeyContext,
+    keys::{Action, KeyContext},
     panes::{self, places, working::Working},
     tempo,
 };
@@ -81,7 +81,7 @@ fn the_filter_looks_in_titles_keywords_sources_and_cases() {
 fn escape_goes_back_one_step_at_a_time_and_never_ends_the_program() {
     let mut person = Person::at(80, 24).knows(&COURSE);
     person.types("/rotunb<enter><end><enter>99");
-    assert!(person.sees().contains("accept"), "{}", person.sees());
+    assert!(person.sees().contains("Enter keep"), "{}", person.sees());
     person.types("<esc>");
     assert!(person.sees().contains("Inputs"));
     person.types("<esc>");
@@ -114,7 +114,7 @@ fn a_wide_screen_has_room_for_the_names_of_materials() {
     let mut seen = 0;
     for entry in registry().iter().filter(|entry| entry.about.cases.contains("young")) {
         let cases = dalembert_core::cases::cases(entry).expect("the cases of an analysis can be read");
-        let mut person = Person::at(160, 50).opens(entry.about.id);
+        let mut person = Person::at(160, 80).opens(entry.about.id);
         person.types("[");
         for (at, case) in cases.iter().enumerate() {
             person.types(if at == 0 { "<enter><tab>" } else { "<tab><down><enter><tab>" });
@@ -187,7 +187,7 @@ fn a_key_changes_amplitude_working_and_plot_at_once() {
     let amplitude = 0.1 / 40.0 * r * r / (1.0 - r * r).hypot(2.0 * zeta * r);
     let wanted = format!("{:.4} mm", amplitude * 1e3);
     let screen = person.sees();
-    assert!(screen.contains("accept"), "still typing:\n{screen}");
+    assert!(screen.contains("Enter keep"), "still typing:\n{screen}");
     assert!(after(&screen, "Amplitude at this speed").starts_with(&wanted), "{wanted}:\n{screen}");
     assert!(!person.sees_dim("Amplitude at this speed"));
     person.types("<enter>]<end>");
@@ -240,7 +240,8 @@ fn an_animation_is_stepped_frame_by_frame() {
     assert!(!person.sees().contains("animation"), "{}", person.sees());
     assert!(person.types("p").sees().contains("no animation on the screen"));
     person.types("]]]");
-    let screen = person.sees();
+    assert!(person.sees().contains("Space animation"), "{}", person.sees());
+    let screen = Person::at(96, 24).opens("vibration/large-pendulum").types("]]]").sees();
     assert!(screen.contains("Space animation") && screen.contains(", . frame"), "{screen}");
     let first = person.sees();
     assert_snapshot!("animation_held", person.types("...").sees());
@@ -274,12 +275,15 @@ fn a_pane_takes_the_whole_screen_and_returns_it() {
         assert!(!person.sees().contains("Results"), "{}", person.sees());
         assert_eq!(person.types("e").sees(), together);
         let tabs = ["Results", "Working", "Plot", "Drawing", "Sources"];
-        for (tab, keys) in tabs.into_iter().zip_eq(["<tab>e", "]", "]", "]", "]"]) {
+        for (tab, keys) in tabs.into_iter().zip_eq(["<tab>e", "]", "]", "]", "<a-9>"]) {
             person.types(keys);
             let screen = person.sees();
             assert!(screen.contains(tab) && !screen.contains("Inputs"), "{tab}:\n{screen}");
         }
-        assert!(person.types("<esc>").sees().contains("Inputs"), "escape brings the others back");
+        // Escape brings the others back: on a narrow screen the strip of results, on a wide one the form.
+        let other = if columns < 100 { "╭─ Results " } else { "╭─ Inputs " };
+        let screen = person.types("<esc>").sees();
+        assert!(screen.contains(other), "{other}:\n{screen}");
     }
     assert_snapshot!("expanded_working", fan(160, 50).types("]e").sees());
     assert_snapshot!("expanded_plot", fan(80, 24).types("]]e").sees());
@@ -457,9 +461,9 @@ fn units_are_cycled_without_changing_the_quantity() {
 fn a_converted_number_is_written_and_nudged_as_a_user_would() {
     let mut person = Person::in_portuguese(110, 30).opens(FAN);
     person.types("<end>uuuu");
-    assert!(line_with(&person.sees(), "▸ Rotação").contains("104.719755 rad/s"), "{}", person.sees());
+    assert!(line_with(&person.sees(), "▸ Rotação").contains("104,719755 rad/s"), "{}", person.sees());
     person.types("+");
-    assert!(line_with(&person.sees(), "▸ Rotação").contains("104.819755 rad/s"), "{}", person.sees());
+    assert!(line_with(&person.sees(), "▸ Rotação").contains("104,819755 rad/s"), "{}", person.sees());
 }
 
 #[test]
@@ -562,9 +566,9 @@ fn no_text_is_cut_without_a_mark() {
 fn cases_are_loaded_from_the_sources() {
     let mut person = fan(80, 24);
     person.types("<end><del>1500 rpm<enter>[<enter>");
-    let screen = person.sees();
-    assert!(screen.contains("1000 rpm") && screen.contains("loaded;"), "{screen}");
-    assert!(person.types("<tab>z").sees().contains("1500 rpm"));
+    assert!(person.sees().contains("loaded;"), "{}", person.sees());
+    assert!(person.types("<tab>").sees().contains("1000 rpm"), "{}", person.sees());
+    assert!(person.types("z").sees().contains("1500 rpm"), "{}", person.sees());
 }
 
 #[test]
@@ -641,7 +645,7 @@ fn a_pinned_result_is_compared_with() {
     assert!(screen.contains(" %)"), "{screen}");
     let plot = person.types("]]").sees();
     assert!(plot.contains("┄○ before"), "{plot}");
-    person.types("<tab>c<tab>[[z");
+    person.types("c[[<tab>z");
     assert_eq!(person.sees(), before, "unpinned, nothing is compared");
     // What cannot be read has no result to pin.
     person.types("<end><del>x<enter>c");
@@ -674,7 +678,7 @@ fn the_working_is_revealed_step_by_step() {
     assert_eq!(person.clipboard, "", "what is covered is not copied");
     person.types("[").types(&" ".repeat(steps - 2));
     assert!(person.sees().contains("every step is revealed"), "{}", person.sees());
-    person.types("[").types("<home>");
+    person.types("[<tab><home>");
     assert_eq!(person.sees(), shown.clone());
     person.types("tt<home>");
     assert_eq!(person.sees(), shown, "the same key uncovers everything");
@@ -750,9 +754,12 @@ fn the_palette_knows_every_action_by_its_name() {
 fn the_help_is_the_table_of_keys() {
     assert_snapshot!("help", fan(80, 24).types("?").sees());
     let mut person = fan(80, 200);
-    let help = person.types("<f1>").sees();
+    // Long lines go on in the next.
+    let help = person.types("<f1>").sees().replace('│', " ");
+    let help = help.split_whitespace().collect::<Vec<_>>().join(" ");
     for place in places().into_iter().filter(|place| place.is_pane() || *place == KeyContext::Form) {
-        for binding in place.bindings() {
+        // The tabs by their numbers are one line.
+        for binding in place.bindings().filter(|binding| !matches!(binding.action, Action::Tab(2..))) {
             assert!(help.contains(binding.name), "{}:\n{help}", binding.name);
         }
     }
@@ -789,7 +796,7 @@ fn tables_are_edited_and_pasted() {
     for _ in 0..at.expect("there is a case with a table") {
         person.types("<down>");
     }
-    person.types("<enter><tab>[[[[");
+    person.types("<enter>[[[[<tab>");
     let form = &mut person.model.bench.as_mut().unwrap().problem.inputs.form;
     let table = form.lines().iter().find_map(|line| {
         matches!(line.role, dalembert_tui::form::Role::Table { .. }).then(|| line.path.clone())
@@ -941,10 +948,9 @@ fn draw_sizes(drawn: fn(u16, u16) -> bool) {
 #[test]
 fn in_ascii_keys_and_greek_letters_are_called_by_their_names() {
     let mut person = Person::in_ascii(80, 24).opens("vibration/rotating-unbalance");
-    person.turns_to("Plot");
-    let seen = person.types("<tab>").sees();
+    assert!(person.sees().contains(" omega "), "{}", person.sees());
+    let seen = person.turns_to("Plot").sees();
     assert!(seen.contains("Left Right move the cursor"), "{seen}");
-    assert!(seen.contains(" omega "), "{seen}");
     person.turns_to("Working");
     let mut seen = person.sees();
     for _ in 0..8 {

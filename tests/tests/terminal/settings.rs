@@ -16,6 +16,8 @@ use dalembert_tui::{
 use ratatui::style::Color;
 
 const FAN: &str = "vibration/rotating-unbalance";
+/// An analysis with a table.
+const MODES: &str = "vibration/modal-analysis";
 
 fn fan(columns: u16, rows: u16) -> Person {
     Person::at(columns, rows).opens(FAN)
@@ -34,7 +36,8 @@ fn fan_with(text: &str) -> Person {
 fn the_footer_the_help_and_the_palette_show_the_keys_that_hold() {
     let mut person =
         fan_with("[keys]\nnext-tab = \"f6\"\nprevious-tab = \"f5\"\nundo = \"ctrl-x\"\nsave = []\n");
-    let footer = person.sees().lines().last().unwrap_or_default().to_owned();
+    // As wide as a footer that would name the key to save.
+    let footer = person.resizes(160, 40).sees().lines().last().unwrap_or_default().to_owned();
     assert!(footer.contains("F5 F6 tabs") && footer.contains("Ctrl-X undo"), "{footer}");
     assert!(!footer.contains(" s save"), "{footer}");
     let before = person.sees();
@@ -56,16 +59,19 @@ fn sentences_name_the_keys_that_hold() {
     for (typed, said) in [
         ("<down><down>3", "F6 opens the options"),
         ("<tab>", "w unit of an answer, D digits"),
-        ("<f6>", "F6 loads a case in Sources"),
+        ("<end>", "F6 shows them"),
         ("[", "↑ ↓ choose a case; F6 loads it"),
         ("[[", "← F7 another answer"),
         ("t", "F8 in Working reveals"),
         ("[[[[", "hidden; F8 in this tab"),
-        ("<esc><esc><f5>", "F5 ticks an exercise"),
+        ("<esc><esc><esc><f5>", "F5 ticks an exercise"),
     ] {
         let screen = person.types(typed).sees();
         assert!(screen.contains(said), "{typed}: {said}\n{screen}");
     }
+    let mut person = fan_with(keys).opens(MODES);
+    let screen = person.turns_to("Table").types("<f6>").sees();
+    assert!(screen.contains("F6 loads a case in Sources"), "{screen}");
     let mut person = Person::in_portuguese(100, 30).opens(FAN);
     person.types("t]");
     assert!(person.sees().contains("Espaço nesta aba revela"), "{}", person.sees());
@@ -188,7 +194,7 @@ fn broken_settings_are_named_by_line_and_the_rest_holds() {
 #[test]
 fn the_mouse_is_taken_and_left_by_the_terminal_s_own_sequences() {
     let mut pty = started(Launch::new(pty::program()));
-    pty.expect("19.456 mm");
+    pty.expect("19.456");
     assert!(String::from_utf8_lossy(&pty.raw()).contains("\x1b[?1000h\x1b[?1002h\x1b[?1003h\x1b[?1006h"));
     let screen = pty.screen();
     let (row, line) = screen.lines().enumerate().find(|(_, line)| line.contains("Working")).expect("the tab");
@@ -209,7 +215,7 @@ fn over_ssh_and_where_it_is_not_wanted_the_mouse_is_the_terminal_s() {
     let unwanted = Launch::new(pty::program()).in_script("\"$PROGRAM\" --no-mouse; exit $?");
     for launch in [over_ssh, configured(&home), unwanted] {
         let mut pty = started(launch);
-        pty.expect("19.456 mm");
+        pty.expect("19.456");
         assert!(!String::from_utf8_lossy(&pty.raw()).contains("\x1b[?1000h"));
         pty.types("q");
         assert_eq!(pty.exit_code(), Some(0));
@@ -266,7 +272,7 @@ fn what_the_editor_spoils_is_named_and_edited_again() {
     let command = editor(folder.path(), spoil);
     let home = home_with(&format!("editor = \"{command}\"\n"));
     let mut pty = started(configured(&home).env("EDITOR", "false"));
-    pty.expect("19.456 mm");
+    pty.expect("19.456");
     pty.types("E");
     pty.expect("cannot be read");
     pty.expect("inputz");
@@ -279,7 +285,7 @@ fn what_the_editor_spoils_is_named_and_edited_again() {
 #[test]
 fn an_editor_that_fails_is_named() {
     let mut pty = started(Launch::new(pty::program()).env("VISUAL", "false"));
-    pty.expect("19.456 mm");
+    pty.expect("19.456");
     pty.types("E");
     pty.expect("`false` failed");
     pty.types("<c-c>");
@@ -289,7 +295,7 @@ fn an_editor_that_fails_is_named() {
 #[test]
 fn an_editor_that_is_not_there_is_named() {
     let mut pty = started(Launch::new(pty::program()).env("VISUAL", "no-such-editor"));
-    pty.expect("19.456 mm");
+    pty.expect("19.456");
     pty.types("E");
     pty.expect("`no-such-editor` was not found");
     pty.types("<c-c>");
@@ -317,7 +323,7 @@ fn an_interrupt_in_the_editor_is_the_editor_s() {
     // `exec`: an interrupt that meets a shell as it forks is lost to the child, and the shell waits for that.
     let command = editor(folder.path(), "echo waiting; exec sleep 20");
     let mut pty = started(Launch::new(pty::program()).env("EDITOR", &command));
-    pty.expect("19.456 mm");
+    pty.expect("19.456");
     pty.types("E");
     pty.expect("waiting");
     pty.types("<c-c>");
@@ -445,11 +451,13 @@ fn a_key_that_does_nothing_here_says_why() {
     for (keys, said) in [
         ("<home><space>", "Space has no effect on this field"),
         ("a", "not in a list"),
-        ("<tab><enter>", "nothing to open here"),
         ("p", "no animation on the screen"),
     ] {
         assert!(person.types(keys).sees().contains(said), "{keys}: {}", person.sees());
     }
+    let mut person = Person::at(90, 30).opens(MODES);
+    let screen = person.turns_to("Table").types("<enter>").sees();
+    assert!(screen.contains("nothing to open here"), "{screen}");
 }
 
 #[test]

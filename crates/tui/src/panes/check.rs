@@ -59,6 +59,10 @@ impl Pane for Check {
         KeyContext::Cells
     }
 
+    fn covers_results(&self) -> bool {
+        true
+    }
+
     fn is_useful(&self, problem: &Problem) -> bool {
         problem.found.solution.as_ref().is_some_and(|found| !found.answers.is_empty())
     }

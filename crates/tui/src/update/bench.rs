@@ -204,6 +204,13 @@ pub(super) fn show_tab(model: &mut Model, tab: Tab) -> Vec<Intent> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     // The keys go where the eye is.
     (bench.tab, bench.focus) = (tab, Focus::Pane);
+    ask_for_shown(model)
+}
+
+/// Asks what the shown pane needs to be found out.
+pub(super) fn ask_for_shown(model: &mut Model) -> Vec<Intent> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let tab = bench.tab;
     let pane = &mut bench.panes[tab.0];
     let mut intents = pane.turned_to(&mut bench.problem);
     if !pane.is_answered(&bench.problem) && !bench.waits(tab) {

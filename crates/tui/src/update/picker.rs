@@ -143,10 +143,10 @@ fn mark(model: &mut Model) -> Vec<Intent> {
 }
 
 fn back(model: &mut Model) -> Vec<Intent> {
-    if model.picker.case.take().is_none() && (model.picker.typing || !model.picker.filter.value().is_empty())
-    {
+    let is_search = model.picker.case.take().is_none();
+    model.picker.typing &= !is_search;
+    if is_search && !model.picker.filter.value().is_empty() {
         let kept = chosen_leaf(model).map(|leaf| leaf.listing);
-        model.picker.typing = false;
         model.picker.filter.reset();
         // What was chosen stays chosen in the whole list.
         match kept {

@@ -2,6 +2,7 @@
 
 use dalembert_core::Text;
 
+use super::bench;
 use crate::{
     bench::Bench,
     effect::Effect,
@@ -64,7 +65,10 @@ pub(super) fn bring(model: &mut Model, number: u64) -> Vec<Intent> {
         return vec![Intent::ReadLinked, Intent::Changed];
     }
     bench.pending = None;
-    vec![Intent::ReadLinked, Intent::Turn(bench.tab)]
+    // The keys stay where they were when it was left.
+    let mut intents = vec![Intent::ReadLinked];
+    intents.extend(bench::ask_for_shown(model));
+    intents
 }
 
 /// Shows the problem that was opened after this one; after the last, the first. From the list, back to this one.

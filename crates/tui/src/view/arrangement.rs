@@ -126,8 +126,10 @@ impl Screen<'_> {
             Focus::Pane => self.pane(shown, body.width),
         };
         let mut parts = vec![first];
-        if focus == Focus::Form || shown != results {
-            parts.push(self.strip(body.width));
+        if focus == Focus::Form || (shown != results && !self.covers_results(shown)) {
+            // What grows has what the main answers leave.
+            let strip = self.strip(body.width);
+            parts.push(if first.grows() { Part { wanted: strip.least, ..strip } } else { strip });
         }
         if shown != results && focus == Focus::Form {
             waiting.push_front(shown);
@@ -179,7 +181,7 @@ impl Screen<'_> {
             self.fill(&mut of_right, right, &mut waiting);
         }
         let mut of_middle = vec![self.pane(main, middle.width)];
-        if main != Tab::default() {
+        if main != Tab::default() && !self.covers_results(main) {
             of_middle.push(self.strip(middle.width));
         }
         self.fill(&mut of_middle, middle, &mut waiting);
@@ -200,7 +202,12 @@ impl Screen<'_> {
         let content = |tab: &Tab| self.bench.pane(*tab).content();
         let (pictures, others): (Vec<Tab>, Vec<Tab>) =
             useful.partition(|tab| content(tab) == Content::Picture);
-        pictures.into_iter().chain(others.into_iter().filter(|tab| content(tab) == Content::Text)).collect()
+        let is_shown = |tab: &Tab| content(tab) == Content::Text && !self.covers_results(main);
+        pictures.into_iter().chain(others.into_iter().filter(is_shown)).collect()
+    }
+
+    fn covers_results(&self, tab: Tab) -> bool {
+        self.bench.pane(tab).covers_results()
     }
 
     fn pictures(&self, tabs: &VecDeque<Tab>) -> usize {
@@ -352,7 +359,7 @@ fn heights(parts: &[Part], height: u16) -> Vec<u16> {
         *rows += more.min(left);
         left -= more.min(left);
     }
-    if let Some(rows) = heights.last_mut() {
+    if let Some(rows) = heights.iter_mut().max() {
         *rows += left;
     }
     heights

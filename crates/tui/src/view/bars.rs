@@ -8,7 +8,7 @@ use ratatui::{
     widgets::{Clear, Widget},
 };
 
-use super::{animation, word};
+use super::{animation, form::computed, word};
 use crate::{
     bench::Bench,
     form::{self, PartRole, Role},
@@ -325,22 +325,22 @@ fn about_field(model: &Model, bench: &Bench) -> String {
             let thousands = form::point_of_thousands(edited.unwrap_or(text), model.locale.style);
             // A number that is typed alone has a unit in the draft that is not on the screen.
             let typed = edited.is_some_and(|edited| edited != text);
-            parts.extend(match thousands {
-                Some(number) => Some(
-                    Text::new(
-                        "{number} has a decimal mark and is read as {echo}; write thousands without one",
-                    )
+            let doubtful = thousands.map(|number| {
+                Text::new("{number} has a decimal mark and is read as {echo}; write thousands without one")
                     .with("number", number)
                     .with("echo", echo.as_ref().unwrap_or(text))
-                    .render(&model.locale),
-                ),
-                None => if typed { Some(text) } else { echo.as_ref() }.map(|read| format!("= {read}")),
+                    .render(&model.locale)
             });
+            let read = if typed { Some(text.clone()) } else { echo.clone() };
+            let read = read.or_else(|| computed(model, &line)).filter(|_| doubtful.is_none());
             let ui = model.ui(bench, bench.tab, Rect::ZERO);
             let unit =
                 bench.problem.inputs.form.unit_of_number(&line).and_then(|unit| about_number(&unit, &ui));
+            // The unit is seen whatever is cut.
+            parts.extend(doubtful);
             parts.push(label);
             parts.extend(unit.map(|unit| unit.render(&model.locale)));
+            parts.extend(read.map(|read| format!("= {read}")));
             parts.push(say(line.field.help));
         }
     }

@@ -12,6 +12,7 @@ use ratatui::{
     text::{Line as Shown, Span},
 };
 
+pub(super) use self::line::computed;
 use self::line::{LineRows, columns, draw_line, margin};
 use super::{boxed, scroll_mark, word};
 use crate::{

@@ -261,8 +261,12 @@ impl LineView<'_> {
         }
         let value = self.value(shape, text, picked);
         // What a formula gives, or what was found, is worth the room of a label; the same value in SI is not.
-        let computed = computed(self.model, self.line).map_or(0, |value| width(&value) + BESIDE);
-        let columns = self.columns.with_room_for(width(&value.text) + width(&value.mark) + computed);
+        let own = width(&value.text) + width(&value.mark);
+        let computed =
+            computed(self.model, self.line).filter(|computed| value.echo.as_ref() == Some(computed));
+        let both = own + computed.map_or(0, |value| width(&value) + BESIDE);
+        let roomy = self.columns.with_room_for(both);
+        let columns = if roomy.value >= both { roomy } else { self.columns.with_room_for(own) };
         // Another decimal mark leaves the digits where they are.
         let is_seen = self.focused && value.text.len() == text.len();
         let digit = form.digit(&self.line.path, text).filter(|_| is_seen);
@@ -433,7 +437,7 @@ impl LineView<'_> {
 }
 
 /// Value of an input or a definition that a formula gives, or that was found.
-fn computed(model: &Model, line: &FormLine) -> Option<String> {
+pub(in crate::view) fn computed(model: &Model, line: &FormLine) -> Option<String> {
     let problem = &model.bench.as_ref()?.problem;
     // A problem that is solved by hand keeps its numbers covered.
     let shows = !problem.is_stale() && problem.found.revealed.is_none();
