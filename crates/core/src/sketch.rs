@@ -35,7 +35,7 @@ pub mod placement;
 
 use self::{
     part::{Item, Part, items},
-    placement::{Words, sides},
+    placement::sides,
 };
 use crate::{Animation, Deferred, Drawing, DrawnShape, Frames, Ink, LabelSide, Point, Text};
 
@@ -349,8 +349,9 @@ fn placed(frames: &[&[Part]], size: Option<f64>) -> Vec<Vec<DrawnShape>> {
                 DrawnShape::Spring(from, to, coils.next().copied().unwrap_or_default())
             }
             Item::Shape(shape) => shape,
-            Item::Words(Words { at, text, .. }) => {
-                DrawnShape::Label(at, sides.next().unwrap_or_default(), text)
+            Item::Words(words) => {
+                let side = sides.next().unwrap_or_default();
+                DrawnShape::Label(words.anchor(side), side, words.text)
             }
         };
         let mut shapes: Vec<DrawnShape> = items.into_iter().map(shape).collect();

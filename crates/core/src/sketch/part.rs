@@ -105,7 +105,7 @@ pub(super) fn items(parts: &[Part], unit: f64) -> Vec<Item> {
                 part.draw(unit, &mut out);
                 // What is not drawn has no name: a vector without length.
                 if out.len() > before || matches!(**part, Part::Nothing(_) | Part::Centre(_)) {
-                    out.push(Item::Words(Words { at, towards, text: name.clone() }));
+                    out.push(Item::Words(Words { at, towards, half: part.half(unit), text: name.clone() }));
                 }
             }
             part => part.draw(unit, &mut out),
@@ -192,6 +192,14 @@ impl Part {
                 let left = (-y * shift * unit, x * shift * unit);
                 (plus(middle(*a, *b), left), Towards::To((-y * shift.signum(), x * shift.signum())))
             }
+        }
+    }
+
+    /// Half the width of a symbol along a line, between whose edges no name stands.
+    fn half(&self, unit: f64) -> f64 {
+        match self {
+            Part::Spring(..) | Part::Damper(..) | Part::Cylinder(..) => 1.2 * unit,
+            _ => 0.0,
         }
     }
 

@@ -15,8 +15,20 @@ pub struct Words {
     pub at: Point,
     /// The side that they want.
     pub towards: Towards,
+    /// Half the width of a symbol along a line, at whose edge they stand.
+    pub half: f64,
     /// The words.
     pub text: Text,
+}
+
+impl Words {
+    /// The point that they stand beside: at a wide symbol along a line, its edge on their side.
+    pub(super) fn anchor(&self, side: LabelSide) -> Point {
+        let Towards::Across((x, y)) = self.towards else { return self.at };
+        let (right, up) = side.direction();
+        let left = if x * up - y * right < 0.0 { -self.half } else { self.half };
+        (self.at.0 - left * y, self.at.1 + left * x)
+    }
 }
 
 /// The side of its point that a name wants.
@@ -97,12 +109,14 @@ impl Candidate {
                 Some(&words[frame][name[row].1])
             })
             .collect();
-        let place = |words: &Words, side| place(words.at, width(&words.text, unit), side, 0.0, unit);
+        let place =
+            |words: &Words, side| place(words.anchor(side), width(&words.text, unit), side, 0.0, unit);
         let frames = here.iter().zip(marks).map(|(one, marks)| {
             let one = one.filter(|_| !is_over)?;
             let wide = width(&one.text, unit);
-            let near = marks.near(one.at, wide, unit);
-            Some(LabelSide::AROUND.map(|side| (place(one, side), near.covered(one.at, wide, side, unit))))
+            let near = marks.near(one, wide, unit);
+            let covered = |side| near.covered(one.anchor(side), wide, side, unit);
+            Some(LabelSide::AROUND.map(|side| (place(one, side), covered(side))))
         });
         Self {
             fixed,
@@ -228,12 +242,13 @@ impl Marks {
         Self { x, y }
     }
 
-    /// The marks that words of a width can cover at some side of a point.
-    fn near(&self, at: Point, wide: f64, unit: f64) -> Self {
+    /// The marks that words of a width can cover at some side of their point.
+    fn near(&self, words: &Words, wide: f64, unit: f64) -> Self {
+        let (x, y) = words.at;
         let [left, bottom, right, top] = LabelSide::AROUND
             .into_iter()
-            .map(|side| place(at, wide, side, DISTANCES[DISTANCES.len() - 1], unit))
-            .fold([at.0, at.1, at.0, at.1], |[left, bottom, right, top], area| {
+            .map(|side| place(words.anchor(side), wide, side, DISTANCES[DISTANCES.len() - 1], unit))
+            .fold([x, y, x, y], |[left, bottom, right, top], area| {
                 [left.min(area[0]), bottom.min(area[1]), right.max(area[2]), top.max(area[3])]
             });
         let marks = self.x.iter().copied().zip(self.y.iter().copied());

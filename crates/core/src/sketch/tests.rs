@@ -151,6 +151,45 @@ fn symbols_have_one_size_whatever_the_length_of_the_machine() {
 }
 
 #[test]
+fn the_name_of_a_spring_belongs_to_the_edge_of_its_side() {
+    for end in [(0.0, 3.0), (3.0, 0.0), (2.0, -2.0)] {
+        let mut sketch = Sketch::new("");
+        let half = 1.2 * sketch.size(3.0).symbol();
+        let drawing = sketch.spring("k", (0.0, 0.0), end).finish();
+        let at = drawing.shapes.iter().find_map(|shape| match shape {
+            DrawnShape::Label(at, side, _) => Some((*at, side.direction())),
+            _ => None,
+        });
+        let (at, side) = at.expect("it has a name");
+        let off = (at.0 - end.0 / 2.0, at.1 - end.1 / 2.0);
+        assert!((off.0.hypot(off.1) - half).abs() < 1e-12, "{end:?}: {off:?}");
+        assert!((off.0 * end.0 + off.1 * end.1).abs() < 1e-12, "across: {end:?}: {off:?}");
+        assert!(off.0 * side.0 + off.1 * side.1 > 0.0, "{end:?}: on the side of the name");
+    }
+}
+
+#[test]
+fn a_cylinder_hangs_on_two_pins() {
+    let (from, to) = ((0.0, 0.0), (4.0, 3.0));
+    let drawing = Sketch::new("").cylinder("F", from, to, 2.0).finish();
+    let pins: Vec<Point> = drawing
+        .shapes
+        .iter()
+        .filter_map(|shape| match shape {
+            DrawnShape::Disc(at, ..) => Some(*at),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(pins, [from, to]);
+    let barrel = drawing.shapes.iter().find_map(|shape| match shape {
+        DrawnShape::Body(corners, _) => Some(corners.clone()),
+        _ => None,
+    });
+    let farthest = barrel.expect("it has a barrel").into_iter().map(|(x, y)| 0.8 * x + 0.6 * y);
+    assert!((farthest.fold(0.0, f64::max) - 2.0).abs() < 1e-12);
+}
+
+#[test]
 fn names_of_results_are_covered_with_them() {
     let drawing = Sketch::new("The {what}")
         .force("F", (0.0, 0.0), (1.0, 0.0))

@@ -567,12 +567,12 @@ impl Locomotive {
             let end = (2.8 + 0.85 * angles[1].cos(), 0.85 * angles[1].sin());
             sketch.line("b", (2.8, 0.0), end, Ink::Result);
         }
-        self.from_above(&mut sketch);
+        self.draw_axle(&mut sketch);
         sketch.finish()
     }
 
     /// The axle from above, beside the wheels.
-    fn from_above(&self, sketch: &mut Sketch) {
+    fn draw_axle(&self, sketch: &mut Sketch) {
         let (middle, level) = (6.4, 0.0);
         let half = 1.3 * self.wheels / self.wheels.max(self.cylinders);
         let crank = 1.3 * self.cylinders / self.wheels.max(self.cylinders);

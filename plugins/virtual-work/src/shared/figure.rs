@@ -22,12 +22,10 @@ pub(crate) fn link_mass(
     let word = |symbol: &str| Text::verbatim(letter(symbol, number));
     let along = (to.1 - from.1).atan2(to.0 - from.0);
     match mass {
-        None => {}
-        Some(LinkMass::Uniform { mass }) => {
-            if *mass != 0.0 {
-                sketch.mass_centre(word("m"), (f64::midpoint(from.0, to.0), f64::midpoint(from.1, to.1)));
-            }
+        Some(&LinkMass::Uniform { mass }) if mass != 0.0 => {
+            sketch.mass_centre(word("m"), (f64::midpoint(from.0, to.0), f64::midpoint(from.1, to.1)));
         }
+        None | Some(LinkMass::Uniform { .. }) => {}
         Some(&LinkMass::Given { mass, distance, offset, inertia }) => {
             let centre = away(from, distance, along + offset);
             if offset != 0.0 {
