@@ -280,7 +280,7 @@ impl Gyrocompass {
     /// The compass from above, and the earth from its side with the place of the compass.
     fn sketch(&self, settled: f64, released: f64) -> Drawing {
         let mut sketch = Sketch::new("The compass from above, and its place on the earth");
-        self.from_above(&mut sketch, settled, released);
+        self.seen_from_above(&mut sketch, settled, released);
         // The earth: its axis upright, the latitude from the equator to the place.
         let (x, y, radius) = (3.3, 0.0, 1.0);
         let (sin, cos) = self.latitude.sin_cos();
@@ -301,7 +301,7 @@ impl Gyrocompass {
         sketch.finish()
     }
 
-    fn from_above(&self, sketch: &mut Sketch, settled: f64, released: f64) {
+    fn seen_from_above(&self, sketch: &mut Sketch, settled: f64, released: f64) {
         let at = |angle: f64, length: f64| (-length * angle.sin(), length * angle.cos());
         let (tip, tail) = (at(released, 1.0), at(released, -1.0));
         let across = |along: f64, side: f64| {

@@ -430,7 +430,7 @@ impl TwoWheelerLean {
             .arc((0.0, 0.0), 0.5, (FRAC_PI_2 - lean.max(0.0), FRAC_PI_2 - lean.min(0.0)), Ink::Faint)
             .label("θ", (0.5 * (lean / 2.0).sin(), 0.5 * (lean / 2.0).cos()));
         if self.engine.is_some() {
-            let engine = at((wheel + height) / 2.0, 0.0);
+            let engine = at(f64::midpoint(wheel, height), 0.0);
             sketch.round("I_e", engine, 0.06, Ink::Body);
         }
         if self.inertia_difference.is_some() {

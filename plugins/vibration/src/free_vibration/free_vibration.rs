@@ -354,7 +354,7 @@ fn drawing(oscillator: &Oscillator) -> Drawing {
     match oscillator {
         Oscillator::Rotation { .. } => {
             let mut sketch = Sketch::new("One degree of freedom in rotation");
-            turning::hung(&mut sketch, ["k_t".into(), "J".into()], 1.6);
+            turning::suspended(&mut sketch, ["k_t".into(), "J".into()], 1.6);
             turning::turn(&mut sketch, "θ₀, Ω₀", (0.0, -0.35), 0.9, Ink::Motion);
             sketch.damper("c_t", (0.0, -1.5), (0.0, -0.36)).ground((-0.8, -1.5), (0.8, -1.5)).finish()
         }

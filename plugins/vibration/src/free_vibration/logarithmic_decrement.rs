@@ -229,9 +229,7 @@ impl Analysis for LogarithmicDecrement {
         }
         let numbers = (decrement.value(), self.fall);
         sheet.show(|| Exhibit::Plot(self.decay_plot(numbers)));
-        if let Some(drawing) = self.system.drawing() {
-            sheet.show(|| Exhibit::Drawing(drawing));
-        }
+        sheet.show(|| Exhibit::Drawing(self.system.drawing()));
         Ok(())
     }
 }

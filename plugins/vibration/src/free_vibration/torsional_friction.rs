@@ -154,7 +154,7 @@ impl TorsionalFriction {
             _ => "k_t".into(),
         };
         let mut sketch = Sketch::new("The disc on its torsional spring, with friction");
-        turning::hung(&mut sketch, [shaft, joined(self.inertia.letters())], 1.8);
+        turning::suspended(&mut sketch, [shaft, joined(self.inertia.letters())], 1.8);
         if let TorsionalSpring::Shaft { .. } = self.spring {
             sketch.dimension("L", (0.0, 0.14), (0.0, 1.8), 5.0);
         }

@@ -12,7 +12,7 @@ mod work;
 
 use crate::{
     shared::{
-        letters::{indexed, of_row},
+        letters::{letter_of_row, of_row},
         oscillator::{is_one, transient_from_rest::Wave},
     },
     sources::{RAO, THOMSON},
@@ -352,7 +352,7 @@ fn vectors(motions: &[Harmonic], resultant: bool) -> Drawing {
         );
         tip = next;
     }
-    let letters: Vec<String> = (1..=motions.len()).map(|row| indexed("ω", row)).collect();
+    let letters: Vec<String> = (1..=motions.len()).map(|row| letter_of_row("ω", row)).collect();
     if resultant {
         sketch.edge("R", (0.0, 0.0), tip, Ink::Result);
     }

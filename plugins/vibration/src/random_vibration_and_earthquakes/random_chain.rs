@@ -59,7 +59,7 @@ impl Analysis for RandomChain {
             problem.answers(mass, sheet)?;
         }
         sheet.show(|| Exhibit::Plot(problem.plot(given.links.len())));
-        sheet.show(|| Exhibit::Drawing(chain::building(&self.links).finish()));
+        sheet.show(|| Exhibit::Drawing(chain::drawing(&self.links).finish()));
         Ok(())
     }
 }

@@ -19,7 +19,7 @@ mod combination;
 use self::combination::combined;
 use crate::{
     shared::{
-        chain::{self, ChainMass, ChainMassGiven, building},
+        chain::{self, ChainMass, ChainMassGiven},
         continuous::{HALF_BEAM, beam},
         section::{Section, second_moment},
     },
@@ -163,8 +163,14 @@ impl Analysis for ResponseSpectrum {
 
     fn solve<W: Worksheet>(&self, given: &ResponseSpectrumGiven<W>, sheet: W) -> Result<(), Refusal> {
         let problem = Problem { demand: &given.spectrum, table: self.spectrum.table()?, ratio: given.ratio };
-        if let Some(drawing) = self.drawing() {
-            sheet.show(|| Exhibit::Drawing(drawing));
+        match &self.structure {
+            Structure::Chain { links } => {
+                sheet.show(|| {
+                    Exhibit::Drawing(chain::drawing(links).label(self.demand(), (-2.9, -0.15)).finish())
+                });
+            }
+            Structure::Modes { .. } => {}
+            Structure::Beam { section, .. } => sheet.show(|| Exhibit::Drawing(self.beam(section))),
         }
         match (&self.structure, &given.structure) {
             (_, StructureGiven::Chain { links }) => problem.chain(links, sheet),
@@ -189,32 +195,28 @@ impl Analysis for ResponseSpectrum {
 }
 
 impl ResponseSpectrum {
-    /// The building, or the beam with its fibre; none where only modes are known.
-    fn drawing(&self) -> Option<Drawing> {
-        let demand = match self.spectrum {
+    /// The letter of the ordinate of the spectrum.
+    fn demand(&self) -> &'static str {
+        match self.spectrum {
             Demand::Displacement { .. } => "S_d",
             Demand::Velocity { .. } => "S_v",
             Demand::Acceleration { .. } | Demand::Table { .. } => "S_a",
-        };
-        match &self.structure {
-            Structure::Chain { links } => Some(building(links).label(demand, (-2.9, -0.15)).finish()),
-            Structure::Modes { .. } => None,
-            Structure::Beam { section, .. } => {
-                const WIDTH: f64 = 6.0;
-                let mut sketch = beam("The beam on its moving supports", WIDTH);
-                for x in [0.0, WIDTH] {
-                    sketch.pin("", (x, -HALF_BEAM)).motion("ÿ(t)", (x, -1.9), (x, -1.3));
-                }
-                section.label(&mut sketch, (0.35 * WIDTH, HALF_BEAM));
-                Some(
-                    sketch
-                        .label("m̄", (0.6 * WIDTH, HALF_BEAM))
-                        .dimension("c", (0.8 * WIDTH, 0.0), (0.8 * WIDTH, 2.0 * HALF_BEAM), 0.0)
-                        .label(demand, (WIDTH, -1.9))
-                        .finish(),
-                )
-            }
         }
+    }
+
+    /// The beam on its moving supports, with the fibre whose stress is computed.
+    fn beam(&self, section: &Section) -> Drawing {
+        const WIDTH: f64 = 6.0;
+        let mut sketch = beam("The beam on its moving supports", WIDTH);
+        for x in [0.0, WIDTH] {
+            sketch.pin("", (x, -HALF_BEAM)).motion("ÿ(t)", (x, -1.9), (x, -1.3));
+        }
+        section.label(&mut sketch, (0.35 * WIDTH, HALF_BEAM));
+        sketch
+            .label("m̄", (0.6 * WIDTH, HALF_BEAM))
+            .dimension("c", (0.8 * WIDTH, 0.0), (0.8 * WIDTH, 2.0 * HALF_BEAM), 0.0)
+            .label(self.demand(), (WIDTH, -1.9))
+            .finish()
     }
 }
 

@@ -151,7 +151,7 @@ impl ChainMass {
 }
 
 /// A chain as a building: floors that carry the masses, on columns, from the moving base.
-pub(crate) fn building(links: &[ChainMass]) -> Sketch {
+pub(crate) fn drawing(links: &[ChainMass]) -> Sketch {
     const FLOORS: usize = 8;
     let mut sketch = Sketch::new("The chain as a building on its moving base");
     let (half, storey, thick) = (1.6, 1.3, 0.45);

@@ -31,7 +31,7 @@ pub(crate) fn turn(sketch: &mut Sketch, name: impl Into<Text>, (x, y): Point, wi
 }
 
 /// A disc that hangs from the ground at a height on its shaft.
-pub(crate) fn hung(sketch: &mut Sketch, [shaft, inertia]: [Text; 2], height: f64) {
+pub(crate) fn suspended(sketch: &mut Sketch, [shaft, inertia]: [Text; 2], height: f64) {
     sketch.ground((0.8, height), (-0.8, height)).curve([(-0.06, height), (-0.06, THICK)], Ink::Body).line(
         shaft,
         (0.06, height),

@@ -197,7 +197,9 @@ impl BeamAndSprings {
         let (width, height) = sketch::size(&self.springs);
         let half = (width / 2.0).max(0.9);
         let mut sketch = Sketch::new("The mass on its springs");
-        sketch.ground((half, 0.0), (-half, 0.0));
+        if !sketch::stands_alone(&self.springs) {
+            sketch.ground((half, 0.0), (-half, 0.0));
+        }
         sketch::hanging(&self.springs, (0.0, 0.0), height, &[], &mut sketch);
         let top = -height;
         if self.decay.amplitude_ratio > 1.0 {

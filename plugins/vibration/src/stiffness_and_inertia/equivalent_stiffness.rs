@@ -16,6 +16,7 @@ use crate::{
             sketch::{self, Suspended},
             torsional::{self, TorsionalSpring, TorsionalSpringGiven},
         },
+        turning,
     },
     sources::RAO,
 };
@@ -465,14 +466,17 @@ fn sketched<T: Suspended>(springs: &T, carried: Option<(&'static str, &'static s
     let (width, height) = sketch::size(springs);
     let half = (width / 2.0).max(0.9);
     let mut sketch = Sketch::new("The springs and the body they support");
-    sketch.ground((half, 0.0), (-half, 0.0));
+    if !sketch::stands_alone(springs) {
+        sketch.ground((half, 0.0), (-half, 0.0));
+    }
     sketch::hanging(springs, (0.0, 0.0), height, &[], &mut sketch);
     let low = -height;
     match carried {
-        Some(("J", turn)) => sketch
-            .mass("J", (-1.1, low - 0.35), (1.1, low))
-            .arc((0.0, low - 0.35), 0.7, (std::f64::consts::PI, TAU), Ink::Motion)
-            .label(turn, (0.7, low - 0.35)),
+        Some(("J", turn)) => {
+            turning::disc(&mut sketch, "J", (0.0, low - 0.2));
+            turning::turn(&mut sketch, turn, (0.0, low - 0.55), 0.9, Ink::Motion);
+            &mut sketch
+        }
         Some((mass, motion)) => sketch.mass(mass, (-0.7, low - 0.9), (0.7, low)).motion(
             motion,
             (1.0, low - 0.2),

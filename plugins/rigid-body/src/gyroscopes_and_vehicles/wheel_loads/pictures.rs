@@ -45,13 +45,13 @@ impl WheelLoads {
     /// The vehicle from behind on its road, with the loads of the two sides, and beside it from the left.
     pub(super) fn rear_view(&self, constants: &Constants, wheels: &[Wheel]) -> Drawing {
         let mut sketch = Sketch::new("The vehicle from behind and from the left (R is not to scale)");
-        self.from_behind(&mut sketch, constants, wheels);
-        self.from_the_left(&mut sketch);
+        self.seen_from_behind(&mut sketch, constants, wheels);
+        self.seen_from_the_left(&mut sketch);
         sketch.finish()
     }
 
     /// The larger load of a side is drawn as long as the track.
-    fn from_behind(&self, sketch: &mut Sketch, constants: &Constants, wheels: &[Wheel]) {
+    fn seen_from_behind(&self, sketch: &mut Sketch, constants: &Constants, wheels: &[Wheel]) {
         // Towards the inside the road falls.
         let inside = if self.towards == TurnDirection::Left { -1.0 } else { 1.0 };
         let (sin, cos) = self.bank.sin_cos();
@@ -93,7 +93,7 @@ impl WheelLoads {
     }
 
     /// The vehicle from its left side, driving to the left.
-    fn from_the_left(&self, sketch: &mut Sketch) {
+    fn seen_from_the_left(&self, sketch: &mut Sketch) {
         let wheel = (self.wheel_radius / self.track).clamp(0.12, 0.4);
         let height = (self.centre_height / self.track).clamp(0.45, 1.5);
         let (front, rear, centre) = match self.layout {

@@ -36,7 +36,7 @@ pub(crate) fn frames(title: &'static str, c: &Matrix3<f64>, attitude: &AttitudeI
 }
 
 /// The successive rotations of Euler's angles as arcs about their axes, each from the frame that the one before it left.
-pub(crate) fn euler_arcs(sequence: EulerSequence, angles: [f64; 3], scene: &mut Scene) {
+fn euler_arcs(sequence: EulerSequence, angles: [f64; 3], scene: &mut Scene) {
     let axes = sequence.axes();
     let mut before = Rotation3::identity();
     for (n, name) in ["α₁", "α₂", "α₃"].into_iter().enumerate() {

@@ -243,8 +243,7 @@ impl BodyRotation {
     /// The letters of what is given of the rotation, with the points that are named.
     pub(crate) fn label(&self, scene: &mut Scene, at: Vector3<f64>, length: f64) {
         match self {
-            BodyRotation::Axis { speed: 0.0, .. } => {}
-            BodyRotation::Axis { axis, .. } => {
+            BodyRotation::Axis { axis, speed } if *speed != 0.0 => {
                 if let Some(along) = axis.try_normalize(0.0) {
                     scene.arrow(at, along * length, Ink::Motion, "ω_0");
                 }
@@ -259,7 +258,7 @@ impl BodyRotation {
                 scene.label(*second, "r_V");
                 scene.line([*first, *second], Ink::Faint);
             }
-            BodyRotation::Momentum { .. } => {}
+            BodyRotation::Axis { .. } | BodyRotation::Momentum { .. } => {}
         }
     }
 }

@@ -394,10 +394,10 @@ impl Shape {
     pub(crate) fn letters(&self) -> &'static [&'static str] {
         match self {
             Shape::Rod { .. } => &["L"],
-            Shape::RodBetween { .. } => &["a", "b"],
             Shape::Arc { .. } => &["R", "β"],
             Shape::Annulus { .. } | Shape::HollowSphere { .. } => &["R", "R_i"],
-            Shape::EllipticalPlate { .. }
+            Shape::RodBetween { .. }
+            | Shape::EllipticalPlate { .. }
             | Shape::RectangularPlate { .. }
             | Shape::RightTriangularPlate { .. } => &["a", "b"],
             Shape::Box { .. } | Shape::Ellipsoid { .. } | Shape::Tetrahedron { .. } => &["a", "b", "c"],

@@ -18,7 +18,7 @@ use dalembert_mechanics::rotor::{
 };
 
 use super::{RotorDynamics, Stations, in_words, stiffness_map};
-use crate::shared::letters::{indexed, of_row};
+use crate::shared::letters::{letter_of_row, of_row};
 
 /// Data of the figures.
 pub(super) struct RotorFigures<'a> {
@@ -257,11 +257,20 @@ impl RotorFigures<'_> {
 
     /// The places of discs, bearings and unbalances, as ordinates on one line; letters of one place together.
     fn places(&self, sketch: &mut Sketch, length: f64, level: f64) {
-        let discs = self.problem.discs.iter().zip(1..).map(|(disc, row)| (disc.position, indexed("z", row)));
-        let supports =
-            self.problem.supports.iter().zip(1..).map(|(held, row)| (held.position, indexed("z_b", row)));
-        let unbalances =
-            self.problem.unbalances.iter().zip(1..).map(|(one, row)| (one.position, indexed("z_u", row)));
+        let discs =
+            self.problem.discs.iter().zip(1..).map(|(disc, row)| (disc.position, letter_of_row("z", row)));
+        let supports = self
+            .problem
+            .supports
+            .iter()
+            .zip(1..)
+            .map(|(held, row)| (held.position, letter_of_row("z_b", row)));
+        let unbalances = self
+            .problem
+            .unbalances
+            .iter()
+            .zip(1..)
+            .map(|(one, row)| (one.position, letter_of_row("z_u", row)));
         let mut places: Vec<(f64, Vec<String>)> = Vec::new();
         for (z, letter) in discs.chain(supports).chain(unbalances) {
             match places.iter_mut().find(|(other, _)| (other - z).abs() < 1e-6 * length) {

@@ -125,7 +125,7 @@ pub(crate) fn mass_spring_damper(force: &'static str, letters: [Text; 2]) -> Dra
 /// The disc on a shaft over a torsional damper, with the letters of its inertia and of the shaft.
 pub(crate) fn inertia_spring_damper(torque: &'static str, [inertia, spring]: [Text; 2]) -> Drawing {
     let mut sketch = Sketch::new("One degree of freedom in rotation");
-    turning::hung(&mut sketch, [spring, inertia], 1.6);
+    turning::suspended(&mut sketch, [spring, inertia], 1.6);
     turning::turn(&mut sketch, "θ", (0.0, -0.35), 0.9, Ink::Motion);
     turning::turn(&mut sketch, torque, (0.0, 0.6), 0.5, Ink::Force);
     sketch.damper("c_t", (0.0, -1.5), (0.0, -0.36)).ground((-0.8, -1.5), (0.8, -1.5)).finish()

@@ -7,7 +7,7 @@ use super::{Spring, element::symbol, torsional::TorsionalSpring};
 /// Height of one spring, and the width it takes up; the width of a beam.
 const HEIGHT: f64 = 1.2;
 const WIDTH: f64 = 1.6;
-const BEAM: f64 = 3.2;
+const BEAM: f64 = 4.0;
 
 /// A spring or a network that can be drawn hanging down.
 pub(crate) trait Suspended: Sized {
@@ -23,6 +23,8 @@ pub(crate) enum Hanging<'a, T> {
     Series(&'a [T]),
     /// Side by side.
     Parallel(&'a [T]),
+    /// A beam that the load bends: clamped at one end, or on two supports.
+    Beam { cantilever: bool },
     /// A single spring, of a kind; empty for one of given stiffness.
     One(&'static str),
 }
@@ -35,7 +37,7 @@ impl Suspended for Spring {
             Spring::Parallel { members } => return Hanging::Parallel(members),
             Spring::Equal { .. } => "equal springs",
             Spring::Stiffness { .. } | Spring::Deflected { .. } | Spring::Tuned { .. } => "",
-            Spring::Cantilever { .. } => "cantilever",
+            Spring::Cantilever { .. } => return Hanging::Beam { cantilever: true },
             Spring::Column { .. } => "column",
             Spring::Bar { .. } | Spring::TaperedBar { .. } => "bar",
             Spring::TorsionBar { .. } => "torsion bar",
@@ -52,7 +54,7 @@ impl Suspended for Spring {
             Spring::SimplySupported { .. }
             | Spring::Clamped { .. }
             | Spring::ClampedPinned { .. }
-            | Spring::Overhang { .. } => "beam",
+            | Spring::Overhang { .. } => return Hanging::Beam { cantilever: false },
         })
     }
 }
@@ -78,6 +80,11 @@ impl Suspended for TorsionalSpring {
     }
 }
 
+/// True for a beam, which has supports of its own.
+pub(crate) fn stands_alone<T: Suspended>(spring: &T) -> bool {
+    matches!(spring.hanging(), Hanging::Beam { .. })
+}
+
 /// The size of a spring or a network that is drawn hanging down: width and height.
 pub(crate) fn size<T: Suspended>(spring: &T) -> (f64, f64) {
     match spring.hanging() {
@@ -87,7 +94,7 @@ pub(crate) fn size<T: Suspended>(spring: &T) -> (f64, f64) {
         Hanging::Parallel(members) => {
             members.iter().map(size).fold((0.0, 0.0), |all, one| (all.0 + one.0, f64::max(all.1, one.1)))
         }
-        Hanging::One("cantilever" | "beam") => (BEAM, HEIGHT),
+        Hanging::Beam { .. } => (BEAM, HEIGHT),
         Hanging::One(_) => (WIDTH, HEIGHT),
     }
 }
@@ -118,9 +125,10 @@ pub(crate) fn hanging<T: Suspended>(
             let mut left = top.0 - all / 2.0;
             let (mut upper, mut lower) = (vec![top.0], vec![end.0]);
             for (n, (member, width)) in members.iter().zip(&widths).enumerate() {
-                let bends = matches!(member.hanging(), Hanging::One("cantilever" | "beam"));
+                let bends = stands_alone(member);
                 // A cantilever carries at the end of its width.
-                let share = if matches!(member.hanging(), Hanging::One("cantilever")) { 0.85 } else { 0.5 };
+                let share =
+                    if matches!(member.hanging(), Hanging::Beam { cantilever: true }) { 0.85 } else { 0.5 };
                 let x = left + share * width;
                 hanging(member, (x, top.1 - gap), height - 2.0 * gap, &[place, &[n + 1]].concat(), sketch);
                 lower.push(x);
@@ -139,9 +147,9 @@ pub(crate) fn hanging<T: Suspended>(
             }
             sketch.bars([(end.0, end.1 + gap), end]);
         }
-        Hanging::One("cantilever") => {
+        Hanging::Beam { cantilever: true } => {
             // The load hangs on the free end; the wall stands by itself.
-            let (wall, level) = (top.0 - 0.8 * BEAM, top.1 - height / 2.0);
+            let (wall, level) = (top.0 - 0.7 * BEAM, top.1 - height / 2.0);
             sketch
                 .ground((wall, level + 0.3 * height), (wall, level - 0.3 * height))
                 .bars([(wall, level), (top.0, level)])
@@ -154,8 +162,8 @@ pub(crate) fn hanging<T: Suspended>(
                     -1.5,
                 );
         }
-        Hanging::One("beam") => {
-            let (half, level) = (0.4 * BEAM, top.1 - 0.4 * height);
+        Hanging::Beam { cantilever: false } => {
+            let (half, level) = (0.36 * BEAM, top.1 - 0.4 * height);
             let ends = [(top.0 - half, level), (top.0 + half, level)];
             sketch
                 .bars(ends)
@@ -164,6 +172,18 @@ pub(crate) fn hanging<T: Suspended>(
                 .label(Text::new(printer::symbol(&symbol(T::SYMBOL, place))), (top.0 + 0.5 * half, level))
                 .bars([(top.0, level), end])
                 .dimension(Text::new(printer::symbol(&symbol("L", place))), ends[0], ends[1], 1.5);
+        }
+        Hanging::One("shaft") => {
+            for side in [-0.07, 0.07] {
+                sketch.bars([(top.0 + side, top.1), (top.0 + side, end.1)]);
+            }
+            let middle = (top.0 + 0.07, top.1 - height / 2.0);
+            sketch.label(Text::new(printer::symbol(&symbol(T::SYMBOL, place))), middle).dimension(
+                Text::new(printer::symbol(&symbol("L", place))),
+                top,
+                end,
+                -3.0,
+            );
         }
         Hanging::One(kind) => {
             sketch.spring(caption(kind, &symbol(T::SYMBOL, place)), top, end);

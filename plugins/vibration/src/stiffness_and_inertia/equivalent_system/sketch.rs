@@ -8,7 +8,7 @@ use super::{
     AttachedDamper, AttachedSpring, EquivalentSystem, LeverBar, LeverPosition, LoadAmplitude, RollingSurface,
     TurningBody,
 };
-use crate::shared::letters::{indexed, of_row};
+use crate::shared::letters::{letter_of_row, of_row};
 
 /// The body with what is attached to it.
 pub(super) fn drawing(system: &EquivalentSystem) -> Drawing {
@@ -125,15 +125,15 @@ fn lengths(system: &EquivalentSystem, at: impl Fn(f64, f64) -> Point, sketch: &m
     let TurningBody::Lever { bar, masses, .. } = &system.body else { return };
     let origin = at(0.0, 0.0);
     let mut arms: Vec<(f64, String)> = Vec::new();
-    arms.extend(masses.iter().zip(1..).map(|(mass, row)| (mass.distance, indexed("l", row))));
+    arms.extend(masses.iter().zip(1..).map(|(mass, row)| (mass.distance, letter_of_row("l", row))));
     for (spring, row) in system.springs.iter().zip(1..) {
         if let AttachedSpring::Linear { arm, .. } = spring {
-            arms.push((*arm, indexed("a", row)));
+            arms.push((*arm, letter_of_row("a", row)));
         }
     }
     for (damper, row) in system.dampers.iter().zip(1..) {
         if let AttachedDamper::Linear { arm, .. } = damper {
-            arms.push((*arm, indexed("b", row)));
+            arms.push((*arm, letter_of_row("b", row)));
         }
     }
     arms.extend(system.reference.map(|reference| (reference, "p".to_owned())));
