@@ -1602,9 +1602,11 @@ mode-n-at-frequency-it-direction = Modo { $n } em { $frequency }: { $direction }
 mode-n-at-frequency = Modo { $n } em { $frequency }
 n = { $n }
 order-speed = { $order }× rotação
-mode-n-forward = modo { $n }, direto
-mode-n-backward = modo { $n }, retrógrado
-mode-n-mixed-whirl = modo { $n }, precessão mista
+mode-n-whirl = modo { $n }, { $whirl }
+forward = direto
+backward = retrógrado
+mixed = misto
+in-a-plane = em um plano
 # vibration-instrument
 maximum-permitted-ratio-of-reading-to-true-value = Razão máxima permitida entre leitura e valor verdadeiro
 instrument = Instrumento

@@ -382,16 +382,16 @@ fn branches(diagram: Option<&Campbell>, answer: &'static str, value: fn(&WhirlMo
             .iter()
             .zip(branch)
             .map(|(&speed, mode)| (speed, mode.as_ref().map_or(f64::INFINITY, value)));
-        let whirl = branch.iter().rev().flatten().next().map(WhirlMode::direction);
-        let label = Text::new(match whirl {
-            Some(WhirlDirection::Forward) => "mode {n}, forward",
-            Some(WhirlDirection::Backward) => "mode {n}, backward",
-            Some(WhirlDirection::Mixed) => "mode {n}, mixed whirl",
-            Some(WhirlDirection::Planar) | None => "mode {n}",
-        });
-        Series::line(label.with("n", n + 1), points.collect()).of(answer)
+        let whirl = match branch.iter().rev().flatten().next()?.direction() {
+            WhirlDirection::Forward => "forward",
+            WhirlDirection::Backward => "backward",
+            WhirlDirection::Mixed => "mixed",
+            WhirlDirection::Planar => "in a plane",
+        };
+        let label = Text::new("mode {n}, {whirl}").with("n", n + 1).with_text("whirl", whirl);
+        Some(Series::line(label, points.collect()).of(answer))
     };
-    diagram.branches.iter().enumerate().map(branch).collect()
+    diagram.branches.iter().enumerate().filter_map(branch).collect()
 }
 
 /// Logarithmic decrement of a mode; zero if it is within the rounding error of the eigenvalue.
