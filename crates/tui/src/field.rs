@@ -18,7 +18,7 @@ use dalembert_units::Style;
 use self::entry::{rows, text_at};
 pub(crate) use self::{
     entry::{TypedLine, choose, is_answered, option, take, written},
-    words::{Tone, intro, remarks},
+    words::{Tone, remarks, task},
 };
 pub use self::{
     line::{Choice, FieldLine, Go, LineKind},
@@ -127,6 +127,16 @@ impl FieldMode {
         let mut mode = Self { page, line: 0, input: TextEntry::default(), fault: None, path };
         mode.turn_to(problem, page, style);
         Some(mode)
+    }
+
+    /// The pages of the job, the one that is shown among them: whether a trim follows is not known while the problem is
+    /// being solved.
+    pub fn pages(&self, problem: &Problem) -> Vec<FieldPage> {
+        let mut all = pages(problem);
+        if !all.contains(&self.page) {
+            all.insert(all.len() - 1, self.page);
+        }
+        all
     }
 
     /// The lines of the page.

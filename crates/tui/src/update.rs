@@ -236,7 +236,7 @@ fn press(model: &mut Model, key: KeyEvent) -> Vec<Intent> {
             (place, KeyCode::Char(character)) if place.has_cells() => {
                 cells::begin_by_typing(model, character, request(key))
             }
-            (KeyContext::Job, KeyCode::Char(character)) => field::pick(model, character),
+            (KeyContext::Job, KeyCode::Char(character)) => field::by_digit(model, character),
             (KeyContext::Sheet, _) => {
                 dialog::edit_sheet(model, key);
                 Vec::new()

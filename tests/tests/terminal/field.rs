@@ -123,6 +123,33 @@ fn a_kept_job_is_an_ordinary_problem_that_is_resumed_where_it_stands() {
     assert!(resumed.sees().contains("40 %."), "{}", resumed.sees());
 }
 
+/// Trial weights that stay on are under everything that follows.
+#[test]
+fn trial_weights_may_be_left_on() {
+    let mut person = begun(Person::at(80, 24));
+    for keys in &TO_CORRECTION[..4] {
+        person.types(keys);
+    }
+    person.types("25@0<enter>5.17@261<enter>2.41@170<enter><up>2");
+    assert!(person.sees().contains("left on"), "{}", person.sees());
+    person.types("<enter>");
+    assert!(person.sees().contains("Leave the weight in"), "{}", person.sees());
+    // With both on: 25 g at 0° in plane 1 and 25 g at 90° in plane 2.
+    person.types("25@90<enter>5.6@270<enter>1.61@244<enter><enter>");
+    let screen = person.sees();
+    assert!(
+        screen.contains("Leave the trial weights on and add") && screen.contains("trial weight"),
+        "{screen}"
+    );
+    // What is to be added and the trial weight make up the correction of 61 g at 318°.
+    let solution =
+        person.model.shown_bench().and_then(|bench| bench.problem.found.solution.as_ref()).expect("solved");
+    let number = |name: &str| solution.answer(name).and_then(|answer| answer.si()).expect("a number");
+    let (mass, angle) = (number("trim[1]"), number("trim_angle[1]"));
+    let (x, y) = (mass * angle.cos() + 0.025, mass * angle.sin());
+    assert!((x.hypot(y) - number("correction[1]")).abs() < 1e-9, "{x} {y}");
+}
+
 /// Labels, helps, options and titles of every page are Portuguese, and no label is cut on a screen of 80 columns.
 #[test]
 fn every_line_has_its_portuguese_and_its_room() {

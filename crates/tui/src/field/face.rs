@@ -88,7 +88,7 @@ fn rotor(face: Face, title: &Text, locale: &Locale) -> Dial {
         radius: 0.64,
         from: -FRAC_PI_2 - sense * ROTATION / 2.0,
         sweep: sense * ROTATION,
-        words: Text::from("rotation").render(locale),
+        words: Text::from("rotor turns").render(locale),
         ink: Ink::Motion,
     };
     let spot = Spot { direction: mark, distance: 1.0, sign: ('◆', 'v'), ink: Ink::Motion };
@@ -169,7 +169,7 @@ fn trial(problem: &Problem, face: Face, run: usize, locale: &Locale) -> Dial {
     let mut dial = rotor(face, &plane_seen(problem, run), locale);
     let row = format!("{}[{run}]", entry::RUNS);
     if let Some(angle) = entry::si_at(problem, &format!("{row}.angle")) {
-        let words = words::localised(entry::text_at(problem, &format!("{row}.mass")), locale);
+        let words = entry::in_style(entry::text_at(problem, &format!("{row}.mass")), locale.style);
         hand(&mut dial, face.direction(angle), words, Ink::Force);
     }
     with_high_spots(problem, face, &mut dial);
@@ -195,7 +195,7 @@ fn correction(
         .find(|row| entry::text_at(problem, &format!("{row}.plane")) == mass.plane.to_string());
     let trial = row.and_then(|row| entry::si_at(problem, &format!("{row}.angle")));
     if let Some(angle) = trial.filter(|_| stays && trims == 0) {
-        hand(&mut dial, face.direction(angle), Text::from("trial weight").render(locale), Ink::Force);
+        hand(&mut dial, face.direction(angle), Text::from("trial, left on").render(locale), Ink::Force);
     }
     let direction = face.direction(mass.angle.si().unwrap_or_default());
     hand(&mut dial, direction, words::degrees(mass.angle, locale), Ink::Result);
@@ -218,4 +218,30 @@ fn hand(dial: &mut Dial, direction: f64, words: String, ink: Ink) {
     dial.hands.push((direction, ink));
     dial.spots.push(Spot { direction, distance: 1.0, sign: ('●', '@'), ink });
     dial.names.push(DialName { direction, words, ink });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A spot so far from the mark in the direction of rotation is drawn there, whichever way it is counted.
+    #[test]
+    fn a_spot_is_drawn_at_its_place_however_it_is_counted() {
+        for bits in 0..8_u8 {
+            let is = |bit: u8| bits & (1 << bit) != 0;
+            let (turns_clockwise, with, phase_clockwise) = (is(0), is(1), is(2));
+            for mark in [0.0, 75_f64.to_radians()] {
+                let grows_clockwise = turns_clockwise == with;
+                let face = Face { turns_clockwise, grows_clockwise, phase_clockwise, mark };
+                for degrees in [0.0_f64, 30.0, 140.0, 288.0] {
+                    let from_mark = degrees.to_radians();
+                    let written = mark + if with { from_mark } else { -from_mark };
+                    let apart = face.direction(written) - face.direction(mark);
+                    let wanted = if turns_clockwise { -from_mark } else { from_mark };
+                    assert!((apart - wanted).abs() < 1e-12, "{face:?}: {degrees}°");
+                    assert!((face.after_mark(from_mark) - face.direction(written)).abs() < 1e-12);
+                }
+            }
+        }
+    }
 }

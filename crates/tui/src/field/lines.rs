@@ -90,14 +90,14 @@ fn job(problem: &Problem) -> Vec<FieldLine> {
             &["mm/s", "µm", "m/s²", "mil", "in/s", "divisions"],
         ),
         choice("Weights in", "", Choice::WeightUnit, &["g", "oz"]),
-        value("Speed", "Speed of all runs, in rpm", "rotor.speed", "rpm"),
+        value("Speed of the runs", "The same for all runs, in rpm", "rotor.speed", "rpm"),
         value("Mass of the rotor", "In kg; as well as it is known", "rotor.mass", "kg"),
         value("Radius of the weights", "From the axis to where the weights are mounted, in mm", "radius", "mm"),
         choice(
-            "Required",
+            "Requirement",
             "What the contract or the standard of the machine says",
             Choice::OneOf("rotor.requirement"),
-            &["grade G (ISO 21940-11)", "vibration limit"],
+            &["grade G (ISO 21940-11)", "limit of the vibration"],
         ),
     ]);
     match entry::chosen(problem, "rotor.requirement") {
@@ -122,13 +122,13 @@ fn job(problem: &Problem) -> Vec<FieldLine> {
 fn instrument(problem: &Problem) -> Vec<FieldLine> {
     let mut lines = vec![
         choice(
-            "Rotation",
+            "Direction of rotation",
             "As seen from the drive end: stand where motor or pulley is and look at the rotor",
             Choice::OneOf("view.rotation"),
-            &["clockwise", "counter-clockwise"],
+            &["turns clockwise", "turns counter-clockwise"],
         ),
         choice(
-            "Seen from",
+            "You stand at the",
             "The end at which you stand to mount the weights; the pictures show the rotor from there",
             Choice::OneOf("view.end"),
             &["drive end", "opposite end"],
@@ -137,13 +137,13 @@ fn instrument(problem: &Problem) -> Vec<FieldLine> {
             "Weight angles",
             "The way you count the angles of weights from 0°; 0° is the mark if you have no other scale",
             Choice::OneOf("angles"),
-            &["with the rotation", "against it"],
+            &["with rotation", "against rotation"],
         ),
         choice(
             "Phase",
             "Move a weight 30° with the rotation: lead reads 30° more, lag 30° less; or see the manual",
             Choice::OneOf("phase"),
-            &["lead", "lag"],
+            &["lead, reads more", "lag, reads less"],
         ),
         value(
             "Mark at",

@@ -42,7 +42,7 @@ pub fn title(page: FieldPage, is_short: bool) -> Text {
 }
 
 /// Orders of a page.
-pub(crate) fn intro(problem: &Problem, page: FieldPage, locale: &Locale) -> Text {
+pub(crate) fn task(problem: &Problem, page: FieldPage, locale: &Locale) -> Text {
     match page {
         FieldPage::Job => "Answer line by line. Enter takes a line, a digit chooses an option.".into(),
         FieldPage::Instrument => {
@@ -124,7 +124,7 @@ fn trial(problem: &Problem, run: usize, locale: &Locale) -> Vec<(Tone, Text)> {
         return vec![(Tone::Good, said.with("change", percent))];
     }
     let Some(careful) = entry::answer(problem, "trial_mass") else { return Vec::new() };
-    let radius = localised(entry::text_at(problem, "radius"), locale);
+    let radius = entry::in_style(entry::text_at(problem, "radius"), locale.style);
     let clear = entry::answer(problem, "clear_trial_mass").filter(|clear| clear.si() > careful.si());
     let said = match clear {
         Some(_) => Text::new(
@@ -208,7 +208,9 @@ fn checked(problem: &Problem, run: usize, locale: &Locale) -> Vec<(Tone, Text)> 
         let now = entry::text_at(problem, &lines::check(run, sensor).0);
         if !now.is_empty() {
             let said = Text::new("Sensor {n}: {before} in run 0, {now} now").with("n", sensor);
-            let said = said.with("before", localised(before, locale)).with("now", localised(now, locale));
+            let said = said
+                .with("before", entry::in_style(before, locale.style))
+                .with("now", entry::in_style(now, locale.style));
             all.push((Tone::Plain, said));
         }
     }
@@ -228,18 +230,14 @@ fn checked(problem: &Problem, run: usize, locale: &Locale) -> Vec<(Tone, Text)> 
 }
 
 fn mount(said: &'static str, problem: &Problem, locale: &Locale) -> Text {
-    Text::new(said).with("radius", localised(entry::text_at(problem, "radius"), locale))
+    Text::new(said).with("radius", entry::in_style(entry::text_at(problem, "radius"), locale.style))
 }
 
 fn speed(problem: &Problem, locale: &Locale) -> String {
     match entry::text_at(problem, "rotor.speed") {
-        "" => Text::from("service speed").render(locale),
-        text => localised(text, locale),
+        "" => Text::from("running speed").render(locale),
+        text => entry::in_style(text, locale.style),
     }
-}
-
-pub(crate) fn localised(text: &str, locale: &Locale) -> String {
-    entry::in_style(text, locale.style)
 }
 
 fn digits(locale: &Locale) -> Style {

@@ -67,7 +67,7 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
 }
 
 /// A digit chooses an option, and the next line is asked for.
-pub(super) fn pick(model: &mut Model, character: char) -> Vec<Intent> {
+pub(super) fn by_digit(model: &mut Model, character: char) -> Vec<Intent> {
     let Some(at) = character.to_digit(10).and_then(|digit| (digit as usize).checked_sub(1)) else {
         return Vec::new();
     };
@@ -183,7 +183,7 @@ fn go(model: &mut Model, to: Go) -> Vec<Intent> {
                 return Vec::new();
             }
             let from = field.page;
-            let all = field::pages(problem);
+            let all = field.pages(problem);
             let at = all.iter().position(|page| *page == from).unwrap_or(0);
             let next = if to == Go::End { all.len() - 1 } else { (at + 1).min(all.len() - 1) };
             field.turn_to(problem, all[next], style);
@@ -223,7 +223,7 @@ fn turn_page(model: &mut Model, by: isize) -> Vec<Intent> {
     settled(model, |model| {
         let style = model.locale.style;
         let Some((problem, field)) = parts(model) else { return Vec::new() };
-        let all = field::pages(problem);
+        let all = field.pages(problem);
         let at = all.iter().position(|page| *page == field.page).unwrap_or(0);
         if by > 0 && !field::is_complete(problem, field.page) {
             return Intent::say("answer what is asked on this page first");

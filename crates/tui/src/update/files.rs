@@ -84,6 +84,9 @@ pub(super) fn saved(
             }
             let Some(bench) = &mut model.bench else { return vec![Intent::SaveThen(after)] };
             let problem = &mut bench.problem;
+            // Field mode saves on the way, and its keys stay in sight.
+            let is_silent =
+                bench.field.is_some() && problem.document.file.as_ref().is_some_and(|file| file.path == path);
             let before = problem.document.file.as_ref().and_then(|file| file.path.parent());
             if before != path.parent() {
                 // What it links to lies beside it.
@@ -92,12 +95,11 @@ pub(super) fn saved(
             problem.document.file =
                 Some(OpenFile { path: path.to_owned(), text, fingerprint: Some(fingerprint) });
             problem.mark_saved();
-            vec![
-                Intent::Say(Text::new("saved as {file}").with("file", shown(path))),
-                Intent::Do(Effect::Forget(problem.number)),
-                Intent::FollowLinks,
-                Intent::SaveThen(after),
-            ]
+            let said = Text::new("saved as {file}").with("file", shown(path));
+            let said = (!is_silent).then_some(Intent::Say(said));
+            let rest =
+                [Intent::Do(Effect::Forget(problem.number)), Intent::FollowLinks, Intent::SaveThen(after)];
+            said.into_iter().chain(rest).collect()
         }
         Err(files::FileError::Changed(_) | files::FileError::Removed(_)) => {
             let lose = "reload the file and lose the changes made here";

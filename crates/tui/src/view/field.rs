@@ -101,7 +101,7 @@ fn areas(body: Rect, page: FieldPage, faces: usize) -> (Rect, Option<Rect>) {
 /// The steps of the job: those that are done, the one that is shown, those to come.
 fn draw_steps(model: &Model, bench: &Bench, field: &FieldMode, area: Rect, buffer: &mut Buffer) {
     let (look, problem) = (&model.look, &bench.problem);
-    let all = field::pages(problem);
+    let all = field.pages(problem);
     let at = all.iter().position(|page| *page == field.page).unwrap_or(0);
     let names = |is_short: bool| -> Vec<(String, Style)> {
         let one = |(n, page): (usize, &FieldPage)| {
@@ -150,7 +150,7 @@ impl Page {
         self.lines.push(Line::styled(field::title(field.page, false).render(locale), look.title()));
         // In little room the picture says it.
         if field.page != FieldPage::Instrument || room >= usize::from(SMALL) + 6 {
-            self.words(&field::intro(problem, field.page, locale).render(locale), Style::new(), room);
+            self.words(&field::task(problem, field.page, locale).render(locale), Style::new(), room);
         }
         let remarks = field::remarks(problem, field.page, locale);
         // What to do stands before the lines, what follows from them behind.

@@ -35,7 +35,7 @@ pub use self::{
     positions::Positions,
     readings::{CheckRun, InfluenceSource, KnownCoefficient, Measurements, TrialRunInput, TrialWeights},
     rotor::{Requirement, Rotor},
-    view::{Rotation, RotorView, SensorPosition, ViewedEnd},
+    view::{Rotation, RotorEnd, RotorView, SensorPosition},
 };
 
 use crate::{
@@ -162,13 +162,13 @@ impl Analysis for Field {
         topic: "Field balancing",
         summary: "Correction masses from measured vibrations, by influence coefficients: runs with trial weights, any number of planes, sensors and speeds, with uncertainties.",
         main: &[
-            "trim_correction",
-            "trim_correction_angle",
+            "conformity",
             "correction",
             "correction_angle",
             "trim",
             "trim_angle",
-            "conformity",
+            "trim_correction",
+            "trim_correction_angle",
             "trial_mass",
             "largest_residual",
         ],
@@ -232,7 +232,7 @@ impl Analysis for Field {
             }
         }
         let added = trim(&numbers, &weights, sheet);
-        let checked = checks::judge(
+        let checked = checks::assess(
             (&numbers, &factors),
             (&job.checks, opposed, job.units),
             (demand.as_ref(), given.radius),

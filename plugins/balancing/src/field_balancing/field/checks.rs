@@ -23,11 +23,11 @@ pub(super) struct Checked<N> {
     pub(super) trim: Vec<Found<N>>,
 }
 
-/// Judges the check runs; `None` without one.
+/// Assesses the check runs; `None` without one.
 ///
 /// # Errors
 /// A run without the readings of the initial one.
-pub(super) fn judge<W: Worksheet>(
+pub(super) fn assess<W: Worksheet>(
     (numbers, factors): (&Numbers, &[f64]),
     (checks, opposed, units): (&[Vec<WorkedReading<W::Num>>], bool, Units),
     (demand, radius): (Option<&Demand<W::Num>>, Option<W::Num>),

@@ -32,7 +32,7 @@ pub struct Measurements {
 pub struct CheckRun {
     /// Readings.
     /// The same sensors and speeds in the same order as in the initial run.
-    #[input(min = 1)]
+    #[input("k", min = 1)]
     pub readings: Vec<SensorReading>,
 }
 

@@ -86,13 +86,13 @@ pub(super) fn demand<W: Worksheet>(
     sheet.check("force of the trial weight over the weight carried", force / carried, given.trial_share);
     if let Some(radius) = radius {
         let mass = sheet.step("m_t", "g", unbalance / radius, "Trial weight at its radius");
-        sheet.answer("trial_mass", "Trial mass, careful", mass);
+        sheet.answer("trial_mass", "Trial mass by its force", mass);
         let force = balance::centrifugal_force(mass * radius, given.speed);
         sheet.check("force of the trial mass at its radius", force, carried * given.trial_share);
     }
     if let (Some(radius), Demand::Unbalance { permissible, from: [grade, mass, speed] }) = (radius, &demand) {
         let clear = tolerance::clear_trial_mass(*permissible, radius, sheet);
-        sheet.answer("clear_trial_mass", "Trial mass that shows clearly", clear);
+        sheet.answer("clear_trial_mass", "Trial mass by the tolerance", clear);
         let by_grade = *grade * *mass * 5.0 / planes;
         sheet.check("trial mass, radius and speed from the grade", clear * radius * *speed, by_grade);
     }

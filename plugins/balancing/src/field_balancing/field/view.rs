@@ -14,7 +14,7 @@ pub struct RotorView {
     /// As seen from the drive end.
     pub rotation: Rotation,
     /// Viewed from.
-    pub end: ViewedEnd,
+    pub end: RotorEnd,
     /// Angle of the reference mark.
     /// On the scale of the weights: zero where that scale begins at the mark.
     #[input("θ_m", "deg", default = "0 deg")]
@@ -36,7 +36,7 @@ pub enum Rotation {
 
 /// The end from which a rotor is seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
-pub enum ViewedEnd {
+pub enum RotorEnd {
     /// Drive end
     Drive,
     /// Opposite end
@@ -56,7 +56,7 @@ impl RotorView {
     /// The direction on the screen of an angle on the scale of the weights, rad counter-clockwise from the right: the scale
     /// begins at the top.
     pub(super) fn on_screen(&self, angles: WeightSense, angle: f64) -> f64 {
-        let turns_clockwise = (self.rotation == Rotation::Clockwise) == (self.end == ViewedEnd::Drive);
+        let turns_clockwise = (self.rotation == Rotation::Clockwise) == (self.end == RotorEnd::Drive);
         let grows_clockwise = turns_clockwise == (angles == WeightSense::With);
         if grows_clockwise { FRAC_PI_2 - angle } else { FRAC_PI_2 + angle }
     }
