@@ -234,7 +234,7 @@ out = Sai
 no-published-case = nenhum caso publicado
 no-published-cases = nenhum caso publicado
 no-analyses-in-this-build = nenhuma análise nesta versão do programa
-no-match-esc-clears-the-filter = nada encontrado; Esc limpa o filtro
+no-match-esc-clears-the-search = nada encontrado; Esc limpa a busca
 
 # Arquivos e perguntas
 not-saved = não salvo

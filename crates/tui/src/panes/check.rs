@@ -6,6 +6,7 @@ use dalembert_core::{
     Answer, Locale, Solution, Text,
     check::{self, Mistake, Verdict},
 };
+use dalembert_units::{Decimal, with_comma};
 use ratatui::{
     style::Style,
     text::{Line, Span},
@@ -109,7 +110,7 @@ impl Pane for Check {
             Some(_) => about_number(&answer.unit, ui),
             None => Some(Text::new("write it as in `{example}`").with("example", check::example(answer))),
         };
-        form.into_iter().chain([answer.title()]).collect()
+        [answer.title()].into_iter().chain(form).collect()
     }
 
     fn typed(&mut self, problem: &mut Problem, text: String) {
@@ -219,7 +220,10 @@ impl Check {
             let one = One {
                 answer,
                 label,
-                text: self.text(&answer.name.to_string()),
+                text: match locale.style.decimal {
+                    Decimal::Comma => with_comma(self.text(&answer.name.to_string())),
+                    Decimal::Point => self.text(&answer.name.to_string()).to_owned(),
+                },
                 edit: ui.edit.filter(|_| under_cursor),
                 focused: ui.focused && under_cursor,
                 verdict: self.verdict(solution, &answer.name.to_string()),
@@ -292,7 +296,8 @@ struct Columns {
 struct One<'a> {
     answer: &'a Answer,
     label: &'a str,
-    text: &'a str,
+    /// The text with the decimal mark of the language.
+    text: String,
     edit: Option<&'a TextEntry>,
     focused: bool,
     verdict: Option<Verdict>,
@@ -317,13 +322,13 @@ impl One<'_> {
             Some(input) => line.extend(typed_in(input, columns.cell)),
             None if self.text.is_empty() => {
                 let unit = self.answer.unit.shown(look.ascii);
-                let hint = if unit.is_empty() { look.glyph(Glyph::Ellipsis).to_owned() } else { unit };
+                let hint = if unit.is_empty() { look.glyph(Glyph::Rule).to_owned() } else { unit };
                 let hint = padded(&look.shortened(&hint, columns.cell), columns.cell);
                 let style = if self.focused { look.focus() } else { look.dim() };
                 line.push_span(Span::styled(hint, style));
             }
             None => {
-                let text = filter_untrusted(self.text).into_owned();
+                let text = filter_untrusted(&self.text).into_owned();
                 let text = padded(&look.shortened(&text, columns.cell), columns.cell);
                 line.push_span(Span::styled(text, if self.focused { look.focus() } else { Style::new() }));
             }

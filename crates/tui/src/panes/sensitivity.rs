@@ -122,7 +122,7 @@ impl Pane for Sensitivity {
 
     fn about_cell(&self, _: &Problem, _: &Ui<'_>) -> Vec<Text> {
         let Some(one) = self.input() else { return Vec::new() };
-        vec![Text::new("tolerance of an input, such as 2 %"), one.input.label.clone()]
+        vec![one.input.label.clone(), Text::new("tolerance of an input, such as 2 %")]
     }
 
     fn typed(&mut self, problem: &mut Problem, text: String) {

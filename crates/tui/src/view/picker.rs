@@ -80,7 +80,7 @@ fn draw_list(model: &Model, area: Rect, buffer: &mut Buffer) -> Option<Position>
         let text = if model.listings.is_empty() {
             "no analyses in this build"
         } else {
-            "no match; Esc clears the filter"
+            "no match; Esc clears the search"
         };
         for (y, text) in (inner.y..inner.bottom()).zip(wrapped(&word(text, model), inner.width.into())) {
             buffer.set_string(inner.x, y, text, look.dim());

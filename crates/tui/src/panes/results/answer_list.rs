@@ -1,7 +1,5 @@
 //! The answers one below another: main answers first, numbers with their decimal marks in one column.
 
-use std::ops::Range;
-
 use dalembert_core::{Answer, AnswerValue, Locale, Number, Solution, Text, printer, trace::Op};
 use ratatui::{
     style::{Modifier, Style},
@@ -58,7 +56,7 @@ pub(super) fn page(
         let first = page.lines.len();
         page.starts.push(first);
         if let Some(lists) = folded_lists(solution, n, reading) {
-            if lists.start == n {
+            if lists.first() == Some(&n) {
                 page.lines.extend(folded(one.answer, lists.len(), reading, look, locale, width));
             }
             continue;
@@ -250,21 +248,18 @@ fn unit_column(one: &Aligned) -> String {
     }
 }
 
-/// The lists of one name, such as mode shapes, that this answer is one of, where they are not shown one by one.
-fn folded_lists(solution: &Solution, at: usize, reading: &Reading<'_>) -> Option<Range<usize>> {
-    let answers = &solution.answers;
-    let name = answers[at].name.base;
-    let is_one = |answer: &Answer| {
-        !answer.is_main && matches!(answer.value, AnswerValue::List(_)) && answer.name.base == name
-    };
-    if reading.opened_by.is_none() || reading.pinned.is_some() || !is_one(&answers[at]) {
+/// The places of the lists of one name, such as mode shapes, that this answer is one of, where they are not shown one by one.
+fn folded_lists(solution: &Solution, at: usize, reading: &Reading<'_>) -> Option<Vec<usize>> {
+    let one = &solution.answers[at];
+    if reading.opened_by.is_none() || reading.pinned.is_some() {
         return None;
     }
-    let before = answers[..at].iter().rev().take_while(|answer| is_one(answer)).count();
-    let after = answers[at..].iter().take_while(|answer| is_one(answer)).count();
-    let lists = at - before..at + after;
-    let is_chosen = reading.chosen.is_some_and(|chosen| lists.contains(&chosen));
-    (lists.len() > MOST_LISTS && !is_chosen).then_some(lists)
+    let is_list = |answer: &Answer| !answer.is_main && matches!(answer.value, AnswerValue::List(_));
+    let is_alike = |answer: &&Answer| is_list(answer) && answer.name.base == one.name.base;
+    let all = solution.answers.iter().enumerate().filter(|(_, answer)| is_alike(answer)).map(|(n, _)| n);
+    let all: Vec<usize> = all.collect();
+    let is_chosen = reading.chosen.is_some_and(|chosen| all.contains(&chosen));
+    (is_list(one) && all.len() > MOST_LISTS && !is_chosen).then_some(all)
 }
 
 /// Lists of one name in one line.
