@@ -171,7 +171,9 @@ impl Analysis for NumericalIntegration {
         let answered = self.answers(&motion, exact, sheet)?;
         sheet.verify(|| {
             if let Some(again) = Again::of(self, &equations, &excitation) {
-                answered.iter().for_each(|answers| again.check(answers, sheet));
+                for answers in &answered {
+                    again.check(answers, sheet);
+                }
             }
         });
         self.stability(&found.frequencies, given.step, sheet);
