@@ -365,3 +365,38 @@ fn outermost(column: &[(f64, f64)]) -> Vec<(f64, f64)> {
     all.dedup();
     all
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use dalembert_core::Axis;
+
+    use super::*;
+
+    #[test]
+    fn circles_of_equal_scales_are_round_on_paper() {
+        let at = |n: u32| TAU * f64::from(n) / 360.0;
+        let points = (0..=360).map(|n| (0.1 + 0.003 * at(n).cos(), 0.003 * at(n).sin())).collect();
+        let axes = [Axis::linear("x", "mm"), Axis::linear("y", "m")];
+        let [x, y] = axes;
+        let circle = Plot::new("", x, y, vec![Series::line("circle", points)]);
+        let extent = |plot: &Plot| {
+            let drawn = picture(plot, &Seen::default(), &Locale::english()).expect("it can be drawn");
+            let curve = drawn.parts.iter().find_map(|part| match part {
+                PictureElement::Line { points, tone: Tone::Curve(0), .. } if points.len() > 50 => {
+                    Some(points.clone())
+                }
+                _ => None,
+            });
+            let curve = curve.expect("the curve is a line");
+            let size = |part: fn(&(f64, f64)) -> f64| {
+                let most = curve.iter().map(part).fold(f64::NEG_INFINITY, f64::max);
+                most - curve.iter().map(part).fold(f64::INFINITY, f64::min)
+            };
+            size(|at| at.0) / size(|at| at.1)
+        };
+        assert!(extent(&circle) > 1.5, "an ellipse: {}", extent(&circle));
+        assert!((extent(&circle.equal()) - 1.0).abs() < 0.01);
+    }
+}

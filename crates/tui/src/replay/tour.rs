@@ -48,7 +48,12 @@ fn scenes() -> Vec<Scene> {
             300,
             4500,
         ),
-        scene("The speed is raised key by key, and every answer follows at once", "++++++++++", 350, 3000),
+        scene(
+            "The speed is raised key by key, and every answer follows at once",
+            "<s-up><s-up><s-up><s-up><s-up><s-up><s-up><s-up><s-up><s-up>",
+            350,
+            3000,
+        ),
         scene(
             "The worked solution is the computation itself: formula, numbers, result and source",
             "]<tab><pgdn><pgdn>",
@@ -64,7 +69,7 @@ fn scenes() -> Vec<Scene> {
         scene("The same in decibels", "aa", 900, 4000),
         scene(
             "A result is pinned, the speed is lowered: the old curve and its point stay for comparison",
-            "<esc>a<tab>c----------",
+            "<esc>a<tab>c<s-down><s-down><s-down><s-down><s-down><s-down><s-down><s-down><s-down><s-down>",
             350,
             6000,
         ),
