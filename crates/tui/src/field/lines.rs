@@ -122,10 +122,10 @@ fn job(problem: &Problem) -> Vec<FieldLine> {
 fn instrument(problem: &Problem) -> Vec<FieldLine> {
     let mut lines = vec![
         choice(
-            "Direction of rotation",
+            "Rotor turns",
             "As seen from the drive end: stand where motor or pulley is and look at the rotor",
             Choice::OneOf("view.rotation"),
-            &["turns clockwise", "turns counter-clockwise"],
+            &["clockwise", "counter-clockwise"],
         ),
         choice(
             "You stand at the",

@@ -56,7 +56,7 @@ fn scenes() -> Vec<Scene> {
         ),
         scene(
             "The worked solution is the computation itself: formula, numbers, result and source",
-            "]<tab><pgdn><pgdn>",
+            "]<pgdn><pgdn>",
             1800,
             4000,
         ),
@@ -77,7 +77,7 @@ fn scenes() -> Vec<Scene> {
         scene("Type your own result: it is right, or you learn which slip would give it", "]", 300, 6000),
         scene(
             "All analyses in one list: type a word of your problem, Enter opens it. The keyboard is yours.",
-            "<esc>",
+            "<esc><esc>",
             300,
             6000,
         ),
