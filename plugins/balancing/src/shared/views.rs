@@ -158,7 +158,7 @@ pub(crate) fn side(shown: &[ListedUnbalance], bearings: &[(f64, &'static str)]) 
     if places.len() <= MOST_PLACES {
         sketch.axis((at(0.0), -1.1), (at(0.0), 1.1));
         for (row, (z, name)) in (1..).zip(places) {
-            let shift = -2.2 * f64::from(row) * z.signum();
+            let shift = -3.2 * f64::from(row) * z.signum();
             sketch.dimension(name, (at(0.0), -1.1), (at(z), -1.1), shift);
         }
     }
