@@ -20,6 +20,7 @@ mod palette;
 pub mod pane;
 pub mod panes;
 pub mod picker;
+pub mod playback;
 pub mod problem;
 pub mod remembered;
 pub mod replay;

@@ -22,10 +22,10 @@ use crate::{
     look::Appearance,
     pane::{Pane, Tab, Ui},
     picker::{Contents, Heading, Leaf, Listing, Picker, Row},
+    playback::Playback,
     plot::Marker,
     problem::Problem,
     remembered::Remembered,
-    replay::Playback,
     settings::{Fault as SettingFault, Settings},
     solver::{CheckedCase, JobOutcome},
 };

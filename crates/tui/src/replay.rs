@@ -41,7 +41,6 @@ use dalembert_core::{Language, Text};
 use ratatui::crossterm::event::{KeyCode, KeyEvent};
 
 pub use headless::{Picture, ReplayFailure, ReplayResult, play, to_open};
-pub use player::Playback;
 pub use tour::tour;
 
 pub(crate) use caption::draw as draw_caption;

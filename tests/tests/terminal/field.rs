@@ -20,7 +20,7 @@ const TO_REPORT: &[&str] =
     &["<enter>", "1.87@179<enter>1.46@184<enter><enter>", "<enter>", "0.2@1<enter>0.3@2<enter><enter>"];
 
 fn begun(mut person: Person) -> Person {
-    person.types(":field balancing<enter>");
+    person.types("<esc>:field balancing<enter>");
     person
 }
 
@@ -31,7 +31,7 @@ fn page(person: &Person) -> FieldPage {
 #[test]
 fn the_list_begins_a_job() {
     let mut person = Person::at(80, 24);
-    person.types("<home><down>");
+    person.types("<esc><home><down>");
     let screen = person.sees();
     assert!(screen.contains("Field balancing, step by step"), "{screen}");
     assert!(person.sees().contains("ask for one thing at a time"));

@@ -69,7 +69,7 @@ fn every_tab_is_reached_by_the_number_that_stands_before_its_name() {
             }
         }
     }
-    // The fan has no table: its number is left out, and the key says so.
+    // The fan has no table: its number is left out, and the key reports it.
     let mut person = fan(80, 24);
     person.types("<a-3>");
     assert!(!line_with(&mut person, "³Plot").contains('⁵'), "{}", person.sees());
@@ -100,7 +100,7 @@ fn a_number_that_is_typed_after_turning_to_check_lands_in_its_cell() {
     }
 }
 
-/// What Check asks for stands nowhere else on the screen until it is found.
+/// Values that Check asks for stand nowhere else on the screen until they are found.
 #[test]
 fn nothing_beside_check_gives_its_answers_away() {
     for (columns, rows) in SIZES {

@@ -330,7 +330,8 @@ fn every_kind_of_wrong_text_names_field_value_and_repair() {
 
 #[test]
 fn an_empty_input_is_needed_and_not_wrong() {
-    let mut person = fan(100, 40);
+    // No drawing is beside it, which has red of its own.
+    let mut person = fan(90, 24);
     let red =
         |person: &mut Person| person.draws().content.iter().filter(|cell| cell.fg == Color::Red).count();
     let before = red(&mut person);

@@ -80,7 +80,7 @@ fn the_line_below_speaks_of_the_cell_that_is_typed_in() {
     let mut person = fan();
     person.types("]]]]<home>");
     let screen = person.types("4").sees();
-    assert!(screen.contains("default unit mm · Amplitude at this speed"), "{screen}");
+    assert!(screen.contains("Amplitude at this speed · default unit mm"), "{screen}");
     let screen = person.types("<esc>]]<home><down><down>5").sees();
     assert!(
         screen.contains("default unit kg · as in 1..9:5") && screen.contains(" · Mass of the machine"),

@@ -5,8 +5,7 @@ use dalembert_plot::wrap;
 use dalembert_units::{Style, write_number};
 use ratatui::{Frame, buffer::Buffer, layout::Rect, style::Modifier};
 
-use super::Playback;
-use crate::{glyphs::filter_untrusted, model::Model};
+use crate::{glyphs::filter_untrusted, model::Model, playback::Playback};
 
 /// The most lines of a caption.
 const MOST: usize = 3;

@@ -12,6 +12,7 @@ use super::{Act, Replay, key_to_tab};
 use crate::{
     model::{Model, Msg},
     panes,
+    playback::Playback,
     problem::Freshness,
 };
 
@@ -35,17 +36,6 @@ pub(crate) struct Player {
     due: Instant,
     /// Since when everything is to be solved first.
     waiting: Option<Instant>,
-}
-
-/// State of a session that is played, as the line below the screen shows it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Playback {
-    /// Everything takes the so-manieth part of its time.
-    pub speed: f64,
-    /// True while it stands.
-    pub paused: bool,
-    /// True for the tour: any key is the user's, and acts.
-    pub is_tour: bool,
 }
 
 #[derive(Debug)]
