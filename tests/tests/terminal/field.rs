@@ -144,7 +144,7 @@ fn trial_weights_may_be_left_on() {
     // What is to be added and the trial weight make up the correction of 61 g at 318°.
     let solution =
         person.model.shown_bench().and_then(|bench| bench.problem.found.solution.as_ref()).expect("solved");
-    let number = |name: &str| solution.answer(name).and_then(|answer| answer.si()).expect("a number");
+    let number = |name: &str| solution.answer(name).and_then(dalembert_core::Answer::si).expect("a number");
     let (mass, angle) = (number("trim[1]"), number("trim_angle[1]"));
     let (x, y) = (mass * angle.cos() + 0.025, mass * angle.sin());
     assert!((x.hypot(y) - number("correction[1]")).abs() < 1e-9, "{x} {y}");

@@ -49,7 +49,7 @@ pub fn lines(problem: &Problem, page: FieldPage) -> Vec<FieldLine> {
             let mut lines = readings(problem, |sensor| check(run, sensor));
             match is_met(problem) {
                 Some(false) => {
-                    lines.extend([go("Trim correction", Go::Next), go("Leave it: report", Go::End)])
+                    lines.extend([go("Trim correction", Go::Next), go("Leave it: report", Go::End)]);
                 }
                 _ => lines.push(go("Next: report", Go::End)),
             }
