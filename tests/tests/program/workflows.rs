@@ -98,6 +98,8 @@ fn a_lecturer_demonstrates_live() {
     let mut pty = at_work("vibration/modal-analysis", folder.path());
     pty.types("]]]n");
     pty.expect("Drawing 2/5");
+    // It begins held at the given position.
+    pty.types("p");
     let first = pty.screen();
     assert!((0..100).any(|_| {
         std::thread::sleep(Duration::from_millis(20));
