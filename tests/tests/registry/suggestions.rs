@@ -356,7 +356,7 @@ fn a_number_of_a_usual_question_is_changed_to_ones_own() {
     person.types("<enter>");
     assert!(person.sees().contains("change the number in the formula"), "{}", person.sees());
     // The cursor stands on the formula.
-    person.types("<enter><bs>6<enter>");
+    person.types("<enter><end><bs>6<enter>");
     let screen = person.sees();
     assert!(screen.contains("transmitted_force/6") && screen.contains("1474.5"), "{screen}");
 }
@@ -444,7 +444,7 @@ fn a_usual_question_of_a_linked_problem_is_asked_by_one_key() {
     let path = folder.path().join("fan.toml");
     std::fs::write(&path, LINKED).unwrap();
     let mut person = Person::at(120, 40);
-    person.types("o<c-u>").types(path.to_str().unwrap()).types("<enter>");
+    person.types("<esc>o<c-u>").types(path.to_str().unwrap()).types("<enter>");
     person.types("<tab>a");
     for _ in 0..60 {
         if person.sees().contains("2*amplitude") {
