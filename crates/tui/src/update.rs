@@ -456,15 +456,15 @@ fn paste(model: &mut Model, text: &str) -> Vec<Intent> {
 
 /// Types in the text that has the keys.
 fn type_in(model: &mut Model, requests: &[InputRequest]) -> Vec<Intent> {
+    // Every request is done, whatever those before it changed.
     let handle = |input: &mut Input| {
-        requests.iter().fold(false, |changed, request| {
-            input.handle(*request).is_some_and(|state| state.value) || changed
-        })
+        let changes = requests.iter().filter_map(|request| input.handle(*request));
+        changes.filter(|change| change.value).count() > 0
     };
     let enter = |entry: &mut TextEntry| {
         let is_full =
             entry.value().len() >= inputs::LONGEST && matches!(requests, [InputRequest::InsertChar(_)]);
-        !is_full && requests.iter().fold(false, |changed, request| entry.handle(*request) || changed)
+        !is_full && requests.iter().filter(|request| entry.handle(**request)).count() > 0
     };
     match &mut model.dialog {
         Some(Dialog::Palette { input, chosen: first } | Dialog::Help { search: input, scroll: first }) => {
