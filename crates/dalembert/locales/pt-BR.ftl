@@ -234,3 +234,5 @@ write-an-object-behind-solve-and-an-id-behind-show-and-schema = escreva um objet
 there-is-no-answer-name-did-you-mean-near = não há a resposta `{ $name }`; você quis dizer `{ $near }`?
 there-is-no-answer-name-write-one-of-known = não há a resposta `{ $name }`; escreva uma de { $known }
 print-the-working-of-this-answer-alone-the-steps-that-lead-to-it-of-one-of-several-by-its-row = Imprime só o desenvolvimento desta resposta: os passos que levam a ela; de uma entre várias, pela linha: 'frequency[2]'
+balance-a-rotor-in-the-field-step-by-step = Balancear um rotor em campo, passo a passo
+job-file-an-existing-job-is-continued-a-new-one-is-begun-under-this-name = Arquivo do trabalho: um existente é continuado, um novo começa com este nome

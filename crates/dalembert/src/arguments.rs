@@ -81,7 +81,7 @@ pub(crate) enum Command {
 
 #[derive(Debug, Args)]
 pub(crate) struct Field {
-    /// The file of the job: it is gone on with, or begun under this name
+    /// Job file: an existing job is continued, a new one is begun under this name
     #[arg(value_name = "FILE")]
     pub(crate) file: Option<PathBuf>,
 }

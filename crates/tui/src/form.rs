@@ -626,7 +626,8 @@ pub fn echo(text: &str, shape: &Shape, style: Style) -> Option<String> {
                 let end = text.find(|c: char| !(c.is_ascii_digit() || ".,-−".contains(c)));
                 text[..end.unwrap_or(text.len())].replace('-', "−").replace(',', ".")
             };
-            let says_more = number(&shown) != number(text.trim_start());
+            let has_unit = text.contains(|c: char| c.is_alphabetic() || "°%'\"".contains(c));
+            let says_more = !has_unit && shown.contains(' ') || number(&shown) != number(text.trim_start());
             (says_more || point_of_thousands(text, style).is_some()).then_some(shown)
         }
         (Value::Vector(vector), Shape::Vector(..)) => {
@@ -738,6 +739,7 @@ mod tests {
             ("40kg", "kg", None),
             ("0,1 kg*m", "kg*m", None),
             ("10 m/s^2", "m/s^2", None),
+            ("30 deg", "deg", None),
             ("1,500 rpm", "rpm", None),
             ("1.500 rpm", "rpm", Some("1.5 rpm")),
             ("0,500 m", "m", Some("0.5 m")),

@@ -46,7 +46,7 @@ pub(crate) fn task(problem: &Problem, page: FieldPage, locale: &Locale) -> Text 
     match page {
         FieldPage::Job => "Answer line by line. Enter takes a line, a digit chooses an option.".into(),
         FieldPage::Instrument => {
-            "Asked once. Compare the picture with machine and instrument; whatever the habits, the weight ends up at the same place."
+            "Asked once. Compare the picture with machine and instrument; with any convention the weight ends up at the same place."
                 .into()
         }
         FieldPage::Initial => {
