@@ -24,6 +24,11 @@ pub struct Case {
     pub seen: Option<Seen>,
     /// Remarks; may be empty.
     pub note: Text,
+    /// Statement of the exercise that the problem is, in sentences; empty where it is none.
+    pub statement: Text,
+    /// Names of the answers that the statement asks for, in its order; of a problem without a statement those that are
+    /// expected.
+    pub asked: Vec<String>,
     /// Inputs, as they are typed.
     pub draft: Draft,
     /// Expected answers.
@@ -117,14 +122,14 @@ pub enum Comparison {
 /// The cases of an analysis. `Err` says what is wrong with its case file.
 pub fn cases(entry: &Entry) -> Result<Vec<Case>, String> {
     let text = entry.about.cases;
-    let words = |errors: Vec<FileError>| {
+    let listed = |errors: Vec<FileError>| {
         errors
             .iter()
             .map(|err| format!("{}{}", line_of(text, err), err.why.english()))
             .collect::<Vec<_>>()
             .join("; ")
     };
-    let document = file::document(text).map_err(words)?;
+    let document = file::document(text).map_err(listed)?;
     if !entry.linked().is_empty() {
         return exam_case(document.as_table()).map(|case| vec![case]);
     }
@@ -147,11 +152,10 @@ pub(crate) fn exam(text: &str) -> Result<(String, Vec<LinkedProblem>), String> {
 const EXAM_KEYS: [&str; 9] =
     ["format", "title", "source", "statement", "let", "problem", "given", "ask", "expect"];
 
-/// The case of an exam question: its remark is the statement.
+/// The case of an exam question.
 fn exam_case(root: &toml_edit::Table) -> Result<Case, String> {
     let text = |key: &str| {
-        let text = root.get(key).and_then(Item::as_str).map(|text| text.split_whitespace());
-        text.map(|words| words.collect::<Vec<_>>().join(" ")).ok_or_else(|| format!("`{key}` is missing"))
+        root.get(key).and_then(Item::as_str).map(words).ok_or_else(|| format!("`{key}` is missing"))
     };
     let name = text("title")?;
     if let Some((key, _)) = root.iter().find(|(key, _)| !EXAM_KEYS.contains(key)) {
@@ -170,8 +174,10 @@ fn exam_case(root: &toml_edit::Table) -> Result<Case, String> {
     if expect.is_empty() {
         return Err(format!("{name}: nothing is expected"));
     }
-    let (source, note) = (Text::new(text("source")?), Text::new(text("statement")?));
-    Ok(Case { name, former: None, source, truth, seen: None, note, draft, expect, refused: None })
+    let (source, statement) = (Text::new(text("source")?), Text::new(text("statement")?));
+    let asked = expect.iter().map(|expected| expected.answer.clone()).collect();
+    let (former, seen, refused, note) = (None, None, None, statement.clone());
+    Ok(Case { name, former, source, truth, seen, note, statement, asked, draft, expect, refused })
 }
 
 /// The case that a problem opens with.
@@ -265,13 +271,15 @@ impl Comparison {
 }
 
 /// The keys of a case.
-const KEYS: [&str; 13] = [
+const KEYS: [&str; 15] = [
     "name",
     "former",
     "source",
     "truth",
     "seen",
     "note",
+    "statement",
+    "asked",
     "let",
     "inputs",
     "configuration",
@@ -334,8 +342,31 @@ fn case(entry: &Entry, table: &toml_edit::Table) -> Result<Case, String> {
         }
         _ => {}
     }
+    let asked = asked(table, &expect).map_err(|why| format!("{name}: {why}"))?;
     let (source, note) = (Text::new(source), Text::new(text("note").unwrap_or_default()));
-    Ok(Case { name, former: text("former"), source, truth, seen, note, draft, expect, refused })
+    let statement = Text::new(text("statement").map_or_else(String::new, |text| words(&text)));
+    let former = text("former");
+    Ok(Case { name, former, source, truth, seen, note, statement, asked, draft, expect, refused })
+}
+
+/// A text on several lines as one.
+fn words(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// Names of the answers that a statement asks for, or those that are expected.
+fn asked(table: &toml_edit::Table, expect: &[Expected]) -> Result<Vec<String>, String> {
+    let Some(item) = table.get("asked") else {
+        return Ok(expect.iter().map(|expected| expected.answer.clone()).collect());
+    };
+    if !table.contains_key("statement") {
+        return Err("`asked` needs a `statement`".into());
+    }
+    let names = item.as_array().into_iter().flatten().map(|name| name.as_str().map(str::to_owned));
+    match names.collect::<Option<Vec<_>>>() {
+        Some(names) if !names.is_empty() => Ok(names),
+        _ => Err("write the answers that the statement asks for as in `asked = [\"amplitude\"]`".into()),
+    }
 }
 
 fn expected(answer: &str, item: &Item, truth: Truth) -> Result<Expected, String> {

@@ -138,5 +138,8 @@ pub(super) fn words_of(case: &Case) -> Vec<Text> {
         ComparisonRule::Within(_, why) | ComparisonRule::Disputed { why, .. } => Some(why.clone()),
         ComparisonRule::ToTheLastPlace | ComparisonRule::Computed => None,
     });
-    [case.title(), case.source.clone(), case.note.clone()].into_iter().chain(reasons).collect()
+    [case.title(), case.source.clone(), case.note.clone(), case.statement.clone()]
+        .into_iter()
+        .chain(reasons)
+        .collect()
 }
