@@ -16,7 +16,7 @@ use std::{
 };
 
 use dalembert_core::{Draft, Entry, Shape, Value, ascii, draft, gravity, linked, within_problem};
-use dalembert_units::{Decimal, Style, thousands, with_comma, with_point, write_quantity, write_vector};
+use dalembert_units::{Decimal, Style, thousands, with_point, write_quantity, write_vector};
 
 pub use edit::{Edit, Sign};
 pub use lines::{BETWEEN, FormLine, Role, lines};
@@ -651,17 +651,14 @@ pub fn point_of_thousands(text: &str, style: Style) -> Option<&str> {
 /// as it is.
 pub fn in_language(text: &str, shape: &Shape, decimal: Decimal) -> String {
     let is_quantity = matches!(shape.present(), Shape::Quantity(_) | Shape::Vector(..));
-    if decimal == Decimal::Comma && is_quantity && draft::read_leaf(text, shape, "").is_ok() {
-        with_comma(text)
-    } else {
-        text.to_owned()
-    }
+    let is_marked = decimal != Decimal::Point && is_quantity && draft::read_leaf(text, shape, "").is_ok();
+    if is_marked { decimal.written(text) } else { text.to_owned() }
 }
 
 /// A number as a draft has it, of what is typed in a language: with a decimal point. Any other text as it is.
 fn settled(text: String, shape: &Shape, decimal: Decimal) -> String {
-    match (shape.present(), decimal) {
-        (Shape::Quantity(_) | Shape::Vector(..), Decimal::Comma) => with_point(&text).into_owned(),
+    match shape.present() {
+        Shape::Quantity(_) | Shape::Vector(..) => decimal.to_point(&text),
         _ => text,
     }
 }

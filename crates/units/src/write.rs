@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 use crate::{
     Kind, Unit, UnitMeaning, decimal,
     read::{
-        scan::{Cursor, is_product, is_quotient, takes_digit},
+        scan::{Cursor, is_product, is_quotient, takes_digit, with_comma, with_point},
         units::power,
     },
     unit,
@@ -22,6 +22,24 @@ pub enum Decimal {
     Point,
     /// `20,3`
     Comma,
+}
+
+impl Decimal {
+    /// A text with a decimal point in its numbers as it is written with this mark.
+    pub fn written(self, text: &str) -> String {
+        match self {
+            Decimal::Point => text.to_owned(),
+            Decimal::Comma => with_comma(text),
+        }
+    }
+
+    /// A text typed with this mark as it is written with a decimal point.
+    pub fn to_point(self, text: &str) -> String {
+        match self {
+            Decimal::Point => text.to_owned(),
+            Decimal::Comma => with_point(text).into_owned(),
+        }
+    }
 }
 
 /// Style of written numbers.

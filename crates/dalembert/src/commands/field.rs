@@ -2,8 +2,9 @@
 
 use std::process::ExitCode;
 
-use dalembert_tui::{Options, settings::Settings};
+use dalembert_tui::Options;
 
+use super::workbench::options;
 use crate::{
     Set,
     arguments::{Arguments, Field},
@@ -25,16 +26,7 @@ pub(crate) fn run(
     let blank = arguments.file.clone().filter(|_| !exists);
     Ok(dalembert_tui::run(Options {
         file: arguments.file.clone().filter(|_| exists),
-        language: console.locale.language,
-        settings: Settings {
-            ascii: set.settings.ascii || console.locale.style.ascii,
-            mouse: if all.no_mouse || all.basic { Some(false) } else { set.settings.mouse },
-            ..set.settings
-        },
-        faults: set.path.map(|path| (path, set.faults)),
-        readonly: all.readonly,
-        basic: all.basic,
         field: Some(blank),
-        ..Options::default()
+        ..options(all, set, console)
     }))
 }

@@ -45,6 +45,14 @@ pub(crate) fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<
     Ok(dalembert_tui::run(Options {
         file: path,
         analysis,
+        record: arguments.record.clone(),
+        ..options(arguments, set, console)
+    }))
+}
+
+/// Options that the user's settings and the options of every command give.
+pub(super) fn options(arguments: &Arguments, set: Set, console: &Console) -> Options {
+    Options {
         language: console.locale.language,
         settings: Settings {
             ascii: set.settings.ascii || console.locale.style.ascii,
@@ -54,9 +62,8 @@ pub(crate) fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<
         faults: set.path.map(|path| (path, set.faults)),
         readonly: arguments.readonly,
         basic: arguments.basic,
-        record: arguments.record.clone(),
         ..Options::default()
-    }))
+    }
 }
 
 /// A session is recorded in a new file, and that is known before the workbench opens. The file is made later: the

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{Answer, Draft, FieldError, Shape, Text, Value, draft};
-use dalembert_units::{Decimal, Style, with_point};
+use dalembert_units::Style;
 
 use super::line::{Choice, FieldLine, LineKind, READING_UNITS, WEIGHT_UNITS};
 use crate::problem::Problem;
@@ -33,7 +33,11 @@ pub(super) fn text_at<'p>(problem: &'p Problem, path: &str) -> &'p str {
 
 /// Number of rows of a list.
 pub(super) fn rows(problem: &Problem, path: &str) -> usize {
-    match problem.inputs.form.draft.at(&problem.entry().shape(), path) {
+    rows_in(&problem.inputs.form.draft, &problem.entry().shape(), path)
+}
+
+fn rows_in(draft: &Draft, shape: &Shape, path: &str) -> usize {
+    match draft.at(shape, path) {
         Ok((Draft::Rows(rows), _)) => rows.len(),
         _ => 0,
     }
@@ -49,8 +53,11 @@ pub(super) fn chosen(problem: &Problem, path: &str) -> Option<usize> {
 
 /// An input as a number in SI.
 pub(super) fn si_at(problem: &Problem, path: &str) -> Option<f64> {
-    let shape = problem.entry().shape();
-    let (place, shape) = problem.inputs.form.draft.at(&shape, path).ok()?;
+    si_in(&problem.inputs.form.draft, &problem.entry().shape(), path)
+}
+
+fn si_in(draft: &Draft, shape: &Shape, path: &str) -> Option<f64> {
+    let (place, shape) = draft.at(shape, path).ok()?;
     let Draft::Leaf(text) = place else { return None };
     match draft::read_leaf(text, &shape.present(), path).ok()? {
         Value::Quantity(quantity) => Some(quantity.si),
@@ -153,10 +160,7 @@ pub(crate) fn written(problem: &Problem, line: &FieldLine, style: Style) -> Stri
 /// A text of an input in the decimal mark and the signs of a user.
 pub(crate) fn in_style(text: &str, style: Style) -> String {
     let text = if style.ascii { text.to_owned() } else { text.replace(" deg", "°").replace("um", "µm") };
-    match style.decimal {
-        Decimal::Comma => text.replace('.', ","),
-        Decimal::Point => text,
-    }
+    style.decimal.written(&text)
 }
 
 /// Chooses an option; false where there is none such.
@@ -210,11 +214,7 @@ fn choose_alternative(problem: &mut Problem, path: &str, at: usize) -> bool {
 
 /// The inputs with so many sensors, in every run that there is.
 fn with_sensors(draft: &mut Draft, shape: &Shape, sensors: usize) {
-    let count = |draft: &Draft, path: &str| match draft.at(shape, path) {
-        Ok((Draft::Rows(rows), _)) => rows.len(),
-        _ => 0,
-    };
-    let (runs, checks) = (count(draft, RUNS), count(draft, "measured.checks"));
+    let (runs, checks) = (rows_in(draft, shape, RUNS), rows_in(draft, shape, "measured.checks"));
     resize(draft, shape, "measured.first", |_| sensors);
     resize(draft, shape, "view.sensors", |_| sensors);
     for n in 1..=sensors {
@@ -262,10 +262,7 @@ impl TypedLine {
     /// # Errors
     /// What is wrong with the text, as its input says it.
     pub(crate) fn read(problem: &Problem, line: &FieldLine, text: &str, style: Style) -> Result<Self, Text> {
-        let point = |text: &str| match style.decimal {
-            Decimal::Comma => with_point(text).into_owned(),
-            Decimal::Point => text.to_owned(),
-        };
+        let point = |text: &str| style.decimal.to_point(text);
         match &line.kind {
             LineKind::Title => Ok(Self::Title(text.trim().to_owned())),
             LineKind::Value(_, _) if text.trim().is_empty() && line.required => {
@@ -278,8 +275,10 @@ impl TypedLine {
                 };
                 let pair = [(size, in_unit(&point(first), unit)), (angle, in_unit(&point(second), "deg"))];
                 let read = inputs(problem, &pair)?;
+                let is_beyond = |si: f64| (si / TAU).abs() - 1e-9 > 1.0;
+                let shape = problem.entry().shape();
                 match &read {
-                    Self::Inputs(draft) if turns(problem, draft, angle).is_some_and(|turns| turns > 1.0) => {
+                    Self::Inputs(draft) if si_in(draft, &shape, angle).is_some_and(is_beyond) => {
                         Err("an angle from 0 to 360° is needed behind the @".into())
                     }
                     _ => Ok(read),
@@ -287,16 +286,6 @@ impl TypedLine {
             }
             LineKind::Choice(..) | LineKind::Go(_) => Err("".into()),
         }
-    }
-}
-
-/// The size of an angle, in turns.
-fn turns(problem: &Problem, draft: &Draft, path: &str) -> Option<f64> {
-    let (place, shape) = draft.at(&problem.entry().shape(), path).ok()?;
-    let Draft::Leaf(text) = place else { return None };
-    match draft::read_leaf(text, &shape.present(), path).ok()? {
-        Value::Quantity(quantity) => Some((quantity.si / TAU).abs() - 1e-9),
-        _ => None,
     }
 }
 

@@ -6,7 +6,6 @@ use dalembert_core::{
     Answer, Locale, Solution, Text,
     check::{self, Mistake, Verdict},
 };
-use dalembert_units::{Decimal, with_comma};
 use ratatui::{
     style::Style,
     text::{Line, Span},
@@ -220,10 +219,7 @@ impl Check {
             let one = One {
                 answer,
                 label,
-                text: match locale.style.decimal {
-                    Decimal::Comma => with_comma(self.text(&answer.name.to_string())),
-                    Decimal::Point => self.text(&answer.name.to_string()).to_owned(),
-                },
+                text: locale.style.decimal.written(self.text(&answer.name.to_string())),
                 edit: ui.edit.filter(|_| under_cursor),
                 focused: ui.focused && under_cursor,
                 verdict: self.verdict(solution, &answer.name.to_string()),

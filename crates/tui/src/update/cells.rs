@@ -1,6 +1,5 @@
 //! Keys of the cells of a pane, and the jobs that take time there.
 
-use dalembert_units::{Decimal, with_point};
 use tui_input::InputRequest;
 
 use super::{plans, with_shown};
@@ -93,11 +92,8 @@ pub(super) fn begin_by_typing(
 /// The text of the cell is another now.
 pub(super) fn typed(model: &mut Model) -> Vec<Intent> {
     let edit = model.bench.as_ref().and_then(|bench| bench.edit.as_ref());
-    let Some(text) = edit.map(|input| input.value().to_owned()) else { return Vec::new() };
-    let text = match model.locale.style.decimal {
-        Decimal::Comma => with_point(&text).into_owned(),
-        Decimal::Point => text,
-    };
+    let decimal = model.locale.style.decimal;
+    let Some(text) = edit.map(|input| decimal.to_point(input.value())) else { return Vec::new() };
     with_shown(model, |pane, problem, _| pane.typed(problem, text));
     vec![Intent::Ask]
 }

@@ -89,8 +89,8 @@ struct Part {
     least: u16,
     /// Rows that show all of it; of a picture, as many as there are.
     wanted: u16,
-    /// True if the keys act on it: it has what it wants before pictures.
-    has_keys: bool,
+    /// True if it has what it wants before pictures: the form, and the pane that the keys act on.
+    is_first: bool,
 }
 
 impl Part {
@@ -144,7 +144,7 @@ impl Screen<'_> {
     }
 
     /// The form beside a pane, and pictures beside both where there is room: of the ways to share the screen out the first
-    /// that leaves no third of a column blank, or the one that leaves least.
+    /// that leaves no quarter of a column blank, or the one that leaves least.
     fn columns(&self, main: Tab, body: Rect) -> Arrangement {
         let all = [Sharing::Pictures, Sharing::PictureBelowForm, Sharing::TwoColumns];
         let pictures = self.pictures(&self.waiting(main));
@@ -218,19 +218,19 @@ impl Screen<'_> {
 
     fn form(&self, width: u16) -> Part {
         let rows = form::rows_wanted(self.model, self.bench, width);
-        Part { slot: Slot::Form, least: TEXT.min(rows), wanted: rows, has_keys: true }
+        Part { slot: Slot::Form, least: TEXT.min(rows), wanted: rows, is_first: true }
     }
 
     fn pane(&self, tab: Tab, width: u16) -> Part {
         let slot = Slot::Pane(tab);
-        let has_keys = self.bench.focus == Focus::Pane && self.bench.tab == tab;
+        let is_first = self.bench.focus == Focus::Pane && self.bench.tab == tab;
         match self.bench.pane(tab).content() {
-            Content::Picture => Part { slot, least: PICTURE.0, wanted: u16::MAX, has_keys },
-            Content::Cells => Part { slot, least: TEXT, wanted: u16::MAX, has_keys },
+            Content::Picture => Part { slot, least: PICTURE.0, wanted: u16::MAX, is_first },
+            Content::Cells => Part { slot, least: TEXT, wanted: u16::MAX, is_first },
             Content::Text => {
                 let (lines, head) = self.lines(tab, width);
                 let rows = framed(lines);
-                Part { slot, least: framed(head).max(TEXT).min(rows), wanted: rows, has_keys }
+                Part { slot, least: framed(head).max(TEXT).min(rows), wanted: rows, is_first }
             }
         }
     }
@@ -243,7 +243,7 @@ impl Screen<'_> {
             slot: Slot::Pane(Tab::default()),
             least: framed(head.max(1)).min(STRIP).min(rows),
             wanted: rows,
-            has_keys: false,
+            is_first: false,
         }
     }
 
@@ -343,7 +343,7 @@ fn heights(parts: &[Part], height: u16) -> Vec<u16> {
     }
     let growing = parts.iter().filter(|part| part.grows()).count() as u16;
     for (part, rows) in parts.iter().zip(&mut heights).filter(|(part, _)| !part.grows()) {
-        let most = if growing > 0 && !part.has_keys { left / 2 } else { left };
+        let most = if growing > 0 && !part.is_first { left / 2 } else { left };
         let more = part.wanted.saturating_sub(*rows).min(most);
         *rows += more;
         left -= more;

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use dalembert_units::superscript;
 use ratatui::{
     style::{Modifier, Style},
     text::{Line, Span},
@@ -143,10 +144,8 @@ pub(super) fn title(model: &Model, bench: &Bench, tab: Tab) -> Line<'static> {
 
 /// The number of a tab, by which a key leads there; raised, so that it is no part of the name.
 fn number_of(tab: Tab, look: &Appearance) -> String {
-    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let digit = |digit: char| digit.to_digit(10).map_or(digit, |digit| RAISED[digit as usize]);
-    let number = (tab.0 + 1).to_string();
-    if look.ascii { number } else { number.chars().map(digit).collect() }
+    let number = tab.0 as i32 + 1;
+    if look.ascii { number.to_string() } else { superscript(number) }
 }
 
 /// The place of the picture after the one that a pane shows: ` 2/2 `.

@@ -251,15 +251,15 @@ fn unit_column(one: &Aligned) -> String {
 /// The places of the lists of one name, such as mode shapes, that this answer is one of, where they are not shown one by one.
 fn folded_lists(solution: &Solution, at: usize, reading: &Reading<'_>) -> Option<Vec<usize>> {
     let one = &solution.answers[at];
-    if reading.opened_by.is_none() || reading.pinned.is_some() {
+    let is_list = |answer: &Answer| !answer.is_main && matches!(answer.value, AnswerValue::List(_));
+    if reading.opened_by.is_none() || reading.pinned.is_some() || !is_list(one) {
         return None;
     }
-    let is_list = |answer: &Answer| !answer.is_main && matches!(answer.value, AnswerValue::List(_));
     let is_alike = |answer: &&Answer| is_list(answer) && answer.name.base == one.name.base;
     let all = solution.answers.iter().enumerate().filter(|(_, answer)| is_alike(answer)).map(|(n, _)| n);
     let all: Vec<usize> = all.collect();
     let is_chosen = reading.chosen.is_some_and(|chosen| all.contains(&chosen));
-    (is_list(one) && all.len() > MOST_LISTS && !is_chosen).then_some(all)
+    (all.len() > MOST_LISTS && !is_chosen).then_some(all)
 }
 
 /// Lists of one name in one line.
