@@ -82,7 +82,7 @@ pub use crate::{
     sheet::{Sheet, Term, VectorTerm},
     sketch::Sketch,
     solution::{
-        Answer, AnswerValue, Check, Display, Name, ProblemSteps, Sides, Solution, Step, problem_heading,
+        Answer, AnswerValue, Check, CommonError, Display, Name, ProblemSteps, Sides, Solution, Step, problem_heading,
     },
     source::{Cite, Source},
     text::{Arg, Language, Locale, Messages, Text},

@@ -26,6 +26,8 @@ pub struct Solution {
     pub steps: Vec<Step>,
     /// Steps of each of several problems or configurations; empty where there is one problem alone.
     pub problems: Vec<ProblemSteps>,
+    /// Errors that people commonly make in steps, as the analysis knows them.
+    pub common_errors: Vec<CommonError>,
     /// Plots, tables and drawings.
     pub exhibits: Vec<Exhibit>,
     /// Independent ways to the same numbers, and how near they came.
@@ -127,6 +129,17 @@ pub struct Step {
     pub why: Text,
     /// Citation of the source that states the formula.
     pub cite: Option<Cite>,
+}
+
+/// What people commonly compute in place of a step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CommonError {
+    /// Place of the step in the solution.
+    pub step: usize,
+    /// The node of the wrong number.
+    pub formula: Id,
+    /// Name of the error, in words.
+    pub what: Text,
 }
 
 /// Two ways to the same number.

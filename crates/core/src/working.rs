@@ -49,6 +49,7 @@ impl Solution {
             answers,
             steps: kept.iter().map(|step| self.steps[*step].clone()).collect(),
             problems: self.problems.iter().map(of_problem).filter(|of| !of.steps.is_empty()).collect(),
+            common_errors: Vec::new(),
             exhibits: Vec::new(),
             checks: self.checks.iter().filter(is_of_these).cloned().collect(),
             warnings: self.warnings.clone(),

@@ -51,6 +51,8 @@ pub(crate) enum Command {
     New(New),
     /// Solve a problem and print its worked solution
     Solve(Solve),
+    /// Check your own answers, and find the likeliest cause of a wrong one
+    Check(Check),
     /// Find the values of an input with which an answer is a wanted one
     Find(Find),
     /// Choose inputs so that an answer is as small or as large as possible under limits
@@ -182,6 +184,28 @@ pub(crate) struct Solve {
     /// mm-t-s
     #[arg(long, value_name = "SYSTEM")]
     pub(crate) units: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Check {
+    /// The id of an analysis, or a problem file; - reads the standard input
+    #[arg(value_name = "ID|FILE|-", add = completion::problems())]
+    pub(crate) problem: String,
+    /// Your answers, with their units; a number alone is in the unit of the answer: 'amplitude=19.5 mm'
+    #[arg(value_name = "ANSWER=VALUE", required = true, add = completion::answers("="))]
+    pub(crate) answers: Vec<String>,
+    /// Take the inputs of this published case, counted from 1; default: case 1
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) case: Option<u32>,
+    /// Change an input: mass="40 kg"
+    #[arg(long, value_name = "PATH=VALUE", add = completion::settings())]
+    pub(crate) set: Vec<String>,
+    /// Print what is correct too
+    #[arg(long)]
+    pub(crate) reveal: bool,
+    /// Print JSON
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 #[derive(Debug, Args)]

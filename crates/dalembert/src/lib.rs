@@ -75,6 +75,7 @@ fn prints_json(command: &Command) -> bool {
         Command::Solve(solve) => {
             commands::solve::format(&solve.form, solve.output.as_deref()) == Format::Json
         }
+        Command::Check(check) => check.json,
         Command::Find(find) => find.json,
         Command::Optimise(optimise) => {
             commands::solve::format(&optimise.form, optimise.output.as_deref()) == Format::Json
@@ -117,6 +118,7 @@ fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, F
         Some(Command::Show(show)) => commands::show::run(show, console),
         Some(Command::New(new)) => commands::new::run(new, console),
         Some(Command::Solve(solve)) => commands::solve::run(solve, console),
+        Some(Command::Check(check)) => commands::check::run(check, console),
         Some(Command::Find(find)) => commands::find::run(find, console),
         Some(Command::Optimise(optimise)) => commands::optimise::run(optimise, console),
         Some(Command::Study(study)) => commands::study::run(study, console),

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 use dalembert_core::{
     Answer, Entry, Record, Refusal, Solution, SolveError, Stop,
-    check::{self, Mistake},
+    check::{self, Cause},
     sensitivity,
     study::StudyPlan,
 };
@@ -18,7 +18,7 @@ pub use study::{StudyProgress, StudyResult};
 #[derive(Clone, Debug)]
 pub enum Question {
     /// Search for the mistakes that give these answers.
-    Slips {
+    Causes {
         /// The analysis.
         entry: &'static Entry,
         /// Inputs.
@@ -68,8 +68,8 @@ pub enum Question {
 /// The answer to a [`Question`].
 #[derive(Clone, Debug)]
 pub enum Reply {
-    /// For each wrong answer the slips that give it.
-    Slips(Vec<(String, Vec<Mistake>)>),
+    /// For each wrong answer the causes that give it.
+    Causes(Vec<(String, Vec<Cause>)>),
     /// Influence of each input.
     Sensitivity(Result<sensitivity::Sensitivity, SolveError>),
     /// Result of a study, of all its points or of those that are solved so far; of a search.
@@ -83,12 +83,9 @@ impl Question {
     /// The answer; `None` when it was stopped. What is found before the end is reported.
     pub fn answer(&self, stop: &Stop, report: &dyn Fn(Reply)) -> Option<Reply> {
         match self {
-            Question::Slips { entry, record, solution, typed } => {
-                match check::slips(entry, record, solution, typed, stop) {
-                    Ok(slips) => Some(Reply::Slips(slips)),
-                    Err(Refusal::Stopped) => None,
-                    Err(Refusal::NoAnswer(_)) => Some(Reply::Slips(Vec::new())),
-                }
+            Question::Causes { entry, record, solution, typed } => {
+                let found = check::causes(entry, record, solution, typed, stop);
+                stop.check().is_ok().then_some(Reply::Causes(found))
             }
             Question::Sensitivity { entry, record, answer, tolerances } => {
                 let tolerances = (tolerances.as_slice(), USUAL);

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use dalembert_core::{
     Answer, Locale, Solution, Text,
-    check::{self, Mistake, Verdict},
+    check::{self, Cause, Verdict},
 };
 use ratatui::{
     style::Style,
@@ -42,8 +42,8 @@ pub struct Check {
     typed: Typed<String>,
     /// The answers that the user asked to see.
     seen: BTreeSet<String>,
-    /// The mistakes that give what was typed, for each wrong answer; `None` while they are searched for.
-    mistakes: Option<Vec<(String, Vec<Mistake>)>>,
+    /// The causes of what was typed, for each wrong answer; `None` while they are searched for.
+    causes: Option<Vec<(String, Vec<Cause>)>>,
     /// True if it was said that everything is right.
     congratulated: bool,
 }
@@ -114,7 +114,7 @@ impl Pane for Check {
 
     fn typed(&mut self, problem: &mut Problem, text: String) {
         if let Some(name) = self.answer(problem).map(|answer| answer.name.to_string()) {
-            self.mistakes = None;
+            self.causes = None;
             self.typed.set(&name, text);
         }
     }
@@ -143,11 +143,13 @@ impl Pane for Check {
 
     fn question(&self, problem: &Problem) -> Option<Question> {
         let solution = problem.found.solution.as_ref()?;
-        let is_wrong = |(name, _): &(String, String)| self.verdict(solution, name) == Some(Verdict::Wrong);
-        if self.mistakes.is_some() || !self.typed.0.iter().any(is_wrong) {
+        let is_wrong = |(name, _): &(String, String)| {
+            matches!(self.verdict(solution, name), Some(Verdict::Wrong | Verdict::RoundedEarly(_)))
+        };
+        if self.causes.is_some() || !self.typed.0.iter().any(is_wrong) {
             return None;
         }
-        Some(Question::Slips {
+        Some(Question::Causes {
             entry: problem.entry(),
             record: problem.record()?,
             solution: Box::new(solution.clone()),
@@ -156,17 +158,17 @@ impl Pane for Check {
     }
 
     fn is_answered(&self, _: &Problem) -> bool {
-        self.mistakes.is_some()
+        self.causes.is_some()
     }
 
     fn answered(&mut self, _: &mut Problem, reply: Option<Reply>) -> Vec<Intent> {
-        self.mistakes = Some(if let Some(Reply::Slips(mistakes)) = reply { mistakes } else { Vec::new() });
+        self.causes = Some(if let Some(Reply::Causes(causes)) = reply { causes } else { Vec::new() });
         // What is said of a wrong answer is read to its end.
         vec![Intent::BringIn(self.cursor)]
     }
 
     fn forget(&mut self, _: &mut Problem, inputs: bool) {
-        self.mistakes = None;
+        self.causes = None;
         self.congratulated &= !inputs;
     }
 }
@@ -245,41 +247,68 @@ impl Check {
         };
         match &one.verdict {
             None | Some(Verdict::Right) => {}
-            Some(verdict @ (Verdict::RoundedEarly(_) | Verdict::TooFewDigits)) => {
-                say(&verdict.text().render(&locale.digits(2)), look.warning());
-            }
+            Some(verdict @ Verdict::TooFewDigits) => say(&verdict.text().render(locale), look.warning()),
             Some(Verdict::Unread(why)) => say(&filter_untrusted(&why.render(locale)), look.dim()),
-            Some(Verdict::Wrong) => match &self.mistakes {
-                None if waits => {
-                    say(
-                        &Text::new("incorrect; searching for a common error that gives this value")
-                            .render(locale),
-                        look.error(),
-                    );
+            Some(verdict @ (Verdict::Wrong | Verdict::RoundedEarly(_))) => {
+                let style = if *verdict == Verdict::Wrong { look.error() } else { look.warning() };
+                let found = self.causes.as_ref().map(|all| causes_of(all, &name));
+                let head = match found {
+                    None if waits => "incorrect; searching for a common error that gives this value",
+                    None => "incorrect",
+                    Some([]) if *verdict == Verdict::Wrong => "Incorrect. No common error reproduces this value.",
+                    Some([]) => "",
+                    Some([first, ..]) if first.is_named => "Incorrect. Likely cause:",
+                    Some(_) => "Incorrect. Possible causes:",
+                };
+                match (found, head) {
+                    (Some([]), "") => say(&verdict.text().render(&locale.digits(2)), style),
+                    _ => say(&Text::new(head).render(locale), style),
                 }
-                None => say(&Text::new("incorrect").render(locale), look.error()),
-                Some(all) => {
-                    let slips =
-                        all.iter().find(|(known, _)| *known == name).map_or(&[][..], |(_, slips)| slips);
-                    if slips.is_empty() {
-                        say(
-                            &Text::new("Incorrect. No common error reproduces this value.").render(locale),
-                            look.error(),
-                        );
-                    } else {
-                        say(&Text::new("Incorrect. Possible cause:").render(locale), look.error());
-                    }
-                    for slip in slips {
-                        let text = slip.text(solution).render(locale);
-                        let dot = format!("    {} ", look.glyph(Glyph::Dot));
-                        lines.extend(wrap::hanging(vec![Span::raw(dot)], &text, Style::new(), width));
-                    }
-                }
-            },
+                let reveals = self.seen.contains(&name);
+                cause_lines(found.unwrap_or_default(), solution, reveals, (look, locale, width), lines);
+            }
         }
         if one.verdict == Some(Verdict::Right) || self.seen.contains(&name) {
             let shown = format!("= {}", one.answer.shown(locale));
             lines.extend(wrap::hanging(vec![Span::raw("    ")], &shown, look.answer(), width));
+        }
+    }
+}
+
+/// The causes of a wrong answer.
+fn causes_of<'c>(all: &'c [(String, Vec<Cause>)], name: &str) -> &'c [Cause] {
+    all.iter().find(|(known, _)| known == name).map_or(&[], |(_, causes)| causes)
+}
+
+/// The likeliest cause, with the step where it happens, and below it the other possibilities. What is right in place of
+/// it is written where the answer is shown too.
+fn cause_lines(
+    causes: &[Cause],
+    solution: &Solution,
+    reveals: bool,
+    (look, locale, width): (&Appearance, &Locale, usize),
+    lines: &mut Vec<Line<'static>>,
+) {
+    let named = causes.first().is_some_and(|first| first.is_named);
+    let dot = || vec![Span::raw(format!("    {} ", look.glyph(Glyph::Dot)))];
+    for (n, cause) in causes.iter().enumerate() {
+        if n == 1 && named {
+            let other = Text::new("Other possibilities:").render(locale);
+            lines.extend(wrap::hanging(vec![Span::raw("    ")], &other, look.dim(), width));
+        }
+        let style = if n == 0 && named { Style::new() } else { look.dim() };
+        let text = filter_untrusted(&cause.text(solution).render(locale)).into_owned();
+        lines.extend(wrap::hanging(dot(), &text, style, width));
+        if n > 0 || !named {
+            continue;
+        }
+        for [wrong, right] in cause.mistakes.iter().filter_map(|mistake| mistake.lines(solution, locale)) {
+            let line = if reveals {
+                Text::new("{wrong}   (correct: {right})").with("wrong", wrong).with("right", right)
+            } else {
+                Text::verbatim(wrong)
+            };
+            lines.extend(wrap::hanging(vec![Span::raw("      ")], &line.render(locale), look.dim(), width));
         }
     }
 }
