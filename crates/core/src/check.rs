@@ -9,6 +9,7 @@ mod candidates;
 mod inputs;
 mod mistake;
 mod problem;
+mod products;
 mod search;
 mod steps;
 mod words;
@@ -45,6 +46,7 @@ pub enum Verdict {
 /// Compares a typed answer with ours. A number alone is in the unit that ours is shown in.
 pub fn compare(answer: &Answer, typed: &str) -> Verdict {
     let Some(computed) = answer.si() else {
+        let typed = &in_signs(typed);
         return match cases::agrees(answer, typed) {
             Some(true) => Verdict::Right,
             Some(false) => Verdict::Wrong,
@@ -65,6 +67,12 @@ pub fn compare(answer: &Answer, typed: &str) -> Verdict {
         (true, false) if size > 0.0 && typed.si != 0.0 => Verdict::TooFewDigits,
         _ => Verdict::Wrong,
     }
+}
+
+/// A set as it is typed on a keyboard, with the signs that it is printed with: `>= 440 mm`.
+fn in_signs(typed: &str) -> String {
+    let typed = typed.replace(">=", "≥").replace("<=", "≤");
+    typed.replace('>', "≥").replace('<', "≤")
 }
 
 /// The user's answers beside the problem's: each with its verdict.

@@ -73,7 +73,7 @@ pub use crate::{
         Level, Mark, Over, Plot, Point, Point3, Scale, Scene, Series, Shape3, TableExhibit, Viewpoint3,
     },
     field::{ChildList, Field, FieldLimit, Fields, Measure, Shape, Variant},
-    formula::normalised,
+    formula::{normalised, value_of_numbers},
     input::{FieldError, Inputs, Lift, MeasuredQuantity, Reference},
     linked::LinkedProblem,
     path::{is_within, nearest},

@@ -60,17 +60,17 @@ impl Problem {
         write_quantity(answer.si().unwrap(), &answer.unit, Style { digits, ..Style::default() })
     }
 
-    fn slips(&self, answer: &str, typed: &str) -> Vec<String> {
-        self.slips_of(&[(answer, typed)]).remove(0)
+    fn causes(&self, answer: &str, typed: &str) -> Vec<String> {
+        self.causes_of(&[(answer, typed)]).remove(0)
     }
 
-    fn slips_of(&self, typed: &[(&str, &str)]) -> Vec<Vec<String>> {
+    fn causes_of(&self, typed: &[(&str, &str)]) -> Vec<Vec<String>> {
         let typed: Vec<(String, String)> =
             typed.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect();
-        let found = check::slips(self.entry, &self.record, &self.solution, &typed, &Stop::new()).unwrap();
+        let found = check::causes(self.entry, &self.record, &self.solution, &typed, &Stop::new());
         found
             .into_iter()
-            .map(|(_, slips)| slips.iter().map(|slip| slip.text(&self.solution).english()).collect())
+            .map(|(_, causes)| causes.iter().map(|cause| cause.text(&self.solution).english()).collect())
             .collect()
     }
 }
@@ -134,7 +134,7 @@ fn a_slip_in_an_input_is_found_and_named() {
     ] {
         let problem = problem(id);
         let typed = problem.with(&[(path, text)], answer, 4);
-        let slips = problem.slips(answer, &typed);
+        let slips = problem.causes(answer, &typed);
         assert!(slips.iter().any(|slip| slip == wanted), "{id} {answer} = {typed}: {slips:?}");
     }
 }
@@ -161,7 +161,7 @@ fn every_slip_that_is_made_is_found() {
                 if typed.chars().filter(char::is_ascii_digit).count() < 4 {
                     continue;
                 }
-                let slips = problem.slips(&name.to_string(), &typed);
+                let slips = problem.causes(&name.to_string(), &typed);
                 made += 1;
                 found += usize::from(!slips.is_empty());
                 named += usize::from(slips.iter().any(|slip| slip.contains(&input.label.english())));
@@ -186,7 +186,7 @@ fn a_unit_a_sign_and_a_factor_of_the_answer_are_found() {
         ("stiffness", "451.4 N/m", "the number is in kN/m, not N/m"),
         ("natural_frequency", "11280 rad/s", "squared value: a square root was omitted"),
     ] {
-        let slips = fan.slips(answer, typed);
+        let slips = fan.causes(answer, typed);
         assert_eq!(slips.first().map(String::as_str), Some(wanted), "{answer} = {typed}: {slips:?}");
     }
 }
@@ -195,7 +195,7 @@ fn a_unit_a_sign_and_a_factor_of_the_answer_are_found() {
 fn what_follows_from_a_wrong_answer_is_no_slip_of_its_own() {
     let fan = problem("vibration/rotating-unbalance");
     // The printed solution of the course: ζ assumed as 0.707, from which its amplitude follows.
-    let found = fan.slips_of(&[("damping_ratio", "0.707"), ("amplitude", "1.743 mm")]);
+    let found = fan.causes_of(&[("damping_ratio", "0.707"), ("amplitude", "1.743 mm")]);
     assert_eq!(
         found[1].first().map(String::as_str),
         Some("consistent with your earlier answer to Damping ratio (error carried forward)"),
@@ -234,7 +234,7 @@ fn a_random_answer_is_no_slip() {
                     continue;
                 }
                 asked += 1;
-                let slips = problem.slips(&answer.name.to_string(), &typed);
+                let slips = problem.causes(&answer.name.to_string(), &typed);
                 accused += usize::from(!slips.is_empty());
             }
         }

@@ -15,7 +15,7 @@ use super::{
     wrong::Wrong,
 };
 use crate::{
-    Entry, Record, Refusal, Solution, Stop,
+    Entry, Record, Solution, Stop,
     cases::{self, ComparisonRule},
     reevaluate::{Edit, Reevaluation, ancestors},
     trace::{Id, Number},
@@ -42,22 +42,23 @@ pub(super) struct Tries<'w, 's> {
     pub(super) found: Vec<Candidate>,
 }
 
-/// Every candidate; those that were found when `stop` was given, and false, where it was.
+/// Every candidate; where `stop` is given, those that were found until then.
 pub(super) fn candidates(
     entry: &Entry,
     record: &Record,
     solution: &Solution,
     wrong: &[Wrong<'_>],
     stop: &Stop,
-) -> (Vec<Candidate>, bool) {
+) -> Vec<Candidate> {
     let mut all = Tries { wrong, found: Vec::new() };
     all.printed(entry, record);
     all.follow(solution);
     all.finished(solution, record);
-    let rest = steps(&mut all, solution, stop)
+    // Whatever was stopped, what was found before counts.
+    let _stopped = steps(&mut all, solution, stop)
         .and_then(|()| inputs(&mut all, entry, record, solution, stop))
         .and_then(|()| problems(&mut all, entry, record, stop));
-    (all.found, rest != Err(Refusal::Stopped))
+    all.found
 }
 
 impl Tries<'_, '_> {
@@ -178,7 +179,7 @@ impl Tries<'_, '_> {
         for other in &solution.answers {
             let Some(si) = other.si() else { continue };
             let name = other.name.to_string();
-            let prior = if other.is_main { 0.7 } else { 0.5 };
+            let prior = 0.92;
             let value = |one: &Wrong<'_>| {
                 if other.dim().agrees(one.answer.dim()) && one.name != name { si } else { f64::NAN }
             };
@@ -191,7 +192,13 @@ impl Tries<'_, '_> {
             let fits = |one: &Wrong<'_>| step.unit.dim.agrees(one.answer.dim());
             let values = self.wrong.iter().map(|one| if fits(one) { si } else { f64::NAN }).collect();
             let mistake = Mistake::new(Place::Answer, Change::OtherStep(step.symbol));
-            self.push(0.4, mistake, values, false, Vec::new());
+            self.push(0.76, mistake.clone(), values, false, Vec::new());
+            // The number of another kind of quantity, written with the unit that was asked for.
+            for written in [step.unit.value(si), si] {
+                let number = |one: &Wrong<'_>| if fits(one) { f64::NAN } else { one.unit.si(written) };
+                let values = self.wrong.iter().map(number).collect();
+                self.push(0.15, mistake.clone(), values, false, Vec::new());
+            }
         }
     }
 
@@ -200,8 +207,12 @@ impl Tries<'_, '_> {
         for input in vary::inputs(record) {
             let fits = |one: &Wrong<'_>| input.unit.dim.agrees(one.answer.dim());
             let values = self.wrong.iter().map(|one| if fits(one) { input.si } else { f64::NAN }).collect();
-            let mistake = Mistake::new(Place::Answer, Change::Given(input.path, input.label));
-            self.push(0.5, mistake, values, false, Vec::new());
+            let mistake = Mistake::new(Place::Answer, Change::Given(input.path.clone(), input.label.clone()));
+            self.push(0.95, mistake.clone(), values, false, Vec::new());
+            let written = input.unit.value(input.si);
+            let number = |one: &Wrong<'_>| if fits(one) { f64::NAN } else { one.unit.si(written) };
+            let values = self.wrong.iter().map(number).collect();
+            self.push(0.2, mistake, values, false, Vec::new());
         }
     }
 

@@ -255,11 +255,12 @@ fn ways(input: &VariedInput, others: &[VariedInput]) -> Vec<Way> {
     }
     if si != 0.0 {
         may(if has(&["damp"]) { 0.6 } else { 0.35 }, Change::LeftOut, 0.0);
-        may(if is_signed(input) { 0.6 } else { 0.2 }, Change::Sign, -si);
+        may(if is_signed(input) { 0.65 } else { 0.2 }, Change::Sign, -si);
     }
     if [Kind::Mass, Kind::Force].contains(&kind) {
-        for g in [9.81, 10.0] {
-            let taken = if kind == Kind::Mass { [(0.5, si * g), (0.5, si / g)] } else { [(0.5, si / g), (0.4, si * g)] };
+        // A factor of ten is rather a decimal point, unless gravity is.
+        for (prior, g) in [(0.5, 9.81), (0.25, 10.0)] {
+            let taken = [(prior, si * g), (prior, si / g)];
             for (prior, si) in taken {
                 may(prior, Change::Weight, si);
             }
@@ -273,11 +274,12 @@ fn ways(input: &VariedInput, others: &[VariedInput]) -> Vec<Way> {
         }
     }
     if kind == Kind::AngularVelocity {
-        may(0.5, Change::Times(TAU, "2π"), TAU * si);
-        may(0.5, Change::Times(1.0 / TAU, "2π"), si / TAU);
+        let confused = |is: &str, taken: &str| Change::Unit { is: is.to_owned(), taken: taken.to_owned() };
+        may(0.7, confused("rad/s", "Hz"), TAU * si);
+        may(0.7, confused("Hz", "rad/s"), si / TAU);
     }
     for places in [-3i8, -2, -1, 1, 2, 3] {
-        let prior = if [-3, -1, 1, 3].contains(&places) { 0.4 } else { 0.2 };
+        let prior = if [-3, -1, 1, 3].contains(&places) { 0.5 } else { 0.3 };
         may(prior, Change::PowerOfTen(places), si * 10f64.powi(places.into()));
     }
     if kind == Kind::Length {
@@ -307,8 +309,11 @@ fn is_signed(input: &VariedInput) -> bool {
 
 /// One digit copied wrongly, or two interchanged.
 fn digits(input: &VariedInput) -> Vec<Way> {
-    let text = written(input.unit.value(input.si));
     let mut found = Vec::new();
+    if input.si == 0.0 {
+        return found;
+    }
+    let text = written(input.unit.value(input.si));
     let mut may = |prior: f64, change: fn(String, String) -> Change, taken: String| {
         if let Ok(value) = taken.parse::<f64>() {
             let change = change(text.clone(), taken);

@@ -95,8 +95,18 @@ pub enum Change {
     TermTwice,
     /// A factor of a product is missing.
     FactorLeftOut,
-    /// A factor of a product stands twice, or divides in place of multiplying.
-    FactorTwice,
+    /// A factor of a product stands twice.
+    FactorSquared,
+    /// A number of a formula divides in place of multiplying, or the other way round.
+    FactorInverted,
+    /// Another coefficient in a formula: the right one, and the one that was taken.
+    Coefficient(f64, f64),
+    /// Components added as numbers in place of the root of the sum of their squares.
+    AddedDirectly,
+    /// The root of the sum of the squares in place of a sum.
+    AddedAsVectors,
+    /// The product over the sum in place of the sum: series and parallel connection confused.
+    SeriesForParallel,
     /// Another exponent: the right one, and the one that was taken.
     Exponent(i8, i8),
     /// A root was omitted.
@@ -148,7 +158,7 @@ impl Mistake {
             Change::OtherAnswer(_) | Change::OtherStep(_) => "other-answer",
             Change::Given(..) => "given",
             Change::Sign | Change::TermSign => "sign",
-            Change::Times(..) => "factor",
+            Change::Times(..) | Change::FactorInverted => "factor",
             Change::PowerOfTen(_) => "power-of-ten",
             Change::Unit { .. } => "unit",
             Change::Half => "half",
@@ -161,11 +171,15 @@ impl Mistake {
             Change::OtherEnd(_) => "other-end",
             Change::Interchanged(..) => "interchanged",
             Change::Alternative(..) => "alternative",
-            Change::Squared | Change::Exponent(..) => "square",
+            Change::Squared | Change::FactorSquared | Change::Exponent(..) => "square",
             Change::Rooted | Change::RootLeftOut => "root",
             Change::Inverted | Change::DividedForMultiplied => "reciprocal",
+            Change::Coefficient(..)
+            | Change::AddedDirectly
+            | Change::AddedAsVectors
+            | Change::SeriesForParallel => "model",
             Change::Direction => "direction",
-            Change::TermTwice | Change::FactorTwice => "twice",
+            Change::TermTwice => "twice",
             Change::Trigonometric(..) => "sine-cosine",
             Change::Degrees => "degrees",
             Change::Branch => "branch",

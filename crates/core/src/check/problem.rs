@@ -96,7 +96,7 @@ impl Other {
                 }
                 *choice = other;
                 let change = Change::Alternative(right, taken);
-                Some((Mistake::new(Place::Input(path, label), change), draft, 0.6))
+                Some((Mistake::new(Place::Input(path, label), change), draft, 0.8))
             }
         }
     }

@@ -6,7 +6,7 @@ use super::{
     Cause, Change, Mistake, Place,
     candidates::{Candidate, candidates},
     steps::{node_of, rounded, scalar},
-    wrong::Wrong,
+    wrong::{Digits, Wrong},
 };
 use crate::{
     AnswerValue, Entry, Record, Solution, Stop,
@@ -21,7 +21,7 @@ const POSSIBLE: f64 = 0.5;
 /// At most so many causes are listed for an answer.
 const MOST: usize = 4;
 /// So many of the likeliest mistakes are tried in pairs.
-const PAIRED: usize = 260;
+const PAIRED: usize = 600;
 /// The weight of a pair of mistakes beside that of their product: seldom are two made.
 const PAIR: f64 = 0.05;
 /// Pairs are searched for with so few chance hits only.
@@ -36,26 +36,47 @@ pub fn causes(
     typed: &[(String, String)],
     stop: &Stop,
 ) -> Vec<(String, Vec<Cause>)> {
-    let wrong: Vec<Wrong<'_>> =
-        typed.iter().filter_map(|(name, text)| Wrong::of(solution, name, text)).collect();
-    let mut found = Vec::new();
-    if !wrong.is_empty() {
-        let (mut all, _) = candidates(entry, record, solution, &wrong, stop);
-        all.sort_by(|a, b| b.prior.total_cmp(&a.prior));
-        for at in 0..wrong.len() {
-            let mut causes = singles(at, &wrong, &all);
-            if !causes.iter().any(|cause| cause.is_named) {
-                causes.extend(pairs(at, &wrong, &all, solution, stop));
-            }
-            if causes.is_empty() {
-                causes.extend(rounding(&wrong[at], solution));
-            }
-            causes.sort_by_key(|cause| !cause.is_named);
-            causes.truncate(MOST);
-            found.push((wrong[at].name.to_owned(), causes));
+    let mut found = with_digits(entry, record, solution, typed, Digits::AsWritten, stop);
+    // Zeros at the end of a whole number may be no digits.
+    if found.iter().any(|(_, causes)| causes.is_empty()) {
+        let rough = with_digits(entry, record, solution, typed, Digits::Sure, stop);
+        for (name, causes) in found.iter_mut().filter(|(_, causes)| causes.is_empty()) {
+            let of_this = rough.iter().find(|(known, _)| known == name);
+            causes.extend(of_this.into_iter().flat_map(|(_, causes)| causes.clone()));
         }
     }
     found.extend(typed.iter().filter_map(|(name, text)| branch(solution, name, text)));
+    found
+}
+
+fn with_digits(
+    entry: &Entry,
+    record: &Record,
+    solution: &Solution,
+    typed: &[(String, String)],
+    digits: Digits,
+    stop: &Stop,
+) -> Vec<(String, Vec<Cause>)> {
+    let wrong = typed.iter().filter_map(|(name, text)| Wrong::of(solution, name, text, digits));
+    let wrong: Vec<Wrong<'_>> = wrong.collect();
+    let mut found = Vec::new();
+    if wrong.is_empty() {
+        return found;
+    }
+    let mut all = candidates(entry, record, solution, &wrong, stop);
+    all.sort_by(|a, b| b.prior.total_cmp(&a.prior));
+    for at in 0..wrong.len() {
+        let mut causes = singles(at, &wrong, &all);
+        if !causes.iter().any(|cause| cause.is_named) {
+            causes.extend(pairs(at, &wrong, &all, solution, stop));
+        }
+        if causes.is_empty() {
+            causes.extend(rounding(&wrong[at], solution));
+        }
+        causes.sort_by_key(|cause| !cause.is_named);
+        causes.truncate(MOST);
+        found.push((wrong[at].name.to_owned(), causes));
+    }
     found
 }
 

@@ -1,13 +1,13 @@
 //! Mistakes within the steps of the worked solution: edits of its trace.
 
 use std::{
-    collections::HashMap,
+    collections::HashSet,
     f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2, TAU},
 };
 
 use dalembert_units::Dim;
 
-use super::{Change, Mistake, Place, candidates::Tries, wrong::Wrong};
+use super::{Change, Mistake, Place, candidates::Tries, products::of_product, wrong::Wrong};
 use crate::{
     AnswerValue, Refusal, Solution, Stop,
     reevaluate::{Edit, Reevaluation},
@@ -30,7 +30,7 @@ pub(super) fn scalar(number: Number) -> f64 {
 }
 
 /// An edit of the trace, how common it is, and what it does.
-struct Slip {
+pub(super) struct Slip {
     prior: f64,
     change: Change,
     edit: Edit,
@@ -39,11 +39,11 @@ struct Slip {
 }
 
 impl Slip {
-    fn new(prior: f64, change: Change, edit: Edit) -> Self {
+    pub(super) fn new(prior: f64, change: Change, edit: Edit) -> Self {
         Self { prior, change, edit, of: None }
     }
 
-    fn of(self, id: Id) -> Self {
+    pub(super) fn of(self, id: Id) -> Self {
         Self { of: Some(id), ..self }
     }
 }
@@ -119,7 +119,8 @@ fn of_result(solution: &Solution, place: usize) -> Vec<Slip> {
         let prior = if [-3, -1, 1, 3].contains(&places) { 0.45 } else { 0.2 };
         found.push(Slip::new(prior, Change::PowerOfTen(places), times(10f64.powi(places.into()))));
     }
-    found.push(Slip::new(0.35, Change::Inverted, Edit::with_literal(solution, at, 1.0, |own, one| Op::Div(one, own))));
+    let prior = if node.dim == Dim::NONE { 0.78 } else { 0.5 };
+    found.push(Slip::new(prior, Change::Inverted, Edit::with_literal(solution, at, 1.0, |own, one| Op::Div(one, own))));
     found.push(Slip::new(0.25, Change::Squared, Edit::then(solution, at, |own| Op::Power(own, 2))));
     found.push(Slip::new(0.3, Change::Rooted, Edit::then(solution, at, |own| Op::Root(own, 2))));
     if node.dim == Dim::ANGLE {
@@ -147,21 +148,35 @@ fn of_common_errors(solution: &Solution, place: usize) -> Vec<Slip> {
 
 /// Edits of the operations of a formula.
 fn of_formula(solution: &Solution, formula: Id, found: &mut Vec<Slip>) {
-    let mut seen: HashMap<Id, ()> = HashMap::new();
-    // Each node with whether it is a term of a sum that is edited as a whole.
-    let mut open = vec![(formula, false)];
-    while let Some((id, in_sum)) = open.pop() {
-        if seen.insert(id, ()).is_some() {
+    let mut seen: HashSet<Id> = HashSet::new();
+    // Each node with the operation that it goes into: sums and products are edited as a whole.
+    let mut open = vec![(formula, Part::Alone)];
+    while let Some((id, part)) = open.pop() {
+        if !seen.insert(id) {
             continue;
         }
-        let op = &solution.trace.node(id).op;
-        let is_sum = matches!(op, Op::Add(..) | Op::Sub(..) | Op::Sum(_));
-        open.extend(solution.trace.operands(id).into_iter().map(|operand| (operand, is_sum)));
-        if is_sum && !in_sum {
-            of_sum(solution, id, found);
+        let kind = match &solution.trace.node(id).op {
+            Op::Add(..) | Op::Sub(..) | Op::Sum(_) => Part::OfSum,
+            Op::Mul(..) | Op::Div(..) => Part::OfProduct,
+            Op::Neg(_) => part,
+            _ => Part::Alone,
+        };
+        open.extend(solution.trace.operands(id).into_iter().map(|operand| (operand, kind)));
+        match kind {
+            Part::OfSum if part != Part::OfSum => of_sum(solution, id, found),
+            Part::OfProduct if part != Part::OfProduct => of_product(solution, id, found),
+            _ => {}
         }
         of_operation(solution, id, found);
     }
+}
+
+/// What a node of a formula is a part of.
+#[derive(Clone, Copy, PartialEq)]
+enum Part {
+    Alone,
+    OfSum,
+    OfProduct,
 }
 
 /// The terms of a sum, each with its sign.
@@ -188,13 +203,29 @@ fn of_sum(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
     if all.len() < 2 {
         return;
     }
+    if let [(a, 1.0), (b, 1.0)] = all[..]
+        && [a, b].iter().all(|id| is_scalar(solution, *id))
+    {
+        let first = Edit::first_new(solution);
+        let series = vec![(Op::Mul(a, b), NAN), (Op::Add(a, b), NAN), (Op::Div(first, first + 1), NAN)];
+        found.push(Slip::new(0.3, Change::SeriesForParallel, Edit { at: id, ops: series }));
+        let squares = vec![
+            (Op::Power(a, 2), NAN),
+            (Op::Power(b, 2), NAN),
+            (Op::Add(first, first + 1), NAN),
+            (Op::Root(first + 2, 2), NAN),
+        ];
+        found.push(Slip::new(0.3, Change::AddedAsVectors, Edit { at: id, ops: squares }));
+    }
     for at in 0..all.len() {
         let mut with = |prior: f64, change: Change, factor: f64| {
             let edit = sum_of(solution, id, &all, at, factor);
             found.push(Slip::new(prior, change, edit).of(all[at].0));
         };
-        with(0.9, Change::TermSign, -1.0);
-        with(0.7, Change::TermLeftOut, 0.0);
+        // A term that is a step of its own may have its sign wrong there.
+        let is_step = matches!(solution.trace.node(all[at].0).op, Op::Step(_));
+        with(if is_step { 0.5 } else { 0.9 }, Change::TermSign, -1.0);
+        with(0.82, Change::TermLeftOut, 0.0);
         with(0.3, Change::TermTwice, 2.0);
         with(0.3, Change::PowerOfTen(1), 10.0);
         with(0.3, Change::PowerOfTen(-1), 0.1);
@@ -237,8 +268,25 @@ fn sum_of(solution: &Solution, id: Id, all: &[(Id, f64)], changed: usize, factor
     }
 }
 
+/// The numbers of which a sum adds the squares.
+fn squares(solution: &Solution, sum: Id) -> Option<(Id, Id)> {
+    let mut all = Vec::new();
+    terms(solution, sum, 1.0, &mut all);
+    let base = |(id, _): &(Id, f64)| match solution.trace.node(*id).op {
+        Op::Power(base, 2) => Some(base),
+        _ => None,
+    };
+    match &all[..] {
+        [first, second] => Some((base(first)?, base(second)?)),
+        _ => None,
+    }
+}
+
+/// The number of an operation that is computed when it is read.
+pub(super) const NAN: Number = Number::Scalar(f64::NAN);
+
 /// The number of a node as it is. The first power of a number is the number; a sum of one vector is the vector.
-fn alone(id: Id) -> Op {
+pub(super) fn alone(id: Id) -> Op {
     Op::Sum(vec![id])
 }
 
@@ -256,39 +304,41 @@ fn of_operation(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
             may(0.35, Change::Exponent(*n, n + 1), Op::Power(*a, n + 1), *a);
         }
         Op::Power(a, n) if *n < -1 => may(0.7, Change::Exponent(*n, -1), Op::Power(*a, -1), *a),
-        Op::Root(a, _) => may(0.8, Change::RootLeftOut, alone(*a), *a),
+        Op::Root(a, n) => {
+            may(0.8, Change::RootLeftOut, alone(*a), *a);
+            if let (2, Some((first, second))) = (*n, squares(solution, *a)) {
+                may(0.5, Change::AddedDirectly, Op::Add(first, second), id);
+            }
+        }
+        Op::Magnitude(a) => {
+            let first = Edit::first_new(solution);
+            let component = |axis| (Op::Component(*a, axis), NAN);
+            let ops = vec![component(0), component(1), (Op::Add(first, first + 1), NAN)];
+            found.push(Slip::new(0.4, Change::AddedDirectly, Edit { at: id, ops }));
+        }
         Op::Call(function, a) => of_function(solution, id, *function, *a, found),
         Op::Neg(a) => may(0.7, Change::TermSign, alone(*a), *a),
-        Op::Mul(a, b) => {
-            of_product(solution, id, [*a, *b], found);
-            let both_scalar = [*a, *b].iter().all(|id| is_scalar(solution, *id));
-            if both_scalar {
-                found.push(Slip::new(0.3, Change::DividedForMultiplied, Edit::op(id, Op::Div(*a, *b))));
-                found.push(Slip::new(0.3, Change::DividedForMultiplied, Edit::op(id, Op::Div(*b, *a))));
-            }
-        }
-        Op::Div(a, b) => {
-            may(0.35, Change::DividedForMultiplied, Op::Mul(*b, *a), *b);
-            may(0.35, Change::FactorLeftOut, alone(*a), *b);
-            if is_scalar(solution, *a) {
-                may(0.35, Change::Inverted, Op::Div(*b, *a), id);
-            }
-        }
         Op::Atan2(y, x) => {
             may(0.5, Change::Inverted, Op::Atan2(*x, *y), id);
+            for function in [Function::Asin, Function::Acos] {
+                let first = Edit::first_new(solution);
+                let ops = vec![(Op::Div(*y, *x), NAN), (Op::Call(function, first), NAN)];
+                let change = Change::Trigonometric("arctan", crate::printer::function(function));
+                found.push(Slip::new(0.5, change, Edit { at: id, ops }));
+            }
         }
         Op::Cross(a, b) => may(0.5, Change::TermSign, Op::Cross(*b, *a), id),
         Op::Compose(parts) => {
             for axis in 0..3 {
                 let first = Edit::first_new(solution);
-                let minus = (Op::Neg(parts[axis]), Number::Scalar(f64::NAN));
+                let minus = (Op::Neg(parts[axis]), NAN);
                 let zero = (Op::Literal, Number::Scalar(0.0));
                 for (prior, change, part) in
                     [(0.5, Change::TermSign, minus), (0.4, Change::TermLeftOut, zero)]
                 {
                     let mut others = *parts;
                     others[axis] = first;
-                    let whole = (Op::Compose(others), Number::Scalar(f64::NAN));
+                    let whole = (Op::Compose(others), NAN);
                     found.push(Slip::new(prior, change, Edit { at: id, ops: vec![part, whole] }).of(parts[axis]));
                 }
             }
@@ -297,31 +347,8 @@ fn of_operation(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
     }
 }
 
-fn is_scalar(solution: &Solution, id: Id) -> bool {
+pub(super) fn is_scalar(solution: &Solution, id: Id) -> bool {
     matches!(solution.trace.node(id).number, Number::Scalar(_))
-}
-
-/// A factor of a product missing, or taken twice.
-fn of_product(solution: &Solution, id: Id, factors: [Id; 2], found: &mut Vec<Slip>) {
-    let number = |id: Id| solution.trace.node(id).number;
-    let is_literal = |id: Id| solution.trace.node(id).op == Op::Literal;
-    for [factor, other] in [factors, [factors[1], factors[0]]] {
-        // A vector without its factor, or the other way round, is another kind of number.
-        if matches!((number(factor), number(other)), (Number::Vector(_), _)) {
-            continue;
-        }
-        let prior = if is_literal(factor) { 0.75 } else { 0.45 };
-        if number(factor) != Number::Scalar(-1.0) {
-            found.push(Slip::new(prior, Change::FactorLeftOut, Edit::op(id, alone(other))).of(factor));
-            let twice = Edit::with_literal(solution, id, 1.0, move |own, _| Op::Mul(own, factor));
-            found.push(Slip::new(0.3, Change::FactorTwice, twice).of(factor));
-        } else {
-            found.push(Slip::new(0.7, Change::TermSign, Edit::op(id, alone(other))));
-        }
-        if is_literal(factor) && is_scalar(solution, other) {
-            found.push(Slip::new(0.5, Change::FactorTwice, Edit::op(id, Op::Div(other, factor))).of(factor));
-        }
-    }
 }
 
 /// Another function, or an argument in degrees.
@@ -359,8 +386,8 @@ fn of_function(
         let mut in_degrees = |factor: f64| {
             let ops = vec![
                 (Op::Literal, Number::Scalar(factor)),
-                (Op::Mul(first, argument), Number::Scalar(f64::NAN)),
-                (Op::Call(function, first + 1), Number::Scalar(f64::NAN)),
+                (Op::Mul(first, argument), NAN),
+                (Op::Call(function, first + 1), NAN),
             ];
             found.push(Slip::new(0.6, Change::Degrees, Edit { at: id, ops }));
         };
@@ -368,8 +395,8 @@ fn of_function(
         for (prior, factor) in [(0.3, 2.0), (0.3, 0.5)] {
             let ops = vec![
                 (Op::Literal, Number::Scalar(factor)),
-                (Op::Mul(first, argument), Number::Scalar(f64::NAN)),
-                (Op::Call(function, first + 1), Number::Scalar(f64::NAN)),
+                (Op::Mul(first, argument), NAN),
+                (Op::Call(function, first + 1), NAN),
             ];
             found.push(Slip::new(prior, Change::Times(factor, "2"), Edit { at: id, ops }));
         }

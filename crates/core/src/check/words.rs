@@ -11,6 +11,8 @@ use crate::{
 
 /// Longer parts of formulas are not written out.
 const LONGEST_PART: usize = 24;
+/// Longer reasons of steps are not repeated.
+const LONGEST_REASON: usize = 60;
 
 /// Description of a mistake, without a number of the right solution.
 pub(super) fn mistake(mistake: &Mistake, solution: &Solution) -> Text {
@@ -47,9 +49,16 @@ pub(super) fn mistake(mistake: &Mistake, solution: &Solution) -> Text {
         (Place::Input(_, input), change) => {
             Text::new("{input}: {change}").with_text("input", input.clone()).with_text("change", of_input(change))
         }
-        (Place::Step(_, symbol), change) => Text::new("computing {symbol}: {change}")
-            .with("symbol", printer::symbol(symbol))
-            .with_text("change", of_step(change, part(mistake, solution).as_deref())),
+        (Place::Step(at, symbol), change) => {
+            let why = solution.steps.get(*at).map(|step| step.why.clone());
+            let short = why.filter(|why| !why.is_empty() && why.english().chars().count() <= LONGEST_REASON);
+            let text = match short {
+                Some(why) => Text::new("computing {symbol} ({why}): {change}").with_text("why", why),
+                None => Text::new("computing {symbol}: {change}"),
+            };
+            text.with("symbol", printer::symbol(symbol))
+                .with_text("change", of_step(change, part(mistake, solution).as_deref()))
+        }
         (Place::Problem, change) => of_step(change, None),
     }
 }
@@ -94,13 +103,21 @@ fn of_step(change: &Change, part: Option<&str>) -> Text {
     };
     match change {
         Change::Common(what) => what.clone(),
+        Change::Weight => Text::new("mass and weight confused"),
         Change::TermSign => about("sign error in the term {part}", "sign error in a term"),
         Change::TermLeftOut => about("the term {part} omitted", "a term omitted"),
         Change::TermTwice => about("the term {part} taken twice", "a term taken twice"),
         Change::FactorLeftOut => about("the factor {part} omitted", "a factor omitted"),
-        Change::FactorTwice => {
-            about("the factor {part} used twice, or as a divisor", "a factor used twice, or as a divisor")
+        Change::FactorSquared => about("the factor {part} taken twice", "a factor taken twice"),
+        Change::FactorInverted => {
+            about("the factor {part} on the wrong side of the fraction", "a factor on the wrong side of the fraction")
         }
+        Change::Coefficient(right, taken) => Text::new("coefficient {taken} in place of {right}")
+            .with("taken", fraction(*taken))
+            .with("right", fraction(*right)),
+        Change::AddedDirectly => Text::new("components added as numbers, not as vectors"),
+        Change::AddedAsVectors => Text::new("root of the sum of the squares in place of the sum"),
+        Change::SeriesForParallel => Text::new("series and parallel connection confused"),
         Change::Exponent(right, 1) if *right > 1 => Text::new("an exponent omitted"),
         Change::Exponent(right, taken) => Text::new("exponent {taken} in place of {right}")
             .with("taken", taken)
@@ -113,6 +130,18 @@ fn of_step(change: &Change, part: Option<&str>) -> Text {
         Change::Degrees => Text::new("an angle in degrees used as radians, or the other way round"),
         Change::Rounded(digits) => Text::new("rounded to {digits} significant digits").with("digits", digits),
         other => common(other),
+    }
+}
+
+/// A coefficient as a formula has it: `1/12`.
+fn fraction(number: f64) -> String {
+    let (sign, size) = (if number < 0.0 { "−" } else { "" }, number.abs());
+    let whole = |x: f64| (x - x.round()).abs() < 1e-9 * x;
+    let fits = |under: &f64| whole(size * under);
+    match [1.0, 2.0, 3.0, 5.0, 10.0].into_iter().chain((4..=200).map(f64::from)).find(fits) {
+        Some(1.0) => format!("{sign}{}", size.round()),
+        Some(under) => format!("{sign}{}/{under}", (size * under).round()),
+        None => format!("{number:.4}"),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use dalembert_units::Unit;
 
-use super::{Verdict, compare, difference, half_a_place, read};
+use super::{Verdict, ambiguous_zeros, compare, difference, half_a_place, read};
 use crate::{Answer, Solution};
 
 /// Share of the numbers that a person may have come to by accident which lie within [`NEAR`] of ours.
@@ -11,6 +11,15 @@ const SHARE_NEAR: f64 = 0.5;
 const NEAR: f64 = 0.2;
 /// The others are spread evenly over the logarithm, within this factor of ours either way.
 const FACTOR: f64 = 10.0;
+
+/// Digits of a whole number that ends in zeros, such as 45 000.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Digits {
+    /// Every zero is a digit.
+    AsWritten,
+    /// The zeros at the end may only say how large it is.
+    Sure,
+}
 
 /// A wrong answer.
 pub(super) struct Wrong<'s> {
@@ -27,13 +36,16 @@ pub(super) struct Wrong<'s> {
 
 impl<'s> Wrong<'s> {
     /// An answer that differs from ours in the digits that were given.
-    pub(super) fn of(solution: &'s Solution, name: &'s str, text: &str) -> Option<Self> {
+    pub(super) fn of(solution: &'s Solution, name: &'s str, text: &str, digits: Digits) -> Option<Self> {
         let answer = solution.answer(name)?;
         let is_wrong = matches!(compare(answer, text), Verdict::Wrong | Verdict::RoundedEarly(_));
         if text.trim().is_empty() || !is_wrong {
             return None;
         }
-        let typed = read(answer, text).ok()?;
+        let mut typed = read(answer, text).ok()?;
+        if digits == Digits::AsWritten {
+            typed.last_place /= ambiguous_zeros(text);
+        }
         // What agrees with everything says nothing.
         let within = half_a_place(&typed).min(super::TOLERANCE * typed.si.abs());
         Some(Self { name, answer, computed: answer.si()?, answered: typed.si, unit: typed.unit, within })
