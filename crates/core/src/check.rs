@@ -4,6 +4,7 @@
 //! make and says which of them gives exactly what was answered.
 
 mod candidates;
+mod common;
 mod search;
 mod wrong;
 
@@ -11,7 +12,7 @@ use std::f64::consts::TAU;
 
 use dalembert_units::{self as units, Dim, Kind, Quantity};
 
-pub use self::search::slips;
+pub use self::{common::common_errors, search::slips};
 use crate::{Answer, AnswerValue, Arg, Solution, Symbol, Text, cases, printer, reading};
 
 /// Answers that are farther off than this share of ours are not right, however few their digits.
