@@ -3,6 +3,7 @@
 pub(crate) mod completions;
 pub(crate) mod field;
 pub(crate) mod find;
+pub(crate) mod grade;
 pub(crate) mod info;
 pub(crate) mod list;
 pub(crate) mod man;
@@ -16,5 +17,6 @@ pub(crate) mod show;
 pub(crate) mod solve;
 pub(crate) mod study;
 pub(crate) mod tour;
+pub(crate) mod variants;
 pub(crate) mod verify;
 pub(crate) mod workbench;

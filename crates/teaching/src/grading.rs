@@ -76,6 +76,18 @@ impl Outcome {
     pub const WITH_CREDIT: [Self; 5] =
         [Self::Right, Self::RoundedEarly, Self::FewDigits, Self::CarriedForward, Self::SignOrUnit];
 
+    /// Every outcome.
+    pub const ALL: [Self; 8] = [
+        Self::Right,
+        Self::RoundedEarly,
+        Self::FewDigits,
+        Self::CarriedForward,
+        Self::SignOrUnit,
+        Self::Wrong,
+        Self::Unread,
+        Self::NotAnswered,
+    ];
+
     /// Key in files.
     pub const fn key(self) -> &'static str {
         match self {
