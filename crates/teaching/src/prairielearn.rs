@@ -86,7 +86,9 @@ fn variant(exercise: &Exercise, variant: &Variant, tolerance: f64, locale: &Loca
 
 /// Name of an answer as PrairieLearn takes it.
 fn key(name: &str) -> String {
-    identifier(name).replace('-', "_")
+    let is_plain = name.starts_with(|c: char| c.is_ascii_alphabetic())
+        && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    if is_plain { name.to_owned() } else { identifier(name).replace('-', "_") }
 }
 
 /// Program of the question. JSON of numbers, texts, lists and objects is Python as well.

@@ -1,6 +1,6 @@
 //! Sheets for a class and keys for its teacher, as documents and as CSV.
 
-use dalembert_core::{Answer, Exhibit, Locale, Text};
+use dalembert_core::{Answer, Exhibit, Locale, Text, Value};
 use dalembert_report::{
     Block, Document, DocumentTable, NamedValue, WorkedProblem, document,
     figure::{figure, picture::Picture},
@@ -144,12 +144,15 @@ pub(crate) fn question(exercise: &Exercise, variant: &Variant, locale: &Locale) 
         blocks.push(Block::Paragraph(say(exercise.entry.about.summary)));
         blocks.push(Block::Heading(say("Given data")));
         let all = inputs(&variant.draft, &variant.record, None, locale);
-        let lines = all.iter().filter(|input| !input.is_common).map(|input| NamedValue {
-            depth: input.depth,
-            symbol: input.symbol.clone(),
-            label: input.label.clone(),
-            value: input.shown.clone(),
-        });
+        let lines =
+            all.iter().filter(|input| !input.is_common && input.value != Some(&Value::Absent)).map(|input| {
+                NamedValue {
+                    depth: input.depth,
+                    symbol: input.symbol.clone(),
+                    label: input.label.clone(),
+                    value: input.shown.clone(),
+                }
+            });
         blocks.push(Block::Lines(lines.collect()));
     } else if let Some(own) = rewritten(&statement, &variant.data, locale) {
         blocks.push(Block::Paragraph(own));
