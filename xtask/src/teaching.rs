@@ -104,7 +104,7 @@ pub fn platforms(root: &Path) -> Result<()> {
     report("PrairieLearn", prairielearn(&place, &write("prairielearn")?))
 }
 
-/// What came of a platform: its sentence, or why it was not run.
+/// Outcome of a platform: its sentence, or why it was not run.
 type Outcome = Result<std::result::Result<String, String>>;
 
 fn report(name: &str, outcome: Outcome) -> Result<()> {

@@ -1,8 +1,8 @@
-//! What the files for learning platforms have in common.
+//! Common parts of the files for learning platforms.
 
 use dalembert_core::{Answer, Locale};
 
-use crate::{Exercise, Variant, sheets};
+use crate::{Exercise, Variant, decimal::rounded, sheets};
 
 /// A file for a learning platform: its path within the folder that is written, and its text.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -66,16 +66,6 @@ pub(crate) fn svg(variant: &Variant, locale: &Locale) -> Option<String> {
     Some(sheets::drawing(variant, locale)?.svg())
 }
 
-/// A number with six significant digits.
-pub(crate) fn rounded(number: f64) -> f64 {
-    format!("{number:.5e}").parse().unwrap_or(f64::NAN)
-}
-
-/// A number with a decimal point and at most six significant digits, without a power of ten.
-pub(crate) fn number(number: f64) -> String {
-    rounded(number).to_string()
-}
-
 /// Words as text of XML or HTML.
 pub(crate) fn escaped(words: &str) -> String {
     let mut text = String::with_capacity(words.len());
@@ -101,7 +91,7 @@ pub(crate) fn identifier(name: &str) -> String {
         name.chars().map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' }).collect();
     let words: Vec<&str> = plain.split('-').filter(|word| !word.is_empty()).collect();
     let joined = words.join("-");
-    // What two names share is told apart by what they do not: the hash of the whole.
+    // Names that share their letters have different hashes.
     let tail = if joined == name { String::new() } else { format!("-{:08x}", crate::seed_of(name) as u32) };
     if joined.starts_with(|c: char| c.is_ascii_alphabetic()) {
         joined + &tail
@@ -119,14 +109,6 @@ pub fn file_label(label: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn numbers_are_written_without_a_power_of_ten() {
-        assert_eq!(number(19.456_371_2), "19.4564");
-        assert_eq!(number(-1.3e-7), "-0.00000013");
-        assert_eq!(number(451_389.2), "451389");
-        assert_eq!(number(0.0), "0");
-    }
 
     #[test]
     fn identifiers_are_plain_and_apart() {

@@ -33,7 +33,7 @@ pub enum Outcome {
     FewDigits,
     /// It follows from wrong answers before it.
     CarriedForward,
-    /// Its sign or its unit is wrong, and nothing else.
+    /// Wrong by the sign or the unit alone.
     SignOrUnit,
     /// Wrong.
     Wrong,
@@ -105,7 +105,7 @@ impl Outcome {
     /// Name in words.
     pub const fn label(self) -> &'static str {
         match self {
-            Self::Right => "right",
+            Self::Right => "correct",
             Self::RoundedEarly => "rounded early",
             Self::FewDigits => "too few digits",
             Self::CarriedForward => "error carried forward",
@@ -335,7 +335,7 @@ fn interval_outcome(answer: &Answer, middle: &str, width: &str, tolerance: f64) 
     let most = WIDEST_INTERVAL * tolerance;
     if holds && half > most * centre.abs() {
         let why = Text::new("the interval is wider than ± {most}");
-        return (Outcome::FewDigits, why.with_quantity("most", most, "%"));
+        return (Outcome::Wrong, why.with_quantity("most", most, "%"));
     }
     if holds {
         return (Outcome::Right, Text::from(""));

@@ -6,6 +6,7 @@
 //! answers of a class with them.
 
 mod base64;
+mod decimal;
 mod exercise;
 mod export;
 pub mod grading;

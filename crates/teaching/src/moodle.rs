@@ -8,7 +8,8 @@ use dalembert_report::{Block, Document, html_fragment};
 
 use crate::{
     Exercise, ExportFile, Variant, base64,
-    export::{Blank, blanks, escaped, number, svg},
+    decimal::number,
+    export::{Blank, blanks, escaped, svg},
     sheets::{question, title, worked_key},
 };
 
@@ -70,7 +71,7 @@ fn cloze(exercise: &Exercise, variant: &Variant, tolerance: f64, locale: &Locale
 
 /// A blank as Cloze writes it.
 fn field(blank: &Blank, locale: &Locale) -> String {
-    let right = Text::from("Correct.").render(locale);
+    let right = Text::from("Correct").render(locale);
     let mut text =
         format!("{{1:NUMERICAL:={}:{}#{}", number(blank.value), number(blank.within), feedback(&right));
     for (value, why) in &blank.errors {
@@ -122,7 +123,7 @@ mod tests {
         };
         assert_eq!(
             field(&blank, &Locale::english()),
-            "{1:NUMERICAL:=19.456:0.09728#Correct.~%0%-19.456:0.09728#sign error~%0%38.912:0.19456#a &#126; \
+            "{1:NUMERICAL:=19.456:0.09728#Correct~%0%-19.456:0.09728#sign error~%0%38.912:0.19456#a &#126; \
              &#123;b&#125; &#92; #c}"
         );
     }

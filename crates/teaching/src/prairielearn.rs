@@ -55,7 +55,7 @@ fn page(exercise: &Exercise, first: Option<&Variant>, tolerance: f64, locale: &L
     text
 }
 
-/// What the server needs of a variant.
+/// Data of a variant for the server.
 fn variant(exercise: &Exercise, variant: &Variant, tolerance: f64, locale: &Locale) -> Json {
     let blocks: Vec<Block> = question(exercise, variant, locale)
         .into_iter()

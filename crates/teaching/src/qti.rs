@@ -8,7 +8,8 @@ use dalembert_report::Block;
 
 use crate::{
     Exercise, ExportFile, Variant,
-    export::{Blank, blanks, escaped, identifier, number, svg},
+    decimal::number,
+    export::{Blank, blanks, escaped, identifier, svg},
     sheets::{question, title},
 };
 
@@ -154,7 +155,7 @@ fn condition(n: usize, blank: &Blank) -> String {
 
 /// Sentences that are shown for a response.
 fn sentences(n: usize, blank: &Blank, locale: &Locale) -> String {
-    let right = Text::from("Correct.").render(locale);
+    let right = Text::from("Correct").render(locale);
     let all = std::iter::once(&right).chain(blank.errors.iter().map(|(_, why)| why));
     all.enumerate()
         .map(|(at, words)| {

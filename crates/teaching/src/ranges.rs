@@ -110,10 +110,10 @@ pub fn ranges(exercise: &Exercise) -> Result<Vec<Range>, Vec<FieldError>> {
 
 fn unknown(path: &str, inputs: &[VariedInput]) -> Text {
     match nearest(path, inputs.iter().map(|input| input.path.as_str())) {
-        Some(near) => Text::new("there is no number `{path}` among the inputs; did you mean `{near}`?")
+        Some(near) => Text::new("no input `{path}` is a number; did you mean `{near}`?")
             .with("path", path)
             .with("near", near),
-        None => Text::new("there is no number `{path}` among the inputs; write one of {known}")
+        None => Text::new("no input `{path}` is a number; write one of {known}")
             .with("path", path)
             .with("known", inputs.iter().map(|input| input.path.clone()).collect::<Vec<_>>().join(", ")),
     }

@@ -8,7 +8,7 @@ use dalembert_report::{
 };
 use dalembert_units as units;
 
-use crate::{Exercise, Variant, export::number, rewritten};
+use crate::{Exercise, Variant, decimal::number, rewritten};
 
 /// Statement sheet of a variant: the statement with its data, the drawing, and what is asked for.
 pub fn sheet(exercise: &Exercise, variant: &Variant, locale: &Locale) -> Document {
@@ -117,7 +117,7 @@ pub(crate) fn answers(variant: &Variant) -> impl Iterator<Item = &Answer> {
     variant.asked.iter().filter_map(|name| variant.solution.answer(name))
 }
 
-/// What is asked for: the label of an answer, and the unit that it is graded in.
+/// Line of an answer that is asked for: its label, and the unit that it is graded in.
 pub(crate) fn asked_for(answer: &Answer, locale: &Locale) -> String {
     match answer.unit.shown(locale.style.ascii) {
         unit if unit.is_empty() => answer.label(locale),

@@ -31,7 +31,7 @@ const SAME: f64 = 1e-9;
 /// An exercise with other data.
 #[derive(Clone, Debug)]
 pub struct Variant {
-    /// Its number, or the id of its student.
+    /// Number of the variant, or id of its student.
     pub label: String,
     /// Data that differ from variant to variant.
     pub data: Vec<Datum>,

@@ -58,7 +58,7 @@ pub fn document_of(
     let class = statistics
         .iter()
         .map(|of| vec![of.answer.clone(), of.students.to_string(), percent(of.right), number(of.credit)]);
-    let headings = ["Answer", "Students", "Right", "Mean credit"].map(say).to_vec();
+    let headings = ["Answer", "Students", "Share right", "Mean credit"].map(say).to_vec();
     blocks.push(table(headings, &[false, true, true, true], class.collect()));
     for of in statistics.iter().filter(|of| !of.causes.is_empty()) {
         let heading = Text::new("Most common errors: {answer}").with("answer", &of.answer);
