@@ -77,7 +77,7 @@ pub(crate) fn escaped(words: &str) -> String {
             '"' => text.push_str("&quot;"),
             '\n' | '\r' | '\t' => text.push(' '),
             _ if character.is_control() || matches!(character, '\u{FFFE}' | '\u{FFFF}') => {
-                text.push('\u{FFFD}')
+                text.push('\u{FFFD}');
             }
             _ => text.push(character),
         }

@@ -30,7 +30,8 @@ pub fn package(
         let id = format!("item-{}", identifier(&variant.label));
         let item = format!("items/{id}.xml");
         let figure = svg(variant, locale).map(|text| ExportFile { path: format!("items/{id}.svg"), text });
-        let picture = figure.iter().map(|file| format!("<file href=\"{}\"/>", file.path)).collect::<String>();
+        let picture =
+            figure.as_ref().map_or_else(String::new, |file| format!("<file href=\"{}\"/>", file.path));
         resources += &format!(
             "<resource identifier=\"{id}\" type=\"imsqti_item_xmlv2p1\" href=\"{item}\"><file href=\"{item}\"/>{picture}\
              </resource>\n"
@@ -166,5 +167,6 @@ fn sentences(n: usize, blank: &Blank, locale: &Locale) -> String {
                 escaped(words)
             )
         })
-        .collect()
+        .collect::<Vec<_>>()
+        .concat()
 }

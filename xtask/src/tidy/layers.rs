@@ -21,7 +21,16 @@ const BELOW: [(&str, &[&str]); 16] = [
     (
         "tests",
         &[
-            "", "core", "mechanics", "numerics", "plugins", "report", "study", "teaching", "testkit", "tui",
+            "",
+            "core",
+            "mechanics",
+            "numerics",
+            "plugins",
+            "report",
+            "study",
+            "teaching",
+            "testkit",
+            "tui",
             "units",
         ],
     ),

@@ -155,7 +155,7 @@ fn points(graded: &[GradedAnswer]) -> Vec<(&str, f64, usize)> {
     let mut places: BTreeMap<&str, usize> = BTreeMap::new();
     let mut found: Vec<(&str, f64, usize)> = Vec::new();
     // A name that is no answer is worth nothing, and a second value counts once.
-    for one in graded.iter() {
+    for one in graded {
         let place = *places.entry(&one.student).or_insert_with(|| {
             found.push((&one.student, 0.0, 0));
             found.len() - 1
