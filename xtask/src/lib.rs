@@ -15,6 +15,7 @@ pub mod parquet;
 pub mod pictures;
 pub mod python;
 pub mod soak;
+pub mod teaching;
 pub mod tidy;
 pub mod verify;
 pub mod words;

@@ -690,3 +690,7 @@ mean = média
 n-2-5 = 2,5 %
 n-97-5 = 97,5 %
 this-answer-is-not-a-scalar = esta resposta não é um escalar
+write-the-statement-as-a-text-in-quotes = escreva o enunciado como um texto entre aspas
+asked-needs-a-statement = `asked` precisa de um `statement`
+write-the-answers-that-the-statement-asks-for-as-in-asked-amplitude = escreva as respostas que o enunciado pede como em `asked = ["amplitude"]`
+write-the-range-of-path-as-in-mass-30-kg-60-kg-5-kg = escreva a faixa de { $path } como em `mass = "30 kg .. 60 kg : 5 kg"`

@@ -6,6 +6,7 @@
 //! where a number without a cause would meet one of the candidates that are as likely in more than 2 % of all cases.
 
 mod candidates;
+mod common;
 mod inputs;
 mod mistake;
 mod problem;
@@ -20,6 +21,7 @@ use std::f64::consts::TAU;
 use dalembert_units::{self as units, Dim, Kind, Quantity};
 
 pub use self::{
+    common::common_errors,
     mistake::{Cause, Change, Mistake, Place},
     search::causes,
 };

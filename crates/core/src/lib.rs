@@ -41,6 +41,7 @@ mod sheet;
 pub mod sketch;
 mod solution;
 mod source;
+mod statement;
 pub mod study;
 pub mod suggestions;
 pub mod table;
@@ -85,6 +86,7 @@ pub use crate::{
         Answer, AnswerValue, Check, CommonError, Display, Name, ProblemSteps, Sides, Solution, Step, problem_heading,
     },
     source::{Cite, Source},
+    statement::Statement,
     text::{Arg, Language, Locale, Messages, Text},
     trace::{Number, Symbol, Trace},
     unit_system::{ShownUnits, UnitSetting},

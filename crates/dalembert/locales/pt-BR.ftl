@@ -236,3 +236,27 @@ there-is-no-answer-name-write-one-of-known = não há a resposta `{ $name }`; es
 print-the-working-of-this-answer-alone-the-steps-that-lead-to-it-of-one-of-several-by-its-row = Imprime só o desenvolvimento desta resposta: os passos que levam a ela; de uma entre várias, pela linha: 'frequency[2]'
 balance-a-rotor-in-the-field-step-by-step = Balancear um rotor em campo, passo a passo
 job-file-an-existing-job-is-continued-a-new-one-is-begun-under-this-name = Arquivo do trabalho: um existente é continuado, um novo começa com este nome
+## Variants and grading
+write-variants-of-an-exercise-with-other-data-their-keys-and-files-for-learning-platforms = Gravar variantes de um exercício com outros dados, seus gabaritos e arquivos para plataformas de ensino
+grade-the-answers-of-a-class = Avaliar as respostas de uma turma
+vary-this-published-case-counted-from-1-default-case-1 = Variar este caso publicado, contado a partir de 1; padrão: caso 1
+seed-of-the-data-the-same-seed-gives-the-same-variants = Semente dos dados: a mesma semente dá as mesmas variantes
+number-of-variants = Número de variantes
+one-variant-for-the-student-of-this-id-which-is-the-seed = Uma variante para o estudante desta identificação, que é a semente
+tolerance-of-the-answers-a-share-of-their-values = Tolerância das respostas: uma fração de seus valores
+output-format = Formato da saída
+write-to-this-folder-a-sheet-and-a-worked-key-for-each-variant-the-key-and-its-csv-or-the-files-of-a = Gravar nesta pasta: um enunciado e um gabarito resolvido para cada variante, o gabarito e seu CSV, ou os arquivos de uma plataforma de ensino
+overwrite-existing-files = Sobrescrever arquivos existentes
+answers-in-csv-columns-of-students-answer-and-value-reads-the-standard-input = Respostas em CSV: colunas de estudantes, answer e value; - lê a entrada padrão
+the-id-of-an-analysis-or-a-problem-file = A identificação de uma análise, ou um arquivo de problema
+grade-answers-to-this-published-case-counted-from-1-default-case-1 = Avaliar respostas a este caso publicado, contado a partir de 1; padrão: caso 1
+column-of-ids-whose-students-have-variants-of-their-own-as-written-by-dalembert-variants-student = Coluna de identificações cujos estudantes têm variantes próprias, como gravadas por `dalembert variants --student`
+credit-of-outcomes-in-place-of-right-1-rounded-early-0-9-few-digits-0-5-carried-forward-0-8-sign-or = Crédito dos resultados no lugar de right=1, rounded-early=0.9, few-digits=0.5, carried-forward=0.8, sign-or-unit=0.5
+the-longest-search-for-the-causes-of-the-wrong-answers-of-one-student-in-seconds = A busca mais longa das causas das respostas erradas de um estudante, em segundos
+variants-variants-files-files-in-folder = { $variants } variantes, { $files } arquivos em { $folder }
+tolerance-text-write-a-share-from-above-0-to-20-as-in-tolerance-0-5 = --tolerance { $text }: escreva uma fração acima de 0 e até 20 %, como em --tolerance '0.5 %'
+student-student-why = estudante { $student }: { $why }
+this-format-is-a-folder-of-files-name-the-folder-with-out = este formato é uma pasta de arquivos; indique a pasta com --out
+folder-cannot-be-made-why = { $folder } não pode ser criada: { $why }
+weights-why = --weights { $why }
+file-why = { $file }: { $why }

@@ -24,7 +24,7 @@ use dalembert_core::{Locale, Text};
 use dalembert_tui::settings::{self, Settings};
 
 use crate::{
-    arguments::{Arguments, Command, Format},
+    arguments::{Arguments, Command, Format, GradeFormat},
     console::{Console, print_json},
     failure::Failure,
 };
@@ -84,6 +84,7 @@ fn prints_json(command: &Command) -> bool {
         Command::Show(show) => show.json,
         Command::Study(study) => study.json,
         Command::Verify(verify) => verify.json,
+        Command::Grade(grade) => grade.format == GradeFormat::Json,
         _ => false,
     }
 }
@@ -123,6 +124,8 @@ fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, F
         Some(Command::Optimise(optimise)) => commands::optimise::run(optimise, console),
         Some(Command::Study(study)) => commands::study::run(study, console),
         Some(Command::Verify(verify)) => commands::verify::run(verify, console),
+        Some(Command::Variants(variants)) => commands::variants::run(variants, console),
+        Some(Command::Grade(grade)) => commands::grade::run(grade, console),
         Some(Command::Schema(schema)) => commands::schema::run(schema, console),
         Some(Command::Serve(_)) => commands::serve::run(console),
         Some(Command::Field(field)) => commands::field::run(field, arguments, set, console),

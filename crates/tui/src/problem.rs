@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use dalembert_core::{
     Axis, Draft, Entry, Exhibit, FieldError, LinkedProblem, Plot, ProblemSteps, Record, Solution, SolveError,
-    TableExhibit, Text, UnitSetting,
+    Statement, TableExhibit, Text, UnitSetting,
     cases::Case,
     draft,
     file::{self, LinkedFile},
@@ -260,6 +260,8 @@ impl Problem {
         file::ProblemFile {
             entry: self.entry(),
             title,
+            // It stands in the text that is written over.
+            statement: Statement::default(),
             draft: draft.clone(),
             units: self.document.units,
             show: self.document.show.clone(),

@@ -10,6 +10,7 @@ mod parquet;
 mod replay;
 mod study;
 mod study_plans;
+mod teaching;
 mod workbench;
 mod workflows;
 

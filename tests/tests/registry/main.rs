@@ -25,6 +25,7 @@ mod reports;
 mod studies;
 mod suggestions;
 mod symbols;
+mod teaching;
 mod tidy;
 mod unit_systems;
 mod unknowns;
