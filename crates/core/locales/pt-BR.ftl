@@ -690,3 +690,9 @@ mean = média
 n-2-5 = 2,5 %
 n-97-5 = 97,5 %
 this-answer-is-not-a-scalar = esta resposta não é um escalar
+
+# Hints on an answer.
+principle = Princípio
+formulas = Fórmulas
+numbers = Números
+given-path = dado: { $path }

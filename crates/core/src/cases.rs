@@ -176,7 +176,7 @@ fn exam_case(root: &toml_edit::Table) -> Result<Case, String> {
     }
     let (source, statement) = (Text::new(text("source")?), Text::new(text("statement")?));
     let asked = expect.iter().map(|expected| expected.answer.clone()).collect();
-    let (former, seen, refused, note) = (None, None, None, statement.clone());
+    let (former, seen, refused, note) = (None, None, None, Text::from(""));
     Ok(Case { name, former, source, truth, seen, note, statement, asked, draft, expect, refused })
 }
 

@@ -23,6 +23,7 @@ mod field;
 pub mod file;
 mod formula;
 pub mod gravity;
+pub mod hints;
 mod input;
 mod intern;
 mod kept;

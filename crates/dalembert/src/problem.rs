@@ -35,6 +35,8 @@ pub(crate) struct LoadedProblem {
     pub(crate) name: Text,
     /// Publication of the case.
     pub(crate) source: Text,
+    /// Statement of the exercise that the case is.
+    pub(crate) statement: Text,
     /// Remarks.
     pub(crate) note: Text,
     /// Notes on the reading of the inputs where the inputs do not show it.
@@ -56,6 +58,7 @@ impl LoadedProblem {
             entry: self.entry,
             case: &self.name,
             source: &self.source,
+            statement: &self.statement,
             note: &self.note,
             notes: &self.notes,
             draft: &self.draft,
@@ -206,6 +209,7 @@ fn of_analysis(
             entry,
             name: published.as_ref().map_or_else(none, Case::title),
             source: published.as_ref().map_or_else(none, |case| case.source.clone()),
+            statement: published.as_ref().map_or_else(none, |case| case.statement.clone()),
             note: published.map_or_else(none, |case| case.note),
             notes: reported(notes, "warning: {words}", console),
             draft,
@@ -310,6 +314,7 @@ pub(crate) fn of_file(
             entry: problem.entry,
             name: Text::verbatim(problem.title),
             source: Text::from(""),
+            statement: Text::from(""),
             note: Text::from(""),
             notes: {
                 let bare = bare.iter().map(|err| named(err, &draft, &shape)).collect();
