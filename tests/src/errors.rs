@@ -113,7 +113,8 @@ fn problem(table: &Table) -> Option<CorpusProblem> {
     let text = |key: &str| table.get(key).and_then(Item::as_str).map(str::to_owned);
     let case = table.get("case").and_then(Item::as_integer).unwrap_or(1);
     let inputs = table.get("inputs").and_then(Item::as_table_like)?;
-    let inputs = inputs.iter().filter_map(|(symbol, path)| Some((symbol.to_owned(), path.as_str()?.to_owned())));
+    let inputs =
+        inputs.iter().filter_map(|(symbol, path)| Some((symbol.to_owned(), path.as_str()?.to_owned())));
     let lines = table.get("lines").and_then(Item::as_array)?.iter().filter_map(|line| split(line.as_str()?));
     let errors = table.get("error").and_then(Item::as_array_of_tables)?.iter().map(error);
     Some(CorpusProblem {
@@ -136,7 +137,9 @@ fn error(table: &Table) -> Option<CorpusError> {
         let edit = edit.as_inline_table()?;
         let text = |key: &str| edit.get(key).and_then(Value::as_str).map(str::to_owned);
         let what = match (text("write"), text("input"), text("result")) {
-            (Some(line), None, None) => split(&line).map(|(symbol, formula)| EditKind::Line(symbol, formula))?,
+            (Some(line), None, None) => {
+                split(&line).map(|(symbol, formula)| EditKind::Line(symbol, formula))?
+            }
             (None, Some(symbol), None) => EditKind::Input(symbol, text("value")?),
             (None, None, Some(formula)) => EditKind::Result(formula),
             _ => return None,
@@ -182,7 +185,8 @@ impl<'p> Solved<'p> {
         }
         let solution = entry.solve(&record, &Stop::new()).ok()?;
         let numbers = vary::inputs(&record);
-        let si = |path: &str| numbers.iter().find(|input| input.path == path).map_or(f64::NAN, |input| input.si);
+        let si =
+            |path: &str| numbers.iter().find(|input| input.path == path).map_or(f64::NAN, |input| input.si);
         let inputs = problem.inputs.iter().map(|(symbol, path)| (symbol.clone(), si(path))).collect();
         let solved = Self { problem, entry, record, solution, inputs };
         let right = solved.value(&[]).unwrap_or_else(|why| panic!("{id}: {why}"));
@@ -322,7 +326,10 @@ impl<'p> Solved<'p> {
             }
             Place::Step(step, symbol) => {
                 let here = format!("step:{}", printer::symbol(symbol));
-                at == here || is_about || (at == "answer" && self.is_last_step(&here)) || self.is_term_of(*step, at)
+                at == here
+                    || is_about
+                    || (at == "answer" && self.is_last_step(&here))
+                    || self.is_term_of(*step, at)
             }
         }
     }
@@ -330,7 +337,9 @@ impl<'p> Solved<'p> {
     /// True if a step holds the answer.
     fn is_last_step(&self, at: &str) -> bool {
         let answer = self.solution.answer(&self.problem.answer.0);
-        let Some(dalembert_core::AnswerValue::Number(_, id)) = answer.map(|answer| &answer.value) else { return false };
+        let Some(dalembert_core::AnswerValue::Number(_, id)) = answer.map(|answer| &answer.value) else {
+            return false;
+        };
         let last = self.solution.steps.iter().find(|step| step.result == *id);
         last.is_some_and(|step| at == format!("step:{}", printer::symbol(&step.symbol)))
     }
@@ -347,7 +356,8 @@ impl<'p> Solved<'p> {
     }
 
     fn steps_at(&self, at: &str) -> Vec<usize> {
-        let is_it = |step: &usize| at == format!("step:{}", printer::symbol(&self.solution.steps[*step].symbol));
+        let is_it =
+            |step: &usize| at == format!("step:{}", printer::symbol(&self.solution.steps[*step].symbol));
         (0..self.solution.steps.len()).filter(is_it).collect()
     }
 
@@ -372,7 +382,12 @@ impl<'p> Solved<'p> {
 
 /// The errors of problems as the search sees them, single ones and pairs, with so many digits.
 #[must_use]
-pub fn tally(problems: &[CorpusProblem], digits: u8, factor: &dyn Fn(usize) -> f64, log: &mut String) -> [Tally; 2] {
+pub fn tally(
+    problems: &[CorpusProblem],
+    digits: u8,
+    factor: &dyn Fn(usize) -> f64,
+    log: &mut String,
+) -> [Tally; 2] {
     let mut all = [Tally::default(); 2];
     for problem in problems {
         let Some(solved) = Solved::new(problem, factor) else {

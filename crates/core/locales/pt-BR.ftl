@@ -694,3 +694,9 @@ write-the-statement-as-a-text-in-quotes = escreva o enunciado como um texto entr
 asked-needs-a-statement = `asked` precisa de um `statement`
 write-the-answers-that-the-statement-asks-for-as-in-asked-amplitude = escreva as respostas que o enunciado pede como em `asked = ["amplitude"]`
 write-the-range-of-path-as-in-mass-30-kg-60-kg-5-kg = escreva a faixa de { $path } como em `mass = "30 kg .. 60 kg : 5 kg"`
+
+# Hints on an answer.
+principle = Princípio
+formulas = Fórmulas
+numbers = Números
+given-path = dado: { $path }

@@ -23,6 +23,7 @@ mod field;
 pub mod file;
 mod formula;
 pub mod gravity;
+pub mod hints;
 mod input;
 mod intern;
 mod kept;
@@ -83,7 +84,8 @@ pub use crate::{
     sheet::{Sheet, Term, VectorTerm},
     sketch::Sketch,
     solution::{
-        Answer, AnswerValue, Check, CommonError, Display, Name, ProblemSteps, Sides, Solution, Step, problem_heading,
+        Answer, AnswerValue, Check, CommonError, Display, Name, ProblemSteps, Sides, Solution, Step,
+        problem_heading,
     },
     source::{Cite, Source},
     statement::Statement,

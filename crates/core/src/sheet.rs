@@ -18,8 +18,8 @@ use nalgebra::Vector3;
 
 pub use self::{term::Term, vect::VectorTerm};
 use crate::{
-    Answer, CommonError, Exhibit, Locale, Name, ProblemSteps, Reason, Refusal, Sides, Solution, Step, Stop, Symbol,
-    Text, Value, Worksheet, derive_support,
+    Answer, CommonError, Exhibit, Locale, Name, ProblemSteps, Reason, Refusal, Sides, Solution, Step, Stop,
+    Symbol, Text, Value, Worksheet, derive_support,
     intern::intern,
     path::is_within,
     printer,
@@ -293,7 +293,12 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         )
     }
 
-    fn common_error(self, symbol: impl Into<Symbol>, what: impl Into<Text>, wrong: impl FnOnce() -> Term<'s>) {
+    fn common_error(
+        self,
+        symbol: impl Into<Symbol>,
+        what: impl Into<Text>,
+        wrong: impl FnOnce() -> Term<'s>,
+    ) {
         self.note_common_error(symbol.into(), what.into(), wrong());
     }
 

@@ -58,6 +58,7 @@ impl LoadedProblem {
             entry: self.entry,
             case: &self.name,
             source: &self.source,
+            statement: &self.statement,
             note: &self.note,
             notes: &self.notes,
             draft: &self.draft,

@@ -73,7 +73,9 @@ pub fn causes(
         let cause = causes.into_iter().next().filter(|cause| cause.is_named)?;
         let kind = match (&cause.mistakes[..], &cause.mistakes.first()?.change) {
             (_, Change::Follows(_)) => CauseKind::CarriedForward,
-            ([one], Change::Sign | Change::Unit { .. }) if one.place == Place::Answer => CauseKind::SignOrUnit,
+            ([one], Change::Sign | Change::Unit { .. }) if one.place == Place::Answer => {
+                CauseKind::SignOrUnit
+            }
             _ => CauseKind::Other,
         };
         Some((name, Cause { kind, text: cause.text(solution) }))

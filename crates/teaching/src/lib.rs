@@ -6,6 +6,7 @@
 //! answers of a class with them.
 
 mod base64;
+pub mod causes;
 mod decimal;
 mod exercise;
 mod export;
@@ -17,7 +18,6 @@ mod ranges;
 mod rewritten;
 mod seed;
 pub mod sheets;
-pub mod causes;
 mod variants;
 
 pub use crate::{

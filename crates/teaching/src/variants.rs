@@ -9,10 +9,10 @@ use dalembert_core::{
 
 use crate::{
     Datum, Exercise, Range,
+    causes::{self, CommonError},
     exercise::numbers,
     ranges::{ranges, with_data},
     seed::drawn,
-    causes::{self, CommonError},
 };
 
 /// Draws for one variant before the search is given up.

@@ -121,6 +121,10 @@ pub enum Action {
     Configure,
     /// The usual questions of the problem, to choose from.
     UsualQuestions,
+    /// The next hint on the answer.
+    NextHint,
+    /// The statement of the exercise: read on, collapsed, expanded.
+    Statement,
     /// A blank problem of the analysis.
     Blank,
     /// Makes the input unknown.

@@ -84,6 +84,8 @@ pub struct Ui<'a> {
     pub edit: Option<&'a TextEntry>,
     /// True if it waits for what takes time.
     pub waits: bool,
+    /// True if pictures must not show what is to be found.
+    pub covered: bool,
     /// The inside of the pane.
     pub area: Rect,
     /// The first line that it shows.
@@ -123,7 +125,7 @@ pub trait Pane: Any + Debug {
     }
 
     /// True if it asks for what the results would give away beside it.
-    fn covers_results(&self) -> bool {
+    fn covers_results(&self, _problem: &Problem) -> bool {
         false
     }
 

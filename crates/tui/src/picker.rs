@@ -74,6 +74,13 @@ pub struct Leaf {
     pub case: Option<usize>,
 }
 
+impl Leaf {
+    /// True if it is an exercise of a list.
+    pub fn is_exercise(self) -> bool {
+        matches!(self.under, Some(Heading::Set(_))) && self.case.is_some()
+    }
+}
+
 /// Heading of a group of rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Heading {

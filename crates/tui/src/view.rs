@@ -210,6 +210,13 @@ pub(crate) fn area_of_pane(model: &Model, tab: Tab) -> Option<Rect> {
     area.map(layout::inside)
 }
 
+/// Rows of the text of the statement that are seen, and all; where the form is not seen, as if it had the keys.
+pub(crate) fn seen_of_statement(model: &Model) -> Option<(usize, usize)> {
+    let bench = model.shown_bench()?;
+    let area = |focus| areas_of(model, bench, focus).form;
+    form::seen_of_statement(model, bench, area(bench.focus).or_else(|| area(Focus::Form))?)
+}
+
 /// True if a pane of the problem is on the screen.
 pub(crate) fn shows(model: &Model, tab: Tab) -> bool {
     model.shown_bench().is_some_and(|bench| areas_of(model, bench, bench.focus).area_of(tab).is_some())

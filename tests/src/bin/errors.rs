@@ -26,7 +26,9 @@ fn main() {
             let all: [(&str, &dyn Fn(usize) -> f64); 2] = [("given", &|_| 1.0), ("varied", &varied)];
             for (data, factor) in all {
                 let mut log = String::new();
-                for (kind, found) in ["singles", "pairs"].into_iter().zip(tally(&problems, *digits, factor, &mut log)) {
+                for (kind, found) in
+                    ["singles", "pairs"].into_iter().zip(tally(&problems, *digits, factor, &mut log))
+                {
                     row(*digits, data, kind, &found);
                 }
                 if shows && data == "given" {
@@ -66,7 +68,8 @@ fn random(problems: &[CorpusProblem], digits: u8) -> (usize, usize) {
     let each = RANDOM.div_ceil(problems.len());
     for problem in problems {
         let Some(solved) = Solved::new(problem, &|_| 1.0) else { continue };
-        let ours = solved.solution.answer(&problem.answer.0).and_then(|answer| answer.si()).expect("a number");
+        let ours =
+            solved.solution.answer(&problem.answer.0).and_then(|answer| answer.si()).expect("a number");
         for n in 0..each {
             let factor = if n % 2 == 0 { 0.8 + 0.4 * uniform() } else { 10f64.powf(2.0 * uniform() - 1.0) };
             let Some(typed) = solved.typed(factor * ours, digits) else { continue };

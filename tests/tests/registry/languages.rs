@@ -34,7 +34,7 @@ fn every_exam_question_has_its_portuguese() {
     let mut sentences = Vec::new();
     for entry in exams() {
         let case = cases::first(entry).unwrap_or_else(|| panic!("{} has no case", entry.about.id));
-        sentences.extend([case.title(), case.source, case.note].map(|text| text.english()));
+        sentences.extend([case.title(), case.source, case.statement].map(|text| text.english()));
         sentences.extend([entry.about.topic, entry.about.summary].map(str::to_owned));
     }
     languages::sentences_have_their_portuguese("bundle", sentences.iter().map(String::as_str));

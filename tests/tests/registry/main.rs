@@ -6,6 +6,7 @@ mod configurations;
 mod coverage;
 mod engines;
 mod examples;
+mod exercises;
 mod exhibits;
 mod extremes;
 mod field_conventions;

@@ -3,6 +3,7 @@
 mod asking;
 mod branches;
 mod data_entry;
+mod exercises;
 mod field;
 mod first_screen;
 mod keys;

@@ -80,14 +80,8 @@ impl Tries<'_, '_> {
     }
 
     fn free(&mut self, mistake: Mistake, values: Vec<f64>) {
-        let candidate = Candidate {
-            mistake,
-            prior: 2.0,
-            values,
-            is_shared: false,
-            is_free: true,
-            edits: Vec::new(),
-        };
+        let candidate =
+            Candidate { mistake, prior: 2.0, values, is_shared: false, is_free: true, edits: Vec::new() };
         self.found.push(candidate);
     }
 

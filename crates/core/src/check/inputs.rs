@@ -124,7 +124,8 @@ impl<'s> Inputs<'s> {
                 let trace = self.trace.as_mut().expect("there is a trace");
                 let edits = trace.edits(&input, near);
                 let traced = trace.values(&edits);
-                let is_same = |(a, b): (&f64, &f64)| (a - b).abs() <= 1e-9 * b.abs() || a.is_nan() && b.is_nan();
+                let is_same =
+                    |(a, b): (&f64, &f64)| (a - b).abs() <= 1e-9 * b.abs() || a.is_nan() && b.is_nan();
                 let is_whole = near != 0.0 && solved.iter().zip(&traced).all(is_same);
                 trace.is_whole[at] = Some(is_whole);
                 is_whole
@@ -238,10 +239,18 @@ fn ways(input: &VariedInput, others: &[VariedInput]) -> Vec<Way> {
             may(prior, change, taken.si(input.unit.value(si)));
         }
     }
-    let whole_or_half = has(&["diameter", "radius", "peak", "amplitude", "width", "half", "stroke", "eccentricity"]);
-    let prior = if whole_or_half { 0.85 } else if kind == Kind::Length { 0.35 } else { 0.3 };
+    let whole_or_half =
+        has(&["diameter", "radius", "peak", "amplitude", "width", "half", "stroke", "eccentricity"]);
+    let prior = if whole_or_half {
+        0.85
+    } else if kind == Kind::Length {
+        0.35
+    } else {
+        0.3
+    };
     for (factor, written) in [(2.0, "2"), (0.5, "2")] {
-        let change = if whole_or_half || kind == Kind::Length { Change::Half } else { Change::Times(factor, written) };
+        let change =
+            if whole_or_half || kind == Kind::Length { Change::Half } else { Change::Times(factor, written) };
         may(prior, change, factor * si);
     }
     if whole_or_half {
@@ -325,7 +334,8 @@ fn digits(input: &VariedInput) -> Vec<Way> {
         for other in ('0'..='9').filter(|other| other != digit) {
             let mut taken = characters.clone();
             taken[at] = other;
-            let is_alike = ALIKE.iter().any(|(a, b)| (*a, *b) == (*digit, other) || (*b, *a) == (*digit, other));
+            let is_alike =
+                ALIKE.iter().any(|(a, b)| (*a, *b) == (*digit, other) || (*b, *a) == (*digit, other));
             may(if is_alike { 0.12 } else { 0.08 }, Change::Digit, taken.into_iter().collect());
         }
         let next = (at + 1..characters.len()).find(|next| characters[*next].is_ascii_digit());

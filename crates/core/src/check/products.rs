@@ -77,11 +77,15 @@ pub(super) fn of_product(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
         found.extend(product_of(solution, id, &turned, 1.0).map(|edit| slip(0.4, change, edit)));
         let twice: Vec<Factor> = all.iter().copied().chain([*factor]).collect();
         let prior = if is_literal(factor) { 0.15 } else { 0.4 };
-        found.extend(product_of(solution, id, &twice, 1.0).map(|edit| slip(prior, Change::FactorSquared, edit)));
+        found.extend(
+            product_of(solution, id, &twice, 1.0).map(|edit| slip(prior, Change::FactorSquared, edit)),
+        );
     }
     if !all.iter().any(is_vector) {
         let inverse: Vec<Factor> = all.iter().map(|one| Factor { divides: !one.divides, ..*one }).collect();
-        found.extend(product_of(solution, id, &inverse, 1.0).map(|edit| Slip::new(0.4, Change::Inverted, edit)));
+        found.extend(
+            product_of(solution, id, &inverse, 1.0).map(|edit| Slip::new(0.4, Change::Inverted, edit)),
+        );
     }
     coefficients(solution, id, &all, found);
 }
@@ -96,10 +100,11 @@ fn is_remembered(dim: Dim) -> bool {
 
 /// The product with another coefficient in place of its numbers.
 fn coefficients(solution: &Solution, id: Id, all: &[Factor], found: &mut Vec<Slip>) {
-    let number = |factor: &Factor| match (&solution.trace.node(factor.id).op, solution.trace.node(factor.id).number) {
-        (Op::Literal, Number::Scalar(x)) => Some(if factor.divides { 1.0 / x } else { x }),
-        _ => None,
-    };
+    let number =
+        |factor: &Factor| match (&solution.trace.node(factor.id).op, solution.trace.node(factor.id).number) {
+            (Op::Literal, Number::Scalar(x)) => Some(if factor.divides { 1.0 / x } else { x }),
+            _ => None,
+        };
     let numbers: Vec<f64> = all.iter().filter_map(number).collect();
     let others: Vec<Factor> = all.iter().filter(|factor| number(factor).is_none()).copied().collect();
     if numbers.is_empty() || others.is_empty() {

@@ -275,4 +275,3 @@ fn branch(solution: &Solution, name: &str, text: &str) -> Option<(String, Vec<Ca
     let cause = Cause { mistakes: vec![Mistake::new(Place::Answer, Change::Branch)], is_named: true };
     is_end.then(|| (name.to_owned(), vec![cause]))
 }
-

@@ -120,7 +120,11 @@ fn of_result(solution: &Solution, place: usize) -> Vec<Slip> {
         found.push(Slip::new(prior, Change::PowerOfTen(places), times(10f64.powi(places.into()))));
     }
     let prior = if node.dim == Dim::NONE { 0.78 } else { 0.5 };
-    found.push(Slip::new(prior, Change::Inverted, Edit::with_literal(solution, at, 1.0, |own, one| Op::Div(one, own))));
+    found.push(Slip::new(
+        prior,
+        Change::Inverted,
+        Edit::with_literal(solution, at, 1.0, |own, one| Op::Div(one, own)),
+    ));
     found.push(Slip::new(0.25, Change::Squared, Edit::then(solution, at, |own| Op::Power(own, 2))));
     found.push(Slip::new(0.3, Change::Rooted, Edit::then(solution, at, |own| Op::Root(own, 2))));
     if node.dim == Dim::ANGLE {
@@ -339,7 +343,9 @@ fn of_operation(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
                     let mut others = *parts;
                     others[axis] = first;
                     let whole = (Op::Compose(others), NAN);
-                    found.push(Slip::new(prior, change, Edit { at: id, ops: vec![part, whole] }).of(parts[axis]));
+                    found.push(
+                        Slip::new(prior, change, Edit { at: id, ops: vec![part, whole] }).of(parts[axis]),
+                    );
                 }
             }
         }
@@ -352,13 +358,7 @@ pub(super) fn is_scalar(solution: &Solution, id: Id) -> bool {
 }
 
 /// Another function, or an argument in degrees.
-fn of_function(
-    solution: &Solution,
-    id: Id,
-    function: Function,
-    argument: Id,
-    found: &mut Vec<Slip>,
-) {
+fn of_function(solution: &Solution, id: Id, function: Function, argument: Id, found: &mut Vec<Slip>) {
     use Function::{Acos, Asin, Cos, Sin, Tan};
     let name = crate::printer::function;
     let others: &[(f64, Function)] = match function {

@@ -1,7 +1,5 @@
 //! Words for mistakes.
 
-
-
 use super::{Change, Mistake, Place};
 use crate::{
     Locale, Solution, Text, printer,
@@ -22,9 +20,10 @@ pub(super) fn mistake(mistake: &Mistake, solution: &Solution) -> Text {
     };
     match (&mistake.place, &mistake.change) {
         (_, Change::Follows(names)) => {
-            let all = names.iter().map(|name| label(name)).reduce(|all, next| {
-                Text::new("{all}, {next}").with_text("all", all).with_text("next", next)
-            });
+            let all = names
+                .iter()
+                .map(|name| label(name))
+                .reduce(|all, next| Text::new("{all}, {next}").with_text("all", all).with_text("next", next));
             Text::new("consistent with your earlier answer to {answers} (error carried forward)")
                 .with_text("answers", all.unwrap_or_default())
         }
@@ -39,16 +38,18 @@ pub(super) fn mistake(mistake: &Mistake, solution: &Solution) -> Text {
         (_, Change::Given(_, input)) => {
             Text::new("this is a given value: {input}").with_text("input", input.clone())
         }
-        (_, Change::Branch) => Text::new("one limit or one part of the set only; other values are permitted too"),
+        (_, Change::Branch) => {
+            Text::new("one limit or one part of the set only; other values are permitted too")
+        }
         (Place::Answer, change) => of_answer(change),
         (Place::Input(_, input), Change::Interchanged(_, other)) => {
             Text::new("{first} and {second} interchanged")
                 .with_text("first", input.clone())
                 .with_text("second", other.clone())
         }
-        (Place::Input(_, input), change) => {
-            Text::new("{input}: {change}").with_text("input", input.clone()).with_text("change", of_input(change))
-        }
+        (Place::Input(_, input), change) => Text::new("{input}: {change}")
+            .with_text("input", input.clone())
+            .with_text("change", of_input(change)),
         (Place::Step(at, symbol), change) => {
             let why = solution.steps.get(*at).map(|step| step.why.clone());
             let short = why.filter(|why| !why.is_empty() && why.english().chars().count() <= LONGEST_REASON);
@@ -78,7 +79,9 @@ fn of_answer(change: &Change) -> Text {
 fn of_input(change: &Change) -> Text {
     match change {
         Change::Unit { taken, is } => Text::new("{is} used as {taken}").with("is", is).with("taken", taken),
-        Change::Half => Text::new("whole and half confused (diameter and radius, peak-to-peak and amplitude)"),
+        Change::Half => {
+            Text::new("whole and half confused (diameter and radius, peak-to-peak and amplitude)")
+        }
         Change::Gravity(si) => Text::new("{gravity} used").with_quantity("gravity", *si, "m/s^2"),
         Change::Weight => Text::new("mass and weight confused"),
         Change::LeftOut => Text::new("omitted"),
@@ -109,9 +112,10 @@ fn of_step(change: &Change, part: Option<&str>) -> Text {
         Change::TermTwice => about("the term {part} taken twice", "a term taken twice"),
         Change::FactorLeftOut => about("the factor {part} omitted", "a factor omitted"),
         Change::FactorSquared => about("the factor {part} taken twice", "a factor taken twice"),
-        Change::FactorInverted => {
-            about("the factor {part} on the wrong side of the fraction", "a factor on the wrong side of the fraction")
-        }
+        Change::FactorInverted => about(
+            "the factor {part} on the wrong side of the fraction",
+            "a factor on the wrong side of the fraction",
+        ),
         Change::Coefficient(right, taken) => Text::new("coefficient {taken} in place of {right}")
             .with("taken", fraction(*taken))
             .with("right", fraction(*right)),
@@ -119,9 +123,9 @@ fn of_step(change: &Change, part: Option<&str>) -> Text {
         Change::AddedAsVectors => Text::new("root of the sum of the squares in place of the sum"),
         Change::SeriesForParallel => Text::new("series and parallel connection confused"),
         Change::Exponent(right, 1) if *right > 1 => Text::new("an exponent omitted"),
-        Change::Exponent(right, taken) => Text::new("exponent {taken} in place of {right}")
-            .with("taken", taken)
-            .with("right", right),
+        Change::Exponent(right, taken) => {
+            Text::new("exponent {taken} in place of {right}").with("taken", taken).with("right", right)
+        }
         Change::RootLeftOut => Text::new("a square root omitted"),
         Change::Trigonometric(right, taken) => {
             Text::new("{taken} in place of {right}").with("taken", taken).with("right", right)

@@ -76,7 +76,8 @@ impl<'s> Wrong<'s> {
         let ratio = (value / self.computed).abs();
         let near = if (ratio - 1.0).abs() <= NEAR { SHARE_NEAR / (2.0 * NEAR) } else { 0.0 };
         // Beyond the factor there are fewer, but there are some.
-        let far = (1.0 - SHARE_NEAR) / (2.0 * FACTOR.ln()) * if ratio.ln().abs() <= FACTOR.ln() { 1.0 } else { 0.2 };
+        let far = (1.0 - SHARE_NEAR) / (2.0 * FACTOR.ln())
+            * if ratio.ln().abs() <= FACTOR.ln() { 1.0 } else { 0.2 };
         (width * (near + far)).min(1.0)
     }
 }

@@ -5,8 +5,7 @@ use std::process::ExitCode;
 use dalembert_core::{
     Locale, Solution, Stop, Text,
     check::{self, Cause, Place, Verdict},
-    find as analysis,
-    nearest,
+    find as analysis, nearest,
 };
 use serde_json::{Value as Json, json};
 
@@ -76,7 +75,9 @@ fn typed(answers: &[String], solution: &Solution) -> Result<Vec<(String, String)
         let Some(answer) = solution.answers.iter().find(|answer| answer.name.is(name)) else {
             let known: Vec<String> = solution.answers.iter().map(|one| one.name.to_string()).collect();
             let why = match nearest(name, known.iter().map(String::as_str)) {
-                Some(near) => Text::new("there is no answer `{name}`; did you mean `{near}`?").with("near", near),
+                Some(near) => {
+                    Text::new("there is no answer `{name}`; did you mean `{near}`?").with("near", near)
+                }
                 None => Text::new("there is no answer `{name}`; the answers are {known}")
                     .with("known", known.join(", ")),
             };
@@ -107,7 +108,9 @@ impl Checked<'_> {
     fn lines(&self, solution: &Solution, reveals: bool, locale: &Locale) -> Vec<String> {
         let verdict = self.verdict.text().render(&locale.digits(2));
         let verdict = match (&self.verdict, self.causes.is_empty()) {
-            (Verdict::Wrong, true) => Text::new("Incorrect. No common error reproduces this value.").render(locale),
+            (Verdict::Wrong, true) => {
+                Text::new("Incorrect. No common error reproduces this value.").render(locale)
+            }
             (Verdict::RoundedEarly(_), false) => Verdict::Wrong.text().render(locale),
             _ => verdict,
         };

@@ -4,6 +4,7 @@ use dalembert_core::{Text, UnitSetting};
 
 use super::{parts, with_shown};
 use crate::{
+    bench::StatementState,
     dialog::{Dialog, Purpose},
     effect::Effect,
     intent::Intent,
@@ -57,6 +58,7 @@ pub(super) fn act(model: &mut Model, place: KeyContext, action: Action) -> Optio
             bench.expanded = !bench.expanded;
             Vec::new()
         }
+        Action::Statement => statement(model),
         Action::NextPane | Action::PreviousPane => {
             bench.focus = match bench.focus {
                 Focus::Form => Focus::Pane,
@@ -67,6 +69,21 @@ pub(super) fn act(model: &mut Model, place: KeyContext, action: Action) -> Optio
         Action::Back => return back(model, place),
         _ => return None,
     })
+}
+
+/// Reads the statement on; at its end it is collapsed, and then expanded from its beginning.
+fn statement(model: &mut Model) -> Vec<Intent> {
+    let seen = view::seen_of_statement(model);
+    let Some((bench, (rows, of))) = model.bench.as_mut().zip(seen) else {
+        return Intent::say("this problem has no statement");
+    };
+    let state = &mut bench.statement;
+    *state = match state.first.min(of.saturating_sub(rows)) + rows {
+        _ if state.is_folded => StatementState::default(),
+        next if next < of => StatementState { first: next.saturating_sub(1).max(state.first + 1), ..*state },
+        _ => StatementState { is_folded: true, first: 0 },
+    };
+    Vec::new()
 }
 
 /// One step back: from a running job, from what the pane is at, from an input to the symbol that led there, from a pane

@@ -128,12 +128,15 @@ impl Screen<'_> {
             Focus::Pane => self.pane(shown, body.width),
         };
         let mut parts = vec![first];
-        if focus == Focus::Form || (shown != results && !self.covers_results(shown)) {
+        if focus == Focus::Form && self.covers_results(shown) {
+            // What is to be found stands where the main answers would.
+            parts.push(self.pane(shown, body.width));
+        } else if focus == Focus::Form || (shown != results && !self.covers_results(shown)) {
             // What grows has what the main answers leave.
             let strip = self.strip(body.width);
             parts.push(if first.grows() { Part { wanted: strip.least, ..strip } } else { strip });
         }
-        if shown != results && focus == Focus::Form {
+        if shown != results && focus == Focus::Form && !self.covers_results(shown) {
             waiting.push_front(shown);
         }
         self.fill(&mut parts, body, &mut waiting);
@@ -209,7 +212,7 @@ impl Screen<'_> {
     }
 
     fn covers_results(&self, tab: Tab) -> bool {
-        self.bench.pane(tab).covers_results()
+        self.bench.pane(tab).covers_results(&self.bench.problem)
     }
 
     fn pictures(&self, tabs: &VecDeque<Tab>) -> usize {

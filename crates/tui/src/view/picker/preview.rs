@@ -3,7 +3,11 @@
 
 use std::{borrow::Cow, collections::BTreeSet};
 
-use dalembert_core::{Drawing, Text, cases::Comparison};
+use dalembert_core::{
+    Drawing, Solution, Text,
+    cases::{Case, Comparison},
+    exams::FAMILY,
+};
 use ratatui::{
     buffer::Buffer,
     layout::{Position, Rect},
@@ -114,7 +118,10 @@ fn of_leaf(model: &Model, leaf: Leaf, listing: &Listing, area: Rect, buffer: &mu
     let look = &model.look;
     let focused = model.picker.case.is_some();
     let room = usize::from(area.width).saturating_sub(6);
-    let name = fit(&listing.title(&model.locale), room, look);
+    let exercise = exercise(model, leaf, listing);
+    let title =
+        exercise.map_or_else(|| listing.title(&model.locale), |case| case.title().render(&model.locale));
+    let name = fit(&title, room, look);
     boxed(&Line::styled(format!(" {name} "), look.border(focused)), focused, look, area, buffer);
     let sheet = sheet(model, leaf, listing, layout::inside(area));
     draw_lines(&sheet.page.lines, sheet.first, sheet.text, buffer);
@@ -143,6 +150,33 @@ struct Preview<'m> {
     picture: Rect,
 }
 
+/// The case of an exercise or an exam question, with its statement, unless the cases of its analysis are looked through.
+fn exercise<'l>(model: &Model, leaf: Leaf, listing: &'l Listing) -> Option<&'l Case> {
+    let is_exam = listing.entry.family() == FAMILY;
+    let case = if is_exam { Some(0) } else { leaf.case.filter(|_| leaf.is_exercise()) };
+    let case = case.filter(|_| model.picker.case.is_none())?;
+    listing.cases().get(case).filter(|case| !case.statement.is_empty())
+}
+
+/// The statement of an exercise, what it asks for, its source and its progress.
+fn statement(model: &Model, leaf: Leaf, listing: &Listing, case: &Case, room: usize) -> Page {
+    let look = &model.look;
+    let locale = &model.locale.at(listing.entry.about.id);
+    let text = filter_untrusted(&case.statement.render(locale)).into_owned();
+    let mut lines: Vec<Line<'static>> = wrapped(&text, room).into_iter().map(Line::from).collect();
+    lines.push(Line::default());
+    lines.extend(
+        wrapped(&case.source.render(locale), room).into_iter().map(|text| Line::styled(text, look.dim())),
+    );
+    let analysis = format!("{} ({})", listing.title(&model.locale), listing.entry.about.id);
+    lines.extend(wrapped(&analysis, room).into_iter().map(|text| Line::styled(text, look.dim())));
+    if leaf.is_exercise() {
+        let progress = word(model.contents().progress(leaf).name(), model);
+        lines.push(Line::styled(fit(&progress, room, look), look.title()));
+    }
+    Page::of(lines)
+}
+
 fn sheet<'m>(model: &'m Model, leaf: Leaf, listing: &Listing, inner: Rect) -> Preview<'m> {
     let about = listing.entry.about;
     let room = usize::from(inner.width);
@@ -152,7 +186,43 @@ fn sheet<'m>(model: &'m Model, leaf: Leaf, listing: &Listing, inner: Rect) -> Pr
         .as_ref()
         .filter(|preview| preview.id == about.id)
         .and_then(|preview| preview.solution.as_ref());
-    let mut page = Page::default();
+    let of_exercise = exercise(model, leaf, listing);
+    let mut page = of_exercise.map_or_else(Page::default, |case| statement(model, leaf, listing, case, room));
+    if of_exercise.is_none() {
+        described(model, leaf, listing, solution, room, &mut page);
+    }
+    let chosen = model.picker.case.or(leaf.case);
+    let drawing =
+        solution.and_then(|solution| solution.exhibits.iter().find_map(|exhibit| exhibit.sketch(0)));
+    // What an exercise asks for is not shown before it is solved.
+    let drawing = match of_exercise {
+        Some(_) => drawing.map(|drawing| Cow::Owned(drawing.unsolved())),
+        None => drawing,
+    };
+    let wanted = u16::try_from(page.lines.len()).unwrap_or(u16::MAX).min(inner.height);
+    let left = inner.height.saturating_sub(wanted + 1);
+    let height = match drawing {
+        Some(_) if left >= LEAST_DRAWING => left.min(MOST_DRAWING),
+        Some(_) if inner.height >= ROOMY => LEAST_DRAWING + 1,
+        _ => 0,
+    };
+    let text = Rect { height: inner.height - height, ..inner };
+    let picture = Rect { y: text.bottom(), height, ..inner };
+    let shown = chosen.and_then(|case| page.starts.get(case));
+    let first = shown.map_or(0, |line| (line + 1).saturating_sub(text.height.into()));
+    Preview { page, first, text, drawing: drawing.filter(|_| height > 0), picture }
+}
+
+/// Description of an analysis: its purpose, inputs and answers, and its cases.
+fn described(
+    model: &Model,
+    leaf: Leaf,
+    listing: &Listing,
+    solution: Option<&Solution>,
+    room: usize,
+    page: &mut Page,
+) {
+    let about = listing.entry.about;
     let lines = &mut page.lines;
     let locale = &model.locale.at(about.id);
     let summary = Text::from(about.summary).render(locale);
@@ -170,21 +240,7 @@ fn sheet<'m>(model: &'m Model, leaf: Leaf, listing: &Listing, inner: Rect) -> Pr
     listed(model, "Results", &answers, room, lines);
     lines.push(Line::default());
     let chosen = model.picker.case.or(leaf.case);
-    cases(model, listing, chosen, room, &mut page);
-    let drawing =
-        solution.and_then(|solution| solution.exhibits.iter().find_map(|exhibit| exhibit.sketch(0)));
-    let wanted = u16::try_from(page.lines.len()).unwrap_or(u16::MAX).min(inner.height);
-    let left = inner.height.saturating_sub(wanted + 1);
-    let height = match drawing {
-        Some(_) if left >= LEAST_DRAWING => left.min(MOST_DRAWING),
-        Some(_) if inner.height >= ROOMY => LEAST_DRAWING + 1,
-        _ => 0,
-    };
-    let text = Rect { height: inner.height - height, ..inner };
-    let picture = Rect { y: text.bottom(), height, ..inner };
-    let shown = chosen.and_then(|case| page.starts.get(case));
-    let first = shown.map_or(0, |line| (line + 1).saturating_sub(text.height.into()));
-    Preview { page, first, text, drawing: drawing.filter(|_| height > 0), picture }
+    cases(model, listing, chosen, room, page);
 }
 
 /// The published cases with their verdicts.
