@@ -31,7 +31,7 @@ pub struct CorpusProblem {
 /// An error of a student: one edit or two.
 #[derive(Clone, Debug)]
 pub struct CorpusError {
-    /// What is done otherwise.
+    /// Changes of the formulas or the data.
     pub edits: Vec<CorpusEdit>,
     /// Other causes that give the very same number: place and operation.
     pub also: Vec<(String, String)>,
@@ -40,7 +40,7 @@ pub struct CorpusError {
 /// An edit of the formulas or the data, and its cause.
 #[derive(Clone, Debug)]
 pub struct CorpusEdit {
-    /// What is done.
+    /// Change of a formula or of data.
     pub what: EditKind,
     /// Place, `input:PATH`, `step:SYMBOL` or `answer`.
     pub at: String,
@@ -61,7 +61,7 @@ pub enum EditKind {
     Result(String),
 }
 
-/// What became of the errors.
+/// Counts of the causes that were found.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Tally {
     /// Errors that could be made.
@@ -158,7 +158,7 @@ fn error(table: &Table) -> Option<CorpusError> {
 pub struct Solved<'p> {
     /// The problem.
     pub problem: &'p CorpusProblem,
-    /// Its analysis.
+    /// Analysis.
     pub entry: &'static Entry,
     record: Record,
     /// The solution.
@@ -242,7 +242,7 @@ impl<'p> Solved<'p> {
         matches!(check::compare(answer, &text), Verdict::Wrong | Verdict::RoundedEarly(_)).then_some(text)
     }
 
-    /// What the search makes of an answer.
+    /// Causes that the search finds for an answer.
     #[must_use]
     pub fn causes(&self, typed: &str) -> Vec<Cause> {
         let typed = [(self.problem.answer.0.clone(), typed.to_owned())];

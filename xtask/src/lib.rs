@@ -7,6 +7,7 @@ pub mod bench;
 pub mod cluster;
 pub mod contact_sheet;
 pub mod docs;
+pub mod errors;
 pub mod find;
 pub mod first_entry;
 pub mod new_analysis;

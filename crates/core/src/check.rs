@@ -12,7 +12,9 @@ mod mistake;
 mod problem;
 mod products;
 mod search;
+mod slip;
 mod steps;
+mod tries;
 mod words;
 mod wrong;
 

@@ -131,7 +131,7 @@ pub struct Step {
     pub cite: Option<Cite>,
 }
 
-/// What people commonly compute in place of a step.
+/// Error that people commonly make in a step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CommonError {
     /// Place of the step in the solution.

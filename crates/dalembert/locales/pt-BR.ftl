@@ -260,3 +260,11 @@ this-format-is-a-folder-of-files-name-the-folder-with-out = este formato é uma 
 folder-cannot-be-made-why = { $folder } não pode ser criada: { $why }
 weights-why = --weights { $why }
 file-why = { $file }: { $why }
+
+# Check of a user's own answers.
+likely-cause = Causa provável:
+possible-causes = Causas possíveis:
+correct-value = correto: { $value }
+written-write-an-answer-and-its-value-as-in-amplitude-19-5-mm = `{ $written }`: escreva uma resposta e o seu valor, como em `amplitude=19.5 mm`
+there-is-no-answer-name-the-answers-are-known = não há resposta `{ $name }`; as respostas são { $known }
+the-value-of-name-is-missing-as-in-name-example = falta o valor de `{ $name }`, como em `{ $name }={ $example }`

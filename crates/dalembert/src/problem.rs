@@ -58,7 +58,7 @@ impl LoadedProblem {
             entry: self.entry,
             case: &self.name,
             source: &self.source,
-            statement: &self.statement,
+            statement: &self.statement.text,
             note: &self.note,
             notes: &self.notes,
             draft: &self.draft,

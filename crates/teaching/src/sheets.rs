@@ -48,6 +48,7 @@ pub fn worked_key(exercise: &Exercise, variant: &Variant, locale: &Locale) -> Do
         entry: exercise.entry,
         case: &none,
         source: &none,
+        statement: &none,
         note: &none,
         notes: &[],
         draft: &variant.draft,

@@ -5,6 +5,7 @@ mod catalogue;
 mod configurations;
 mod coverage;
 mod engines;
+mod errors;
 mod examples;
 mod exercises;
 mod exhibits;

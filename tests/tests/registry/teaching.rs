@@ -3,9 +3,8 @@
 use dalembert_core::{Entry, Locale, Stop, Text, UnitSetting, cases, find};
 use dalembert_plugins as _;
 use dalembert_teaching::{
-    Exercise, Generator,
+    Exercise, Generator, causes,
     grading::{AnswerRow, GradedProblem, Outcome, Rules, grade},
-    slips,
 };
 use dalembert_testkit::on_all_cores;
 use dalembert_tests::times;
@@ -86,7 +85,7 @@ fn variants_are_solved_and_graded() {
             for name in variant.numbers() {
                 let answer = solution.answer(&name).expect("it is asked for");
                 let right = answer.si().expect("it is a number");
-                let apart = |error: &&slips::CommonError| (error.si - right).abs() > 0.01 * right.abs();
+                let apart = |error: &&causes::CommonError| (error.si - right).abs() > 0.01 * right.abs();
                 let Some(error) = variant.errors[&name].iter().find(apart) else { continue };
                 let value = dalembert_units::write_quantity(error.si, &answer.unit, locale.style);
                 let given = row(&name, value);

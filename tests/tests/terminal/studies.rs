@@ -309,7 +309,7 @@ fn every_question_ends_soon_after_it_is_stopped() {
         for question in [
             scatter,
             Question::Sensitivity { entry, record: record.clone(), answer, tolerances: Vec::new() },
-            Question::Slips { entry, record: record.clone(), solution, typed },
+            Question::Causes { entry, record: record.clone(), solution, typed },
         ] {
             let stop = Stop::new();
             thread::scope(|scope| {

@@ -12,6 +12,7 @@ use super::{
     inputs::{inputs, units_of},
     problem::problems,
     steps::{LONGEST_TRACE, node_of, scalar, steps},
+    tries::{Candidate, Tries},
     wrong::Wrong,
 };
 use crate::{
@@ -21,26 +22,6 @@ use crate::{
     trace::{Id, Number},
     vary,
 };
-
-/// A mistake, and what each of the wrong answers would be with it.
-pub(super) struct Candidate {
-    pub(super) mistake: Mistake,
-    /// Weight beside other mistakes, at most 1.
-    pub(super) prior: f64,
-    /// NaN where the mistake does not concern an answer.
-    pub(super) values: Vec<f64>,
-    /// True if it shows in every answer that depends on it.
-    pub(super) is_shared: bool,
-    /// True if it is made of what the user or a book said, so that it hits by no accident.
-    pub(super) is_free: bool,
-    /// Edits of the trace that give these values; empty where the trace does not tell.
-    pub(super) edits: Vec<Edit>,
-}
-
-pub(super) struct Tries<'w, 's> {
-    pub(super) wrong: &'w [Wrong<'s>],
-    pub(super) found: Vec<Candidate>,
-}
 
 /// Every candidate; where `stop` is given, those that were found until then.
 pub(super) fn candidates(
@@ -62,29 +43,6 @@ pub(super) fn candidates(
 }
 
 impl Tries<'_, '_> {
-    fn push(&mut self, prior: f64, mistake: Mistake, values: Vec<f64>, is_shared: bool, edits: Vec<Edit>) {
-        if values.iter().any(|value| value.is_finite()) {
-            self.found.push(Candidate { mistake, prior, values, is_shared, is_free: false, edits });
-        }
-    }
-
-    /// An edit of the trace.
-    pub(super) fn edit(&mut self, prior: f64, mistake: Mistake, values: Vec<f64>) {
-        let edits = mistake.edit.iter().cloned().collect();
-        self.push(prior, mistake, values, true, edits);
-    }
-
-    /// Other data.
-    pub(super) fn data(&mut self, prior: f64, mistake: Mistake, values: Vec<f64>, edits: Vec<Edit>) {
-        self.push(prior, mistake, values, true, edits);
-    }
-
-    fn free(&mut self, mistake: Mistake, values: Vec<f64>) {
-        let candidate =
-            Candidate { mistake, prior: 2.0, values, is_shared: false, is_free: true, edits: Vec::new() };
-        self.found.push(candidate);
-    }
-
     /// The value of one of the wrong answers alone.
     fn only(&self, at: usize, value: f64) -> Vec<f64> {
         let mut values = vec![f64::NAN; self.wrong.len()];
@@ -220,7 +178,7 @@ impl Tries<'_, '_> {
             if let Ok(printed) = super::value(self.wrong[at].answer, &expected.printed) {
                 let mistake = Mistake::new(Place::Answer, Change::Printed(why.clone()));
                 let values = self.only(at, printed);
-                self.free(mistake, values);
+                self.free(2.0, mistake, values);
             }
         }
     }
@@ -247,7 +205,7 @@ impl Tries<'_, '_> {
             let found = Reevaluation::new(solution, &[id]).with(&edits, &[Some(id)]);
             let values = self.only(at, found.first().map_or(f64::NAN, |number| scalar(*number)));
             let names = causes.iter().map(|(other, _)| self.wrong[*other].name.to_owned()).collect();
-            self.free(Mistake::new(Place::Answer, Change::Follows(names)), values);
+            self.free(3.0, Mistake::new(Place::Answer, Change::Follows(names)), values);
         }
     }
 }

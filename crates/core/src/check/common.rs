@@ -1,11 +1,6 @@
 //! Common errors of an answer: the numbers that usual mistakes would give in its place.
 
-use super::{
-    Mistake,
-    candidates::{Candidate, candidates},
-    difference,
-    wrong::Wrong,
-};
+use super::{Mistake, candidates::candidates, difference, tries::Candidate, wrong::Wrong};
 use crate::{Entry, Record, Refusal, Solution, Stop};
 
 /// Values closer to each other than this share are one.

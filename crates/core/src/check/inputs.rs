@@ -6,8 +6,8 @@ use dalembert_units::{self as units, Dim, Kind, Unit};
 
 use super::{
     Change, Mistake, Place,
-    candidates::Tries,
     steps::{LONGEST_TRACE, node_of, scalar},
+    tries::Tries,
     wrong::Wrong,
 };
 use crate::{
@@ -151,6 +151,10 @@ impl<'s> Inputs<'s> {
         stop.check()?;
         let trace = self.trace.as_mut().expect("the edits are those of a trace");
         let values = trace.values(&all);
+        // Where a formula of the trace has no value, the problem may have another one: a root turned negative.
+        if values.iter().all(|value| !value.is_finite()) {
+            return Ok((self.solved(changes, stop)?, Vec::new()));
+        }
         Ok((values, all))
     }
 

@@ -123,7 +123,7 @@ pub enum Change {
     Rounded(u8),
 }
 
-/// What may have led to a wrong answer.
+/// Explanation of a wrong answer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cause {
     /// The mistakes that give the answer together: one, or two.
@@ -192,7 +192,7 @@ impl Mistake {
         words::mistake(self, solution)
     }
 
-    /// What was computed, and what is right in its place, as lines of the worked solution: `P₃ = −45 kW`,
+    /// Lines of what was computed and of what is right in its place, as in the worked solution: `P₃ = −45 kW`,
     /// `P₃ = −450 kW`; `None` where the description says it all.
     pub fn lines(&self, solution: &Solution, locale: &Locale) -> Option<[String; 2]> {
         words::lines(self, solution, locale)

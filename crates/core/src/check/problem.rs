@@ -1,6 +1,6 @@
 //! Mistakes in what the problem is: another option of a choice, another count.
 
-use super::{Change, Mistake, Place, candidates::Tries};
+use super::{Change, Mistake, Place, tries::Tries};
 use crate::{
     Draft, Entry, Field, Record, Refusal, Shape, Solution, SolveError, Stop, Text, Value, Variant, vary,
 };

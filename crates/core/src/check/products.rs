@@ -4,7 +4,7 @@ use dalembert_units::{Dim, Kind};
 
 use super::{
     Change,
-    steps::{NAN, Slip, alone, is_scalar},
+    slip::{Slip, UNKNOWN, alone, is_scalar},
 };
 use crate::{
     Solution,
@@ -137,16 +137,16 @@ fn product_of(solution: &Solution, id: Id, factors: &[Factor], coefficient: f64)
         let side = if factor.divides { &mut under } else { &mut over };
         *side = Some(match *side {
             None => factor.id,
-            Some(product) => add(Op::Mul(product, factor.id), NAN),
+            Some(product) => add(Op::Mul(product, factor.id), UNKNOWN),
         });
     }
     match (over, under) {
         (Some(over), Some(under)) => {
-            add(Op::Div(over, under), NAN);
+            add(Op::Div(over, under), UNKNOWN);
         }
         (None, Some(under)) => {
             let one = add(Op::Literal, Number::Scalar(1.0));
-            add(Op::Div(one, under), NAN);
+            add(Op::Div(one, under), UNKNOWN);
         }
         (Some(over), None) if ops.is_empty() => return Some(Edit::op(id, alone(over))),
         (Some(_), None) => {}

@@ -4,8 +4,9 @@ use std::{collections::BTreeSet, ops::Bound};
 
 use super::{
     Cause, Change, Mistake, Place,
-    candidates::{Candidate, candidates},
+    candidates::candidates,
     steps::{node_of, rounded, scalar},
+    tries::Candidate,
     wrong::{Digits, Wrong},
 };
 use crate::{

@@ -7,7 +7,13 @@ use std::{
 
 use dalembert_units::Dim;
 
-use super::{Change, Mistake, Place, candidates::Tries, products::of_product, wrong::Wrong};
+use super::{
+    Change, Mistake, Place,
+    products::of_product,
+    slip::{Slip, UNKNOWN, alone, is_scalar},
+    tries::Tries,
+    wrong::Wrong,
+};
 use crate::{
     AnswerValue, Refusal, Solution, Stop,
     reevaluate::{Edit, Reevaluation},
@@ -27,25 +33,6 @@ pub(super) fn node_of(wrong: &Wrong<'_>) -> Option<Id> {
 /// A number of the trace as a scalar; NaN for a vector.
 pub(super) fn scalar(number: Number) -> f64 {
     if let Number::Scalar(x) = number { x } else { f64::NAN }
-}
-
-/// An edit of the trace, how common it is, and what it does.
-pub(super) struct Slip {
-    prior: f64,
-    change: Change,
-    edit: Edit,
-    /// The term, factor or argument that it is about.
-    of: Option<Id>,
-}
-
-impl Slip {
-    pub(super) fn new(prior: f64, change: Change, edit: Edit) -> Self {
-        Self { prior, change, edit, of: None }
-    }
-
-    pub(super) fn of(self, id: Id) -> Self {
-        Self { of: Some(id), ..self }
-    }
 }
 
 /// Adds the results of every edit of a step before the wrong answers.
@@ -175,7 +162,7 @@ fn of_formula(solution: &Solution, formula: Id, found: &mut Vec<Slip>) {
     }
 }
 
-/// What a node of a formula is a part of.
+/// Operation that a node of a formula is a part of.
 #[derive(Clone, Copy, PartialEq)]
 enum Part {
     Alone,
@@ -211,13 +198,14 @@ fn of_sum(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
         && [a, b].iter().all(|id| is_scalar(solution, *id))
     {
         let first = Edit::first_new(solution);
-        let series = vec![(Op::Mul(a, b), NAN), (Op::Add(a, b), NAN), (Op::Div(first, first + 1), NAN)];
+        let series =
+            vec![(Op::Mul(a, b), UNKNOWN), (Op::Add(a, b), UNKNOWN), (Op::Div(first, first + 1), UNKNOWN)];
         found.push(Slip::new(0.3, Change::SeriesForParallel, Edit { at: id, ops: series }));
         let squares = vec![
-            (Op::Power(a, 2), NAN),
-            (Op::Power(b, 2), NAN),
-            (Op::Add(first, first + 1), NAN),
-            (Op::Root(first + 2, 2), NAN),
+            (Op::Power(a, 2), UNKNOWN),
+            (Op::Power(b, 2), UNKNOWN),
+            (Op::Add(first, first + 1), UNKNOWN),
+            (Op::Root(first + 2, 2), UNKNOWN),
         ];
         found.push(Slip::new(0.3, Change::AddedAsVectors, Edit { at: id, ops: squares }));
     }
@@ -286,14 +274,6 @@ fn squares(solution: &Solution, sum: Id) -> Option<(Id, Id)> {
     }
 }
 
-/// The number of an operation that is computed when it is read.
-pub(super) const NAN: Number = Number::Scalar(f64::NAN);
-
-/// The number of a node as it is. The first power of a number is the number; a sum of one vector is the vector.
-pub(super) fn alone(id: Id) -> Op {
-    Op::Sum(vec![id])
-}
-
 /// Other operations in place of one.
 fn of_operation(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
     let mut may = |prior: f64, change: Change, op: Op, of: Id| {
@@ -316,8 +296,8 @@ fn of_operation(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
         }
         Op::Magnitude(a) => {
             let first = Edit::first_new(solution);
-            let component = |axis| (Op::Component(*a, axis), NAN);
-            let ops = vec![component(0), component(1), (Op::Add(first, first + 1), NAN)];
+            let component = |axis| (Op::Component(*a, axis), UNKNOWN);
+            let ops = vec![component(0), component(1), (Op::Add(first, first + 1), UNKNOWN)];
             found.push(Slip::new(0.4, Change::AddedDirectly, Edit { at: id, ops }));
         }
         Op::Call(function, a) => of_function(solution, id, *function, *a, found),
@@ -326,7 +306,7 @@ fn of_operation(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
             may(0.5, Change::Inverted, Op::Atan2(*x, *y), id);
             for function in [Function::Asin, Function::Acos] {
                 let first = Edit::first_new(solution);
-                let ops = vec![(Op::Div(*y, *x), NAN), (Op::Call(function, first), NAN)];
+                let ops = vec![(Op::Div(*y, *x), UNKNOWN), (Op::Call(function, first), UNKNOWN)];
                 let change = Change::Trigonometric("arctan", crate::printer::function(function));
                 found.push(Slip::new(0.5, change, Edit { at: id, ops }));
             }
@@ -335,14 +315,14 @@ fn of_operation(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
         Op::Compose(parts) => {
             for axis in 0..3 {
                 let first = Edit::first_new(solution);
-                let minus = (Op::Neg(parts[axis]), NAN);
+                let minus = (Op::Neg(parts[axis]), UNKNOWN);
                 let zero = (Op::Literal, Number::Scalar(0.0));
                 for (prior, change, part) in
                     [(0.5, Change::TermSign, minus), (0.4, Change::TermLeftOut, zero)]
                 {
                     let mut others = *parts;
                     others[axis] = first;
-                    let whole = (Op::Compose(others), NAN);
+                    let whole = (Op::Compose(others), UNKNOWN);
                     found.push(
                         Slip::new(prior, change, Edit { at: id, ops: vec![part, whole] }).of(parts[axis]),
                     );
@@ -351,10 +331,6 @@ fn of_operation(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
         }
         _ => {}
     }
-}
-
-pub(super) fn is_scalar(solution: &Solution, id: Id) -> bool {
-    matches!(solution.trace.node(id).number, Number::Scalar(_))
 }
 
 /// Another function, or an argument in degrees.
@@ -386,8 +362,8 @@ fn of_function(solution: &Solution, id: Id, function: Function, argument: Id, fo
         let mut in_degrees = |factor: f64| {
             let ops = vec![
                 (Op::Literal, Number::Scalar(factor)),
-                (Op::Mul(first, argument), NAN),
-                (Op::Call(function, first + 1), NAN),
+                (Op::Mul(first, argument), UNKNOWN),
+                (Op::Call(function, first + 1), UNKNOWN),
             ];
             found.push(Slip::new(0.6, Change::Degrees, Edit { at: id, ops }));
         };
@@ -395,8 +371,8 @@ fn of_function(solution: &Solution, id: Id, function: Function, argument: Id, fo
         for (prior, factor) in [(0.3, 2.0), (0.3, 0.5)] {
             let ops = vec![
                 (Op::Literal, Number::Scalar(factor)),
-                (Op::Mul(first, argument), NAN),
-                (Op::Call(function, first + 1), NAN),
+                (Op::Mul(first, argument), UNKNOWN),
+                (Op::Call(function, first + 1), UNKNOWN),
             ];
             found.push(Slip::new(prior, Change::Times(factor, "2"), Edit { at: id, ops }));
         }

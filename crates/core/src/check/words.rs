@@ -177,7 +177,7 @@ fn common(change: &Change) -> Text {
     }
 }
 
-/// What was computed and what is right, as lines of the worked solution.
+/// Lines of what was computed and of what is right.
 pub(super) fn lines(mistake: &Mistake, solution: &Solution, locale: &Locale) -> Option<[String; 2]> {
     let (Place::Step(at, _), Some(edit)) = (&mistake.place, &mistake.edit) else { return None };
     let step = solution.steps.get(*at)?;
