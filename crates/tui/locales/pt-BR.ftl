@@ -122,6 +122,7 @@ every-step-is-revealed = todos os passos foram revelados
 no-further-symbol = não há mais símbolos
 this-step-depends-on-no-other-symbol = este passo não depende de outro símbolo
 hidden-until-every-step-is-revealed-key-shows-the-results = oculto até que todos os passos sejam revelados; { $key } mostra os resultados
+hidden-until-yours-is-correct = oculto até que a sua resposta esteja correta
 in-a-problem = Em um problema
 in-every-tab = Em toda aba
 next-plot-or-drawing = próximo gráfico ou desenho

@@ -326,10 +326,10 @@ impl Problem {
         Some(&case.statement).filter(|statement| !statement.is_empty())
     }
 
-    /// Names of the answers that a statement asks for; empty without one.
+    /// Names of the answers that the statement asks for; empty without one.
     pub fn asked(&self) -> &[String] {
         match self.published() {
-            Some(case) if !case.statement.is_empty() => &case.asked,
+            Some(case) if self.statement().is_some() => &case.asked,
             _ => &[],
         }
     }

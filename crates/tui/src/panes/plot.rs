@@ -90,7 +90,7 @@ impl Pane for Plot {
 
     fn draw(&self, problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut Buffer) {
         if ui.covered {
-            reasons::covered(ui, room.width).draw(0, room, buffer);
+            reasons::hidden(problem, ui, room.width).draw(0, room, buffer);
             return;
         }
         let Some((plot, pinned)) = problem.plot_at(self.at) else {
@@ -105,7 +105,7 @@ impl Pane for Plot {
     /// Draws the plot after the one that is shown, as it is: keys act on the other one.
     fn draw_next(&self, problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut Buffer) {
         if ui.covered {
-            reasons::covered(ui, room.width).draw(0, room, buffer);
+            reasons::hidden(problem, ui, room.width).draw(0, room, buffer);
             return;
         }
         let next = turned(self.at, 1, self.pictures(problem));
