@@ -131,7 +131,7 @@ pub(super) fn hidden(problem: &Problem, ui: &Ui<'_>, width: u16) -> Page {
     if problem.found.revealed.is_some() {
         return covered(ui, width);
     }
-    let words = Text::new("hidden while Check asks for the answers").render(ui.locale);
+    let words = Text::new("hidden until yours is correct").render(ui.locale);
     let lines = wrapped(&words, width.into()).into_iter();
     Page::of(lines.map(|text| Line::styled(text, ui.look.dim())).collect())
 }

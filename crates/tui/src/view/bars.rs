@@ -194,6 +194,7 @@ fn hints(model: &Model, place: KeyContext, room: usize) -> Vec<Hint> {
         Action::ExportSeen => in_picture,
         Action::Copy | Action::Export => !in_picture,
         Action::Repair => shown.is_some_and(|bench| !bench.problem.repairs().is_empty()),
+        Action::Statement => shown.is_some_and(|bench| bench.problem.statement().is_some()),
         Action::NextFilePart => shown.is_some_and(|bench| bench.problem.inputs.form.parts().len() > 1),
         Action::Toggle if place == KeyContext::Picker => model.chosen_exercise().is_some(),
         action if place.is_pane() => shown.is_none_or(|bench| bench.shown().serves(&bench.problem, action)),
