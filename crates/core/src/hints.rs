@@ -22,7 +22,7 @@ pub enum HintLevel {
 /// Hint on an answer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hint {
-    /// Its lines, in the order of the working.
+    /// Lines, in the order of the working.
     pub lines: Vec<HintLine>,
     /// Number of earlier steps that are left out.
     pub earlier: usize,

@@ -17,7 +17,7 @@ struct Datum {
     path: String,
     text: String,
     numbers: Vec<f64>,
-    /// Its unit as a statement has it; empty for a pure number.
+    /// Unit as a statement has it; empty for a pure number.
     unit: String,
 }
 

@@ -24,7 +24,7 @@ const AROUND: usize = 2;
 
 /// A statement as it is drawn.
 pub(super) struct Statement {
-    /// Its rows, heading and blank row included.
+    /// Rows, heading and blank row included.
     pub(super) rows: Vec<Line<'static>>,
     /// Rows of its text that are seen.
     pub(super) seen: usize,
