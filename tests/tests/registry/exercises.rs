@@ -9,6 +9,7 @@ use dalembert_core::{
     hints::{HintLevel, hint},
     printer, registry,
 };
+use itertools::zip_eq;
 
 #[test]
 fn statements_are_complete_and_give_nothing_away() {
@@ -60,7 +61,7 @@ fn hints_lead_from_words_to_the_answer() {
             let place = format!("{}, {}: {name}", entry.about.id, case.name);
             let [words, formulas, values] =
                 HintLevel::ALL.map(|level| hint(&solution, answer, level, &locale));
-            for (hint, level) in [&words, &formulas, &values].into_iter().zip(HintLevel::ALL) {
+            for (hint, level) in zip_eq([&words, &formulas, &values], HintLevel::ALL) {
                 assert!(!hint.lines.is_empty(), "{place}: no {}", level.name());
                 assert!(hint.lines.iter().all(|line| !line.text.is_empty()), "{place}: {hint:?}");
             }

@@ -150,7 +150,7 @@ struct Preview<'m> {
     picture: Rect,
 }
 
-/// The case of an exercise or an exam question, with its statement, unless the cases of its analysis are looked through.
+/// The case of an exercise or an exam question, with its statement, unless one of the cases of its analysis is chosen.
 fn exercise<'l>(model: &Model, leaf: Leaf, listing: &'l Listing) -> Option<&'l Case> {
     let is_exam = listing.entry.family() == FAMILY;
     let case = if is_exam { Some(0) } else { leaf.case.filter(|_| leaf.is_exercise()) };
