@@ -190,8 +190,8 @@ impl<'p> Solved<'p> {
         let inputs = problem.inputs.iter().map(|(symbol, path)| (symbol.clone(), si(path))).collect();
         let solved = Self { problem, entry, record, solution, inputs };
         let right = solved.value(&[]).unwrap_or_else(|why| panic!("{id}: {why}"));
-        let ours = solved.solution.answer(&problem.answer.0).and_then(|answer| answer.si());
-        let ours = ours.unwrap_or_else(|| panic!("{id}: {} is no number", problem.answer.0));
+        let ours = solved.solution.answer(&problem.answer.0).and_then(dalembert_core::Answer::si);
+        let ours = ours.unwrap_or_else(|| panic!("{id}: {} is not a number", problem.answer.0));
         assert!((right - ours).abs() <= 1e-6 * ours.abs(), "{id}: {right} by hand, {ours} by the program");
         Some(solved)
     }

@@ -268,3 +268,8 @@ correct-value = correto: { $value }
 written-write-an-answer-and-its-value-as-in-amplitude-19-5-mm = `{ $written }`: escreva uma resposta e o seu valor, como em `amplitude=19.5 mm`
 there-is-no-answer-name-the-answers-are-known = não há resposta `{ $name }`; as respostas são { $known }
 the-value-of-name-is-missing-as-in-name-example = falta o valor de `{ $name }`, como em `{ $name }={ $example }`
+check-your-own-answers-and-find-the-likeliest-cause-of-a-wrong-one = Conferir as suas respostas e encontrar a causa mais provável de uma errada
+your-answers-with-their-units-a-number-alone-is-in-the-unit-of-the-answer-amplitude-19-5-mm = As suas respostas, com unidades; um número sozinho está na unidade da resposta: 'amplitude=19.5 mm'
+take-the-inputs-of-this-published-case-counted-from-1-default-case-1 = Usar os dados deste caso publicado, contado a partir de 1; padrão: caso 1
+change-an-input-mass-40-kg = Mudar um dado: mass="40 kg"
+print-what-is-correct-too = Mostrar também o que está correto

@@ -67,6 +67,7 @@ pub struct Page {
 
 /// The surroundings of a pane: the user's look, language and keys, and where the pane is seen.
 #[derive(Clone, Copy, Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a state of its own")]
 pub struct Ui<'a> {
     /// Colours and pictograms.
     pub look: &'a Appearance,

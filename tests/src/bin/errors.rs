@@ -4,6 +4,7 @@ use std::path::Path;
 
 use dalembert_plugins as _;
 use dalembert_tests::errors::{CorpusProblem, Solved, Tally, corpus, tally};
+use itertools::zip_eq;
 
 /// Random wrong answers of each number of digits.
 const RANDOM: usize = 2000;
@@ -26,8 +27,7 @@ fn main() {
             let all: [(&str, &dyn Fn(usize) -> f64); 2] = [("given", &|_| 1.0), ("varied", &varied)];
             for (data, factor) in all {
                 let mut log = String::new();
-                for (kind, found) in
-                    ["singles", "pairs"].into_iter().zip(tally(&problems, *digits, factor, &mut log))
+                for (kind, found) in zip_eq(["singles", "pairs"], tally(&problems, *digits, factor, &mut log))
                 {
                     row(*digits, data, kind, &found);
                 }
@@ -69,7 +69,7 @@ fn random(problems: &[CorpusProblem], digits: u8) -> (usize, usize) {
     for problem in problems {
         let Some(solved) = Solved::new(problem, &|_| 1.0) else { continue };
         let ours =
-            solved.solution.answer(&problem.answer.0).and_then(|answer| answer.si()).expect("a number");
+            solved.solution.answer(&problem.answer.0).and_then(dalembert_core::Answer::si).expect("a number");
         for n in 0..each {
             let factor = if n % 2 == 0 { 0.8 + 0.4 * uniform() } else { 10f64.powf(2.0 * uniform() - 1.0) };
             let Some(typed) = solved.typed(factor * ours, digits) else { continue };

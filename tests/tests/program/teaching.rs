@@ -155,7 +155,7 @@ fn hostile_cells_are_cells() {
     fs::write(&path, table).unwrap();
     let begun = Instant::now();
     let csv = printed(&["grade", path.to_str().expect("UTF-8"), "--problem", &fan, "--format", "csv"]);
-    assert!(begun.elapsed() < Duration::from_secs(60));
+    assert!(begun.elapsed() < Duration::from_mins(1));
     assert!(csv.lines().skip(1).all(|line| line.contains(",0,")), "{csv}");
     assert!(!csv.contains("root:"), "no file is read");
     assert!(csv.lines().all(|line| line.len() < 3_000), "no cell is repeated in full");

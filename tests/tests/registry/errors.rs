@@ -1,7 +1,5 @@
 //! Causes of wrong answers: those of the course's own errors, and of a part of the corpus of student errors.
 
-#![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
-
 use std::path::Path;
 
 use dalembert_core::{Stop, cases, check, find};

@@ -154,7 +154,6 @@ impl Mistake {
         match &self.change {
             Change::Follows(_) => "follows",
             Change::Printed(_) => "printed",
-            Change::Common(_) => "model",
             Change::OtherAnswer(_) | Change::OtherStep(_) => "other-answer",
             Change::Given(..) => "given",
             Change::Sign | Change::TermSign => "sign",
@@ -174,7 +173,8 @@ impl Mistake {
             Change::Squared | Change::FactorSquared | Change::Exponent(..) => "square",
             Change::Rooted | Change::RootLeftOut => "root",
             Change::Inverted | Change::DividedForMultiplied => "reciprocal",
-            Change::Coefficient(..)
+            Change::Common(_)
+            | Change::Coefficient(..)
             | Change::AddedDirectly
             | Change::AddedAsVectors
             | Change::SeriesForParallel => "model",

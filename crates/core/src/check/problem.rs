@@ -2,7 +2,8 @@
 
 use super::{Change, Mistake, Place, tries::Tries};
 use crate::{
-    Draft, Entry, Field, Record, Refusal, Shape, Solution, SolveError, Stop, Text, Value, Variant, vary,
+    Answer, Draft, Entry, Field, Record, Refusal, Shape, Solution, SolveError, Stop, Text, Value, Variant,
+    vary,
 };
 
 /// Adds the results of other options of every choice, and of other counts.
@@ -45,7 +46,7 @@ pub(super) fn problems(
 }
 
 fn si_of(solution: &Solution, name: &str) -> f64 {
-    solution.answer(name).and_then(|answer| answer.si()).unwrap_or(f64::NAN)
+    solution.answer(name).and_then(Answer::si).unwrap_or(f64::NAN)
 }
 
 /// The problem otherwise.

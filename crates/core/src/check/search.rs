@@ -146,7 +146,7 @@ fn singles(at: usize, wrong: &[Wrong<'_>], candidates: &[Candidate]) -> Vec<Caus
     hits.into_iter().map(|hit| hit.cause).collect()
 }
 
-/// True if a value cannot be told from ours.
+/// True if a value is ours, within rounding.
 fn is_ours(one: &Wrong<'_>, value: f64) -> bool {
     super::difference(value, one.computed, one.answer.dim()) <= 1e-9 * one.computed.abs().max(1e-300)
 }

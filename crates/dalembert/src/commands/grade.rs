@@ -1,6 +1,7 @@
 //! `dalembert grade`
 
 use std::{
+    collections::BTreeMap,
     process::ExitCode,
     sync::mpsc::{self, RecvTimeoutError},
     thread,
@@ -96,13 +97,13 @@ fn the_problem(exercise: &dalembert_teaching::Exercise, stop: &Stop) -> Result<V
         Failure::input(why.with("why", error))
     })?;
     let asked = exercise.asked(&solution);
-    let (label, data, errors) = (String::new(), Vec::new(), Default::default());
+    let (label, data, errors) = (String::new(), Vec::new(), BTreeMap::new());
     Ok(Variant { label, data, draft, record, solution, asked, errors })
 }
 
 /// Rows of each student, in the order in which students come first.
 fn by_student(rows: &[AnswerRow]) -> Vec<(&str, Vec<&AnswerRow>)> {
-    let mut places = std::collections::BTreeMap::new();
+    let mut places = BTreeMap::new();
     let mut found: Vec<(&str, Vec<&AnswerRow>)> = Vec::new();
     for row in rows {
         let student = row.student.as_str();
