@@ -68,6 +68,8 @@ pub struct Tally {
     pub made: usize,
     /// Causes that came first and were right.
     pub right: usize,
+    /// Those of them that came with other mistakes that give the very same number.
+    pub shared: usize,
     /// Right causes among those listed, but not the first.
     pub listed: usize,
     /// Wrong causes that came first.
@@ -253,8 +255,12 @@ impl<'p> Solved<'p> {
     /// True if a cause is that of the error: the same operations at the same places.
     #[must_use]
     pub fn is_cause(&self, cause: &Cause, error: &CorpusError) -> bool {
+        cause.explanations().any(|mistakes| self.is_explanation(mistakes, error))
+    }
+
+    fn is_explanation(&self, mistakes: &[Mistake], error: &CorpusError) -> bool {
         let [first, rest @ ..] = &error.edits[..] else { return false };
-        match (&cause.mistakes[..], rest) {
+        match (mistakes, rest) {
             ([only], []) => {
                 let also = error.also.iter().any(|(at, does)| self.fits(only, at, does, None));
                 also || self.fits(only, &first.at, &first.does, first.with.as_deref())
@@ -408,6 +414,7 @@ pub fn tally(
             match causes.first() {
                 Some(first) if is_right(first) => {
                     tally.right += 1;
+                    tally.shared += usize::from(!first.equivalents.is_empty());
                     continue;
                 }
                 Some(first) => {

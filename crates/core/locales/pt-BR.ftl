@@ -732,3 +732,4 @@ principle = Princípio
 formulas = Fórmulas
 numbers = Números
 given-path = dado: { $path }
+first-or-with-the-same-result-second = { $first }; ou, com o mesmo resultado, { $second }

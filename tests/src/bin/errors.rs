@@ -22,7 +22,7 @@ fn main() {
         }
         let problems = corpus(&folder);
         println!("{name}: {} problems", problems.len());
-        println!("digits  data    kind     made  right first  wrong first (named)  listed");
+        println!("digits  data    kind     made  right first (with equals)  wrong first (named)  listed");
         for digits in &digits {
             let all: [(&str, &dyn Fn(usize) -> f64); 2] = [("given", &|_| 1.0), ("varied", &varied)];
             for (data, factor) in all {
@@ -47,10 +47,10 @@ fn main() {
 }
 
 fn row(digits: u8, data: &str, kind: &str, found: &Tally) {
-    let Tally { made, right, wrong, named_wrong, listed } = found;
+    let Tally { made, right, shared, wrong, named_wrong, listed } = found;
     let (share, bad) = (found.right_share(), found.wrong_share());
     println!(
-        "{digits:>6}  {data:7} {kind:8} {made:>4}  {right:>4} {share:5.1} %  {wrong:>4} {bad:5.1} % ({named_wrong})  {listed:>4}"
+        "{digits:>6}  {data:7} {kind:8} {made:>4}  {right:>4} {share:5.1} % ({shared:>3})  {wrong:>4} {bad:5.1} % ({named_wrong})  {listed:>4}"
     );
 }
 

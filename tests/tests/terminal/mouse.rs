@@ -105,7 +105,7 @@ fn a_plot_is_pointed_at_zoomed_and_dragged() {
 
 #[test]
 fn answers_to_be_checked_are_clicked_and_typed() {
-    let mut person = fan(110, 16);
+    let mut person = fan(110, 14);
     person.turns_to("Check").clicks("Natural frequency");
     assert!(person.model.place() == KeyContext::Cells && person.sees().contains("▸ Natural frequency"));
     person.clicks("Natural frequency").types("106.23");

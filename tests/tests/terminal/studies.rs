@@ -270,7 +270,7 @@ fn escape_stops_what_is_asked_and_turning_to_it_asks_again() {
         person.types("[]");
         let screen = person.sees();
         assert!(!screen.contains("cancelled"), "{screen}");
-        let found = ["No common error", "all tolerances:", "current value", "target"];
+        let found = ["Possible causes", "all tolerances:", "current value", "target"];
         assert!(found.iter().any(|words| screen.contains(words)), "{screen}");
         // The next one goes back to the inputs.
         person.types("<esc>");

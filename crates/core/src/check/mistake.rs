@@ -128,6 +128,8 @@ pub enum Change {
 pub struct Cause {
     /// The mistakes that give the answer together: one, or two.
     pub mistakes: Vec<Mistake>,
+    /// Other mistakes about as common that give the very same number, so that nobody can tell them from the number.
+    pub equivalents: Vec<Vec<Mistake>>,
     /// True if chance hardly hits the digits that were given; otherwise it is only possible.
     pub is_named: bool,
 }
@@ -200,12 +202,31 @@ impl Mistake {
 }
 
 impl Cause {
+    pub(super) fn new(mistakes: Vec<Mistake>, is_named: bool) -> Self {
+        Self { mistakes, equivalents: Vec::new(), is_named }
+    }
+
     /// Description of the cause, without a number of the right solution.
     pub fn text(&self, solution: &Solution) -> Text {
-        let all = self.mistakes.iter().map(|mistake| mistake.text(solution));
-        all.reduce(|first, second| {
-            Text::new("{first}, and {second}").with_text("first", first).with_text("second", second)
-        })
-        .unwrap_or_default()
+        let together = |mistakes: &Vec<Mistake>| {
+            let all = mistakes.iter().map(|mistake| mistake.text(solution));
+            all.reduce(|first, second| {
+                Text::new("{first}, and {second}").with_text("first", first).with_text("second", second)
+            })
+            .unwrap_or_default()
+        };
+        self.explanations()
+            .map(together)
+            .reduce(|first, second| {
+                Text::new("{first}; or, with the same result, {second}")
+                    .with_text("first", first)
+                    .with_text("second", second)
+            })
+            .unwrap_or_default()
+    }
+
+    /// The mistakes, then their equivalents.
+    pub fn explanations(&self) -> impl Iterator<Item = &Vec<Mistake>> {
+        std::iter::once(&self.mistakes).chain(&self.equivalents)
     }
 }

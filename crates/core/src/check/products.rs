@@ -114,7 +114,12 @@ fn coefficients(solution: &Solution, id: Id, all: &[Factor], found: &mut Vec<Sli
     let taken = COEFFICIENTS.into_iter().map(|other| if present.abs() < 1.0 { 1.0 / other } else { other });
     let taken = taken.chain([2.0 / 5.0, 2.0 / 3.0, 3.0 / 10.0]).map(|other| other.copysign(present));
     let prior = if is_remembered(solution.trace.node(id).dim) { 0.72 } else { 0.25 };
-    for other in taken.filter(|other| (other / present - 1.0).abs() > 1e-9) {
+    // A coefficient ten times as large is a power of ten, which others look for.
+    let is_another = |other: &f64| {
+        let places = (other / present).log10();
+        (places - places.round()).abs() > 1e-9
+    };
+    for other in taken.filter(is_another) {
         let change = Change::Coefficient(present, other);
         found.extend(product_of(solution, id, &others, other).map(|edit| Slip::new(prior, change, edit)));
     }

@@ -19,6 +19,10 @@ use crate::{
 const NAMED: f64 = 0.02;
 /// It is listed as possible up to here.
 const POSSIBLE: f64 = 0.5;
+/// So many other mistakes are named with the first that gives their number.
+const EQUIVALENTS: usize = 2;
+/// A mistake is about as common as another if its prior is at least so many times the other's.
+const AS_COMMON: f64 = 0.5;
 /// At most so many causes are listed for an answer.
 const MOST: usize = 4;
 /// So many of the likeliest mistakes are tried in pairs.
@@ -104,12 +108,35 @@ impl Tried {
     }
 }
 
-/// A cause that gives the digits of the answer.
+/// Mistakes that give the digits of the answer.
 struct Hit {
     cause: Cause,
-    /// Number of the user's other wrong answers that it gives as well.
+    /// Number of the user's other wrong answers that they give as well.
     others: usize,
     prior: f64,
+    /// The number that they give; NaN where it is the user's own or a book's.
+    value: f64,
+}
+
+/// Causes of hits, the likeliest first: mistakes that give one number and are about as common are one cause.
+fn causes_of(mut hits: Vec<Hit>) -> Vec<Cause> {
+    hits.sort_by(|a, b| {
+        (b.cause.is_named, b.others).cmp(&(a.cause.is_named, a.others)).then(b.prior.total_cmp(&a.prior))
+    });
+    let mut found: Vec<Hit> = Vec::new();
+    for hit in hits {
+        let equivalent = found.iter_mut().find(|known| {
+            (known.value - hit.value).abs() <= 1e-9 * hit.value.abs()
+                && known.others == hit.others
+                && hit.prior >= AS_COMMON * known.prior
+                && known.cause.equivalents.len() < EQUIVALENTS
+        });
+        match equivalent {
+            Some(known) => known.cause.equivalents.push(hit.cause.mistakes),
+            None => found.push(hit),
+        }
+    }
+    found.into_iter().map(|hit| hit.cause).collect()
 }
 
 /// The single mistakes that give a wrong answer.
@@ -119,12 +146,13 @@ fn singles(at: usize, wrong: &[Wrong<'_>], candidates: &[Candidate]) -> Vec<Caus
     let mut hits: Vec<Hit> = Vec::new();
     for candidate in candidates {
         let value = candidate.values[at];
-        let cause = |is_named| Cause { mistakes: vec![candidate.mistake.clone()], is_named };
+        let cause = |is_named| Cause::new(vec![candidate.mistake.clone()], is_named);
         if candidate.is_free {
             // What was said by the user or a book is no number that we try.
             let is_theirs = matches!(candidate.mistake.change, Change::Follows(_)) && one.nearly(value);
             if is_theirs || one.is(value) {
-                hits.push(Hit { cause: cause(true), others: usize::MAX, prior: candidate.prior });
+                let (others, value) = (usize::MAX, f64::NAN);
+                hits.push(Hit { cause: cause(true), others, prior: candidate.prior, value });
             }
             continue;
         }
@@ -137,13 +165,10 @@ fn singles(at: usize, wrong: &[Wrong<'_>], candidates: &[Candidate]) -> Vec<Caus
         }
         let (others, chance) = together(candidate, at, wrong, tried.accidents);
         if chance <= POSSIBLE {
-            hits.push(Hit { cause: cause(chance <= NAMED), others, prior: candidate.prior });
+            hits.push(Hit { cause: cause(chance <= NAMED), others, prior: candidate.prior, value });
         }
     }
-    hits.sort_by(|a, b| {
-        (b.cause.is_named, b.others).cmp(&(a.cause.is_named, a.others)).then(b.prior.total_cmp(&a.prior))
-    });
-    hits.into_iter().map(|hit| hit.cause).collect()
+    causes_of(hits)
 }
 
 /// True if a value is ours, within rounding.
@@ -199,9 +224,9 @@ fn pairs(
         }
     }
     all.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let mut hits: Vec<Cause> = Vec::new();
-    for (_, n, m) in all {
-        if stop.check().is_err() || hits.len() == MOST {
+    let mut hits: Vec<Hit> = Vec::new();
+    for (prior, n, m) in all {
+        if stop.check().is_err() || hits.len() == 2 * MOST {
             break;
         }
         let (first, second) = (likely[n], likely[m]);
@@ -220,10 +245,11 @@ fn pairs(
         }
         if one.is(value) {
             let mistakes = vec![first.mistake.clone(), second.mistake.clone()];
-            hits.push(Cause { mistakes, is_named: tried.accidents <= NAMED });
+            let cause = Cause::new(mistakes, tried.accidents <= NAMED);
+            hits.push(Hit { cause, others: 0, prior, value });
         }
     }
-    hits
+    causes_of(hits)
 }
 
 /// An intermediate result rounded to two, three or four digits that gives the answer.
@@ -248,7 +274,7 @@ fn rounding(one: &Wrong<'_>, solution: &Solution) -> Option<Cause> {
                 continue;
             }
             let mistake = Mistake::new(Place::Step(place, step.symbol), Change::Rounded(digits));
-            let cause = Cause { mistakes: vec![mistake.by(edit).taken(taken)], is_named: true };
+            let cause = Cause::new(vec![mistake.by(edit).taken(taken)], true);
             let distance = one.distance(found);
             if best.as_ref().is_none_or(|(least, _)| distance < *least) {
                 best = Some((distance, cause));
@@ -273,6 +299,6 @@ fn branch(solution: &Solution, name: &str, text: &str) -> Option<(String, Vec<Ca
     });
     let within = super::half_a_place(&typed) + 1e-12 * typed.si.abs();
     let is_end = ends.into_iter().any(|end| (end - typed.si).abs() <= within);
-    let cause = Cause { mistakes: vec![Mistake::new(Place::Answer, Change::Branch)], is_named: true };
+    let cause = Cause::new(vec![Mistake::new(Place::Answer, Change::Branch)], true);
     is_end.then(|| (name.to_owned(), vec![cause]))
 }

@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use dalembert_core::{
     Locale, Solution, Stop, Text,
-    check::{self, Cause, Place, Verdict},
+    check::{self, Cause, Mistake, Place, Verdict},
     find as analysis, nearest,
 };
 use serde_json::{Value as Json, json};
@@ -150,29 +150,33 @@ impl Checked<'_> {
             .causes
             .iter()
             .map(|cause| {
-                let mistakes: Vec<Json> = cause
-                    .mistakes
-                    .iter()
-                    .map(|mistake| {
-                        let (place, at) = match &mistake.place {
-                            Place::Answer => ("answer", None),
-                            Place::Problem => ("problem", None),
-                            Place::Input(path, _) => ("input", Some(path.clone())),
-                            Place::Step(_, symbol) => ("step", Some(dalembert_core::printer::symbol(symbol))),
-                        };
-                        let lines = mistake.lines(solution, locale);
-                        json!({
-                            "place": place,
-                            "at": at,
-                            "operation": mistake.operation(),
-                            "text": mistake.text(solution).render(locale),
-                            "computed": lines.as_ref().map(|[wrong, _]| wrong),
-                            "correct": lines.as_ref().map(|[_, right]| right),
-                        })
+                let one = |mistake: &Mistake| {
+                    let (place, at) = match &mistake.place {
+                        Place::Answer => ("answer", None),
+                        Place::Problem => ("problem", None),
+                        Place::Input(path, _) => ("input", Some(path.clone())),
+                        Place::Step(_, symbol) => ("step", Some(dalembert_core::printer::symbol(symbol))),
+                    };
+                    let lines = mistake.lines(solution, locale);
+                    json!({
+                        "place": place,
+                        "at": at,
+                        "operation": mistake.operation(),
+                        "text": mistake.text(solution).render(locale),
+                        "computed": lines.as_ref().map(|[wrong, _]| wrong),
+                        "correct": lines.as_ref().map(|[_, right]| right),
                     })
-                    .collect();
+                };
+                let mistakes: Vec<Json> = cause.mistakes.iter().map(one).collect();
+                let equivalents: Vec<Vec<Json>> =
+                    cause.equivalents.iter().map(|all| all.iter().map(one).collect()).collect();
                 let text = cause.text(solution).render(locale);
-                json!({ "text": text, "named": cause.is_named, "mistakes": mistakes })
+                json!({
+                    "text": text,
+                    "named": cause.is_named,
+                    "mistakes": mistakes,
+                    "equivalents": equivalents,
+                })
             })
             .collect();
         let text = self.verdict.text().render(&locale.digits(2));
