@@ -160,7 +160,6 @@ write-a-changed-input-and-its-value-as-in-configuration-weighted-mass-m-2-kg = e
 solve-the-same-problem-with-an-input-changed-beside-it-weighted-mass-m-2-kg = Resolve ao lado o mesmo problema com um dado alterado: 'carregado.mass=m + 2 kg'
 
 ## Find
-find-the-values-of-an-input-with-which-an-answer-is-a-wanted-one = Obter os valores de um dado com os quais um resultado é o desejado
 take-the-other-inputs-of-this-published-case-counted-from-1-default-case-1 = Usar os outros dados deste caso publicado, contado a partir de 1; padrão: caso 1
 the-input-to-find-mass-masses-2-radius = O dado a obter: mass, masses[2].radius
 the-answer-or-question-and-the-value-that-it-is-to-have-natural-frequency-8-2-hz = O resultado ou a pergunta, e o valor que deve ter: 'natural_frequency=8.2 Hz'
@@ -273,3 +272,49 @@ your-answers-with-their-units-a-number-alone-is-in-the-unit-of-the-answer-amplit
 take-the-inputs-of-this-published-case-counted-from-1-default-case-1 = Usar os dados deste caso publicado, contado a partir de 1; padrão: caso 1
 change-an-input-mass-40-kg = Mudar um dado: mass="40 kg"
 print-what-is-correct-too = Mostrar também o que está correto
+
+# Sensitivity, and the values of an input within a limit.
+find-the-values-of-an-input-with-which-an-answer-is-a-wanted-one-or-within-a-limit = Encontrar os valores de um dado com os quais um resultado é o desejado, ou respeita um limite
+rank-the-inputs-by-their-effect-on-an-answer-and-combine-their-tolerances = Ordenar os dados pelo efeito sobre um resultado e combinar as suas tolerâncias
+the-answer-or-question-and-the-value-or-the-limit-that-it-is-to-have-natural-frequency-8-2-hz = O resultado ou pergunta, e o valor ou o limite que deve ter: 'natural_frequency=8.2 Hz', 'amplitude<=2 mm'
+the-same-as-input = O mesmo que INPUT
+the-same-as-answer-value = O mesmo que ANSWER=VALUE
+change-another-input-mass-40-kg = Mudar outro dado: mass="40 kg"
+the-answer-default-the-main-one = O resultado; padrão: o principal
+change-an-input-its-tolerance-may-stand-behind-it-mass-40-kg-5 = Mudar um dado; a sua tolerância pode vir atrás dele: mass='40 kg ± 5 %'
+tolerance-of-an-input-to-either-side-in-place-of-that-of-the-problem-mass-2-length-0-5-mm = Tolerância de um dado, para cada lado, no lugar da do problema: mass='2 %', length='0.5 mm'
+number-of-samples-of-the-monte-carlo-simulation = Número de amostras da simulação de Monte Carlo
+tolerance-text-why = --tolerance { $text }: { $why }
+write-an-input-and-its-tolerance-as-in-tolerance-mass-2 = escreva um dado e a sua tolerância, como em --tolerance mass='2 %'
+elasticity = Elasticidade
+derivative = Derivada
+tolerance = ± tolerância
+at-its-lower-end = no limite inferior
+at-its-upper-end = no limite superior
+worst-case-at-the-ends-of-the-tolerances-least-to-most = pior caso nos limites das tolerâncias: { $least } a { $most }
+root-of-the-sum-of-squares-value-likely = raiz da soma dos quadrados: { $value } ± { $likely }
+monte-carlo-95-of-the-answers-from-from-to-to-mean-mean-samples-samples-seed-seed-normal-inputs-95 = Monte Carlo: 95 % dos resultados de { $from } a { $to }, média { $mean } ({ $samples } amostras, semente { $seed }; dados normais, 95 % dentro das tolerâncias)
+no-tolerance-is-given-1-is-taken-for-every-input-1-for-an-angle-write-tolerance-path-value-for-your = nenhuma tolerância é dada: adota-se 1 % para cada dado, 1° para um ângulo; escreva --tolerance CAMINHO=VALOR para as suas
+input-asymmetric-effect = { $input }: efeito assimétrico
+input-no-answer-on-one-side-why = { $input }: sem resultado de um lado: { $why }
+count-of-samples-samples-have-no-answer = { $count } de { $samples } amostras não têm resultado
+warning-monte-carlo-and-root-of-the-sum-of-squares-differ-by-percent-of-the-latter-more-than-limit = aviso: Monte Carlo e a raiz da soma dos quadrados diferem em { $percent } % desta, mais de { $limit } %: dentro destas tolerâncias o resultado não é linear
+certified-by-interval-arithmetic-for-the-formulas-of-this-solution-the-same-formulas-were-seen-at = certificado por aritmética intervalar para as fórmulas desta solução; as mesmas fórmulas foram vistas em { $points } pontos da faixa
+not-certified-why-points-points-of-the-range-were-examined = não certificado: { $why }; { $points } pontos da faixa foram examinados
+undecided-from-from-to-to = não decidido: de { $from } a { $to }
+undecided-in-all-percent-of-the-range = não decidido ao todo: { $percent } % da faixa
+text-why = { $text }: { $why }
+option-text-why = { $option } { $text }: { $why }
+the-range-from-from-to-to-of-path-is-empty-write-from-and-to-in-ascending-order = a faixa de { $from } a { $to } de `{ $path }` é vazia: escreva --from e --to em ordem crescente
+a-value-is-missing-write-one-in-unit-as-in-1-5-unit = falta um valor; escreva um em { $unit }, como em 1.5 { $unit }
+unknown-for-answer-relation-value-from-from-to-to = { $unknown } para { $answer } { $relation } { $value }, de { $from } a { $to }:
+the-answer-does-not-depend-on-this-input = o resultado não depende deste dado
+not-a-constraint-every-value-of-the-range-meets-it-the-answer-lies-between-least-at-at-least-and-most = não é restrição: todo valor da faixa a satisfaz; o resultado fica entre { $least } (em { $at_least }) e { $most } (em { $at_most })
+impossible-no-value-of-the-range-meets-it-the-answer-lies-between-least-at-at-least-and-most-at-at = impossível: nenhum valor da faixa a satisfaz; o resultado fica entre { $least } (em { $at_least }) e { $most } (em { $at_most })
+impossible-there-is-no-answer-in-the-whole-range = impossível: não há resultado em toda a faixa
+from-to-to-lower-upper = { $from } a { $to } ({ $lower }; { $upper })
+limit-reached = limite atingido
+beyond-it-no-answer-why = além disso não há resultado: { $why }
+beyond-it-no-answer = além disso não há resultado
+beyond-it-undecided = além disso não decidido
+no-value-of-the-range-is-known-to-meet-it-values-that-may-are-in-what-is-undecided = de nenhum valor da faixa se sabe que a satisfaz; valores que talvez o façam estão no que não está decidido

@@ -1,10 +1,17 @@
 //! Arguments and options of the command line.
 
+mod answers;
+mod teaching;
+
 use std::path::PathBuf;
 
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use dalembert_core::{Language, Locale, Text};
 
+pub(crate) use self::{
+    answers::{Find, Optimise, Sensitivity, TableFormat},
+    teaching::{Grade, GradeFormat, Variants, VariantsFormat},
+};
 use crate::completion;
 
 /// A machine-dynamics workbench: pick a problem, edit its inputs in any units, see the worked solution.
@@ -53,8 +60,10 @@ pub(crate) enum Command {
     Solve(Solve),
     /// Check your own answers, and find the likeliest cause of a wrong one
     Check(Check),
-    /// Find the values of an input with which an answer is a wanted one
+    /// Find the values of an input with which an answer is a wanted one, or within a limit
     Find(Find),
+    /// Rank the inputs by their effect on an answer, and combine their tolerances
+    Sensitivity(Sensitivity),
     /// Choose inputs so that an answer is as small or as large as possible under limits
     Optimise(Optimise),
     /// Solve a problem at many values of its inputs: grids, samples, statistics
@@ -213,73 +222,6 @@ pub(crate) struct Check {
 }
 
 #[derive(Debug, Args)]
-pub(crate) struct Find {
-    /// The id of an analysis, or a problem file; - reads the standard input
-    #[arg(value_name = "ID|FILE|-", add = completion::problems())]
-    pub(crate) problem: String,
-    /// Take the other inputs of this published case, counted from 1; default: case 1
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
-    pub(crate) case: Option<u32>,
-    /// The input to find: mass, masses[2].radius
-    #[arg(long, value_name = "PATH", add = completion::numbers(""))]
-    pub(crate) input: String,
-    /// The answer or question, and the value that it is to have: 'natural_frequency=8.2 Hz'
-    #[arg(long, value_name = "ANSWER=VALUE", add = completion::answers("="))]
-    pub(crate) answer: String,
-    /// Least value of the range to search; default: 1/1000 to 1000 times the value of case 1
-    #[arg(long, value_name = "VALUE", requires = "to", allow_hyphen_values = true)]
-    pub(crate) from: Option<String>,
-    /// Largest value of the range to search
-    #[arg(long, value_name = "VALUE", requires = "from", allow_hyphen_values = true)]
-    pub(crate) to: Option<String>,
-    /// Print JSON
-    #[arg(long)]
-    pub(crate) json: bool,
-    /// Number of significant digits
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
-    pub(crate) digits: Option<u8>,
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct Optimise {
-    /// The id of an analysis, or a problem file; - reads the standard input
-    #[arg(value_name = "ID|FILE|-", add = completion::problems())]
-    pub(crate) problem: String,
-    /// Take the other inputs of this published case, counted from 1; default: case 1
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
-    pub(crate) case: Option<u32>,
-    /// Change an input; with a tolerance, the worst case counts: mass='40 kg ± 5 %'
-    #[arg(long, value_name = "PATH=VALUE", add = completion::settings())]
-    pub(crate) set: Vec<String>,
-    /// An input to choose, in a range or from a list: stiffness='20 kN/m .. 80 kN/m', mass='2 kg; 3 kg; 5 kg'
-    #[arg(long, value_name = "PATH=VALUES", add = completion::numbers("="))]
-    pub(crate) vary: Vec<String>,
-    /// Ask a question over inputs, answers and steps, which may be minimised or limited: 'price=2*m'
-    #[arg(long, value_name = "NAME[=FORMULA]")]
-    pub(crate) ask: Vec<String>,
-    /// The answer or question to be made as small as possible; of two of these the Pareto front is found
-    #[arg(long, value_name = "ANSWER", add = completion::answers(""))]
-    pub(crate) minimise: Vec<String>,
-    /// The answer or question to be made as large as possible
-    #[arg(long, value_name = "ANSWER", add = completion::answers(""))]
-    pub(crate) maximise: Vec<String>,
-    /// A limit that is to be kept: 'amplitude < 0.2 mm'
-    #[arg(long, value_name = "ANSWER<VALUE")]
-    pub(crate) limit: Vec<String>,
-    #[command(flatten)]
-    pub(crate) form: OutputForm,
-    /// Write to a new file: the problem with the optimum (.toml), or the worked solution by the extension
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<PathBuf>,
-    /// Overwrite an existing file
-    #[arg(long, requires = "output")]
-    pub(crate) force: bool,
-    /// Number of significant digits
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
-    pub(crate) digits: Option<u8>,
-}
-
-#[derive(Debug, Args)]
 #[expect(clippy::struct_excessive_bools, reason = "each is a flag of the command line")]
 pub(crate) struct Study {
     /// A study plan, a problem file or the id of an analysis
@@ -361,95 +303,6 @@ pub(crate) enum Format {
     Json,
     /// One table for a spreadsheet
     Csv,
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct Variants {
-    /// The id of an analysis, or a problem file; - reads the standard input
-    #[arg(value_name = "ID|FILE|-", add = completion::problems())]
-    pub(crate) problem: String,
-    /// Vary this published case, counted from 1; default: case 1
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
-    pub(crate) case: Option<u32>,
-    /// Seed of the data: the same seed gives the same variants
-    #[arg(long, value_name = "S", default_value_t = 1)]
-    pub(crate) seed: u64,
-    /// Number of variants
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1000))]
-    pub(crate) count: u32,
-    /// One variant for the student of this id, which is the seed
-    #[arg(long, value_name = "ID", conflicts_with_all = ["seed", "count"])]
-    pub(crate) student: Vec<String>,
-    /// Tolerance of the answers: a share of their values
-    #[arg(long, value_name = "SHARE", default_value = "0.5 %")]
-    pub(crate) tolerance: String,
-    /// Output format
-    #[arg(long, value_enum, default_value = "md")]
-    pub(crate) format: VariantsFormat,
-    /// Write to this folder: a sheet and a worked key for each variant, the key and its CSV, or the files of a learning platform
-    #[arg(long, value_name = "DIR")]
-    pub(crate) out: Option<PathBuf>,
-    /// Overwrite existing files
-    #[arg(long, requires = "out")]
-    pub(crate) force: bool,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum VariantsFormat {
-    /// Markdown
-    Md,
-    /// HTML
-    Html,
-    /// LaTeX
-    Tex,
-    /// Typst
-    Typ,
-    /// Answers for a spreadsheet
-    Csv,
-    /// Questions for Moodle
-    Moodle,
-    /// A QTI 2.1 package
-    Qti,
-    /// A question folder for PrairieLearn
-    Prairielearn,
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct Grade {
-    /// Answers in CSV: columns of students, answer and value; - reads the standard input
-    #[arg(value_name = "FILE|-")]
-    pub(crate) answers: String,
-    /// The id of an analysis, or a problem file
-    #[arg(long, value_name = "ID|FILE", add = completion::problems())]
-    pub(crate) problem: String,
-    /// Grade answers to this published case, counted from 1; default: case 1
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
-    pub(crate) case: Option<u32>,
-    /// Column of ids whose students have variants of their own, as written by `dalembert variants --student`
-    #[arg(long, value_name = "COLUMN")]
-    pub(crate) seed_column: Option<String>,
-    /// Tolerance of the answers: a share of their values
-    #[arg(long, value_name = "SHARE", default_value = "0.5 %")]
-    pub(crate) tolerance: String,
-    /// Credit of outcomes in place of right=1, rounded-early=0.9, few-digits=0.5, carried-forward=0.8, sign-or-unit=0.5
-    #[arg(long, value_name = "OUTCOME=WEIGHT", default_value = "")]
-    pub(crate) weights: String,
-    /// The longest search for the causes of the wrong answers of one student, in seconds
-    #[arg(long, value_name = "SECONDS", default_value_t = 10, value_parser = clap::value_parser!(u64).range(1..=3600))]
-    pub(crate) time_limit: u64,
-    /// Output format
-    #[arg(long, value_enum, default_value = "text")]
-    pub(crate) format: GradeFormat,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum GradeFormat {
-    /// Tables for a reader
-    Text,
-    /// A row for each answer
-    Csv,
-    /// Answers, points and statistics for another program
-    Json,
 }
 
 #[derive(Debug, Args)]

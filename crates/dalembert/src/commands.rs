@@ -12,6 +12,7 @@ pub(crate) mod new;
 pub(crate) mod optimise;
 pub(crate) mod replay;
 pub(crate) mod schema;
+pub(crate) mod sensitivity;
 pub(crate) mod serve;
 pub(crate) mod settings;
 pub(crate) mod show;

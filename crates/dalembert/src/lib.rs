@@ -24,7 +24,7 @@ use dalembert_core::{Locale, Text};
 use dalembert_tui::settings::{self, Settings};
 
 use crate::{
-    arguments::{Arguments, Command, Format, GradeFormat},
+    arguments::{Arguments, Command, Format, GradeFormat, TableFormat},
     console::{Console, print_json},
     failure::Failure,
 };
@@ -80,6 +80,7 @@ fn prints_json(command: &Command) -> bool {
         Command::Optimise(optimise) => {
             commands::solve::format(&optimise.form, optimise.output.as_deref()) == Format::Json
         }
+        Command::Sensitivity(sensitivity) => sensitivity.format == TableFormat::Json,
         Command::List(list) => list.json,
         Command::Show(show) => show.json,
         Command::Study(study) => study.json,
@@ -122,6 +123,7 @@ fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, F
         Some(Command::Check(check)) => commands::check::run(check, console),
         Some(Command::Find(find)) => commands::find::run(find, console),
         Some(Command::Optimise(optimise)) => commands::optimise::run(optimise, console),
+        Some(Command::Sensitivity(sensitivity)) => commands::sensitivity::run(sensitivity, console),
         Some(Command::Study(study)) => commands::study::run(study, console),
         Some(Command::Verify(verify)) => commands::verify::run(verify, console),
         Some(Command::Variants(variants)) => commands::variants::run(variants, console),

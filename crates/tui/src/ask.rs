@@ -76,9 +76,6 @@ pub enum Reply {
     Study(Box<Result<StudyResult, SolveError>>),
 }
 
-/// The tolerance of an input that none is typed for, in its steps.
-pub const USUAL: f64 = 1.0;
-
 impl Question {
     /// The answer; `None` when it was stopped. What is found before the end is reported.
     pub fn answer(&self, stop: &Stop, report: &dyn Fn(Reply)) -> Option<Reply> {
@@ -88,7 +85,7 @@ impl Question {
                 stop.check().is_ok().then_some(Reply::Causes(found))
             }
             Question::Sensitivity { entry, record, answer, tolerances } => {
-                let tolerances = (tolerances.as_slice(), USUAL);
+                let tolerances = (tolerances.as_slice(), sensitivity::USUAL);
                 unless_stopped(sensitivity::sensitivity(entry, record, answer, tolerances, stop))
                     .map(Reply::Sensitivity)
             }

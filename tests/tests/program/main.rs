@@ -7,7 +7,9 @@ mod json;
 mod optimise;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod ranges;
 mod replay;
+mod sensitivity;
 mod study;
 mod study_plans;
 mod teaching;

@@ -12,7 +12,7 @@ const BELOW: [(&str, &[&str]); 16] = [
     ("crates/report", &["core", "numerics", "units"]),
     ("crates/teaching", &["core", "numerics", "report", "units"]),
     ("crates/terminal", &[]),
-    ("crates/study", &["core"]),
+    ("crates/study", &["core", "numerics"]),
     ("crates/plot", &["core", "report", "terminal", "units"]),
     ("crates/tui", &["core", "plot", "report", "study", "terminal", "units"]),
     ("crates/dalembert", &["core", "mechanics", "plugins", "report", "study", "teaching", "tui", "units"]),
