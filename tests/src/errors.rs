@@ -255,7 +255,7 @@ impl<'p> Solved<'p> {
     /// True if a cause is that of the error: the same operations at the same places.
     #[must_use]
     pub fn is_cause(&self, cause: &Cause, error: &CorpusError) -> bool {
-        cause.explanations().any(|mistakes| self.is_explanation(mistakes, error))
+        cause.all_mistakes().any(|mistakes| self.is_explanation(mistakes, error))
     }
 
     fn is_explanation(&self, mistakes: &[Mistake], error: &CorpusError) -> bool {

@@ -215,7 +215,7 @@ impl Cause {
             })
             .unwrap_or_default()
         };
-        self.explanations()
+        self.all_mistakes()
             .map(together)
             .reduce(|first, second| {
                 Text::new("{first}; or, with the same result, {second}")
@@ -226,7 +226,7 @@ impl Cause {
     }
 
     /// The mistakes, then their equivalents.
-    pub fn explanations(&self) -> impl Iterator<Item = &Vec<Mistake>> {
+    pub fn all_mistakes(&self) -> impl Iterator<Item = &Vec<Mistake>> {
         std::iter::once(&self.mistakes).chain(&self.equivalents)
     }
 }
