@@ -117,14 +117,14 @@ fn answers_to_be_checked_are_clicked_and_typed() {
     person.clicks("Damping ratio").types("0.0617").clicks("0.1 kg");
     assert_eq!(person.model.place(), KeyContext::Form);
     assert!(person.sees().contains("= 0.061694"), "{}", person.sees());
-    // What lies further down is a turn of the wheel away.
+    // What lies further up is a turn of the wheel away.
     let over = person.place_of("Damping ratio");
-    assert!(!person.sees().contains("Phase lag"), "{}", person.sees());
+    assert!(!person.sees().contains("Force transmitted"), "{}", person.sees());
     for _ in 0..3 {
-        person.mouse(MouseEventKind::ScrollDown, over);
+        person.mouse(MouseEventKind::ScrollUp, over);
     }
-    person.clicks("Phase lag");
-    assert!(person.sees().contains("▸ Phase lag"), "{}", person.sees());
+    person.clicks("Force transmitted");
+    assert!(person.sees().contains("▸ Force transmitted"), "{}", person.sees());
 }
 
 #[test]

@@ -118,7 +118,16 @@ struct Hit {
     value: f64,
 }
 
-/// Causes of hits, the likeliest first: mistakes that give one number and are about as common are one cause.
+/// True if two causes are the same mistakes at other places.
+fn are_alike(one: &Cause, other: &Cause) -> bool {
+    let operations = |cause: &Cause| cause.mistakes.iter().map(Mistake::operation).collect::<Vec<_>>();
+    let places = |mistakes: &[Mistake]| mistakes.iter().map(|one| one.place.clone()).collect::<Vec<_>>();
+    let is_elsewhere = |all: &Vec<Mistake>| places(all) != places(&other.mistakes);
+    operations(one) == operations(other) && one.all_mistakes().all(is_elsewhere)
+}
+
+/// Causes of hits, the likeliest first: the same mistake at several places that gives one number everywhere, about as
+/// commonly, is one cause.
 fn causes_of(mut hits: Vec<Hit>) -> Vec<Cause> {
     hits.sort_by(|a, b| {
         (b.cause.is_named, b.others).cmp(&(a.cause.is_named, a.others)).then(b.prior.total_cmp(&a.prior))
@@ -130,6 +139,7 @@ fn causes_of(mut hits: Vec<Hit>) -> Vec<Cause> {
                 && known.others == hit.others
                 && hit.prior >= AS_COMMON * known.prior
                 && known.cause.equivalents.len() < EQUIVALENTS
+                && are_alike(&known.cause, &hit.cause)
         });
         match equivalent {
             Some(known) => known.cause.equivalents.push(hit.cause.mistakes),
