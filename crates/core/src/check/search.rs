@@ -118,12 +118,16 @@ struct Hit {
     value: f64,
 }
 
-/// True if two causes are the same mistakes at other places.
+/// True if two causes are the same mistakes at other places before the finished answer.
 fn are_alike(one: &Cause, other: &Cause) -> bool {
     let operations = |cause: &Cause| cause.mistakes.iter().map(Mistake::operation).collect::<Vec<_>>();
     let places = |mistakes: &[Mistake]| mistakes.iter().map(|one| one.place.clone()).collect::<Vec<_>>();
-    let is_elsewhere = |all: &Vec<Mistake>| places(all) != places(&other.mistakes);
-    operations(one) == operations(other) && one.all_mistakes().all(is_elsewhere)
+    let is_elsewhere = |all: &Vec<Mistake>| {
+        let known = places(all);
+        !known.contains(&Place::Answer) && known != places(&other.mistakes)
+    };
+    let is_last = places(&other.mistakes).contains(&Place::Answer);
+    !is_last && operations(one) == operations(other) && one.all_mistakes().all(is_elsewhere)
 }
 
 /// Causes of hits, the likeliest first: the same mistake at several places that gives one number everywhere, about as
