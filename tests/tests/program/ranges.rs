@@ -31,8 +31,8 @@ fn intervals(found: &Json) -> Vec<([f64; 2], [String; 2])> {
     let all = found["intervals"].as_array().expect("intervals");
     all.iter()
         .map(|one| {
-            let limit = |n: usize| one["limited_by"][n].as_str().unwrap().to_owned();
-            ([one["from"].as_f64().unwrap(), one["to"].as_f64().unwrap()], [limit(0), limit(1)])
+            let limit = |n: usize| one["limited_by"][n].as_str().expect("a name").to_owned();
+            ([one["from"].as_f64().expect("a number"), one["to"].as_f64().expect("a number")], [limit(0), limit(1)])
         })
         .collect()
 }
