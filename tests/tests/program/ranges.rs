@@ -32,7 +32,10 @@ fn intervals(found: &Json) -> Vec<([f64; 2], [String; 2])> {
     all.iter()
         .map(|one| {
             let limit = |n: usize| one["limited_by"][n].as_str().expect("a name").to_owned();
-            ([one["from"].as_f64().expect("a number"), one["to"].as_f64().expect("a number")], [limit(0), limit(1)])
+            (
+                [one["from"].as_f64().expect("a number"), one["to"].as_f64().expect("a number")],
+                [limit(0), limit(1)],
+            )
         })
         .collect()
 }
