@@ -68,7 +68,7 @@ const NONE: Number = Number::Scalar(f64::NAN);
 impl<'s> Reevaluation<'s> {
     /// Ready to read what these numbers were made from.
     pub(crate) fn new(solution: &'s Solution, of: &[Id]) -> Self {
-        let mut order: Vec<Id> = of.iter().flat_map(|id| ancestors(solution, *id)).collect();
+        let mut order: Vec<Id> = of.iter().flat_map(|id| solution.ancestors(*id)).collect();
         order.sort_unstable();
         order.dedup();
         let numbers = solution.trace.nodes.iter().map(|node| node.number).collect();
@@ -106,22 +106,6 @@ impl<'s> Reevaluation<'s> {
         }
         found
     }
-}
-
-/// The nodes that a number was made from, its own among them, through the steps before.
-pub(crate) fn ancestors(solution: &Solution, of: Id) -> Vec<Id> {
-    let mut seen = vec![false; solution.trace.nodes.len()];
-    let mut open = vec![of];
-    while let Some(id) = open.pop() {
-        if std::mem::replace(&mut seen[id as usize], true) {
-            continue;
-        }
-        open.extend(solution.trace.operands(id));
-        if let Op::Step(step) = solution.trace.node(id).op {
-            open.extend(solution.steps[step].formula);
-        }
-    }
-    (0..).zip(seen).filter_map(|(id, seen)| seen.then_some(id)).collect()
 }
 
 fn evaluated(solution: &Solution, op: &Op, at: usize, numbers: &[Number]) -> Number {

@@ -9,7 +9,7 @@ use crate::{
     gravity,
     intern::intern,
     kept,
-    path::{Segment, segments, step},
+    path::{Segment, nearest, segments, step},
     reading,
 };
 
@@ -70,6 +70,19 @@ impl InputLimits {
             Some((row, at))
         })
     }
+}
+
+/// Error of a name that is no path of these inputs: the nearest path, or all of them.
+pub fn unknown_number(inputs: &[VariedInput], name: &str) -> Text {
+    let paths = || inputs.iter().map(|input| input.path.as_str());
+    let why = match nearest(name, paths()) {
+        Some(near) => {
+            Text::new("`{name}` is not a number among the inputs; did you mean `{near}`?").with("near", near)
+        }
+        None => Text::new("`{name}` is not a number among the inputs: {known}")
+            .with("known", paths().collect::<Vec<_>>().join(", ")),
+    };
+    why.with("name", name)
 }
 
 /// Every number among the inputs, in the order of the form. Whole numbers and tables are none; gravity is one.

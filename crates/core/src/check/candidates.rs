@@ -18,7 +18,7 @@ use super::{
 use crate::{
     Entry, Record, Solution, Stop,
     cases::{self, ComparisonRule},
-    reevaluate::{Edit, Reevaluation, ancestors},
+    reevaluate::{Edit, Reevaluation},
     trace::{Id, Number},
     vary,
 };
@@ -191,7 +191,7 @@ impl Tries<'_, '_> {
             return;
         }
         for &(at, id) in &given {
-            let before = ancestors(solution, id);
+            let before = solution.ancestors(id);
             let causes: Vec<&(usize, Id)> =
                 given.iter().filter(|(other, cause)| *other != at && before.contains(cause)).collect();
             if causes.is_empty() {

@@ -3,7 +3,7 @@
 use std::{process::ExitCode, thread};
 
 use dalembert_core::{
-    Answer, Locale, Record, Solution, Stop, Text, find as analysis, nearest,
+    Answer, Locale, Record, Solution, Stop, Text, find as analysis,
     sensitivity::{self, InputInfluence, Sensitivity},
     study::{USUAL_SAMPLES, answer as named_answer},
     vary,
@@ -117,14 +117,7 @@ fn tolerances(record: &Record, typed: &[String]) -> Result<Vec<(String, f64)>, F
         };
         let path = path.trim();
         let Some(input) = inputs.iter().find(|input| input.path == path) else {
-            let known: Vec<&str> = inputs.iter().map(|input| input.path.as_str()).collect();
-            let why = match nearest(path, known.iter().copied()) {
-                Some(near) => Text::new("`{name}` is not a number among the inputs; did you mean `{near}`?")
-                    .with("near", near),
-                None => Text::new("`{name}` is not a number among the inputs: {known}")
-                    .with("known", known.join(", ")),
-            };
-            errors.push(wrong(why.with("name", path).with("path", path)));
+            errors.push(wrong(vary::unknown_number(&inputs, path)));
             continue;
         };
         match input.tolerance(width) {

@@ -50,14 +50,7 @@ impl Formulas {
     /// The formulas of an answer; `None` where it is no number, or was not computed on the sheet.
     pub(super) fn of(solution: Solution, answer: &str, input: &str) -> Option<Self> {
         let AnswerValue::Number(Number::Scalar(_), of) = solution.answer(answer)?.value else { return None };
-        let mut seen = vec![false; solution.trace.nodes.len()];
-        let mut open = vec![of];
-        while let Some(id) = open.pop() {
-            if !std::mem::replace(&mut seen[id as usize], true) {
-                open.extend(operands(&solution, id));
-            }
-        }
-        let order: Vec<Id> = (0..).zip(seen).filter_map(|(id, seen)| seen.then_some(id)).collect();
+        let order = solution.ancestors(of);
         let place: HashMap<Id, usize> = order.iter().copied().zip(0..).collect();
         let inputs = order.iter().filter_map(|id| match &solution.trace.node(*id).op {
             Op::Given { path, .. } if path == input => Some((*id, None)),
@@ -91,7 +84,7 @@ impl Formulas {
             Op::Call(function, _) => format!("{function:?}"),
             _ => String::new(),
         };
-        let operands: Vec<usize> = operands(&self.solution, id).iter().map(|id| self.place[id]).collect();
+        let operands: Vec<usize> = self.solution.operands(id).iter().map(|id| self.place[id]).collect();
         let mut numbers = [0; 3];
         // What has no operands is a number: it stays the same, but for the input.
         if operands.is_empty() {
@@ -207,14 +200,6 @@ impl Formulas {
 
 /// Nothing is known of it.
 const UNKNOWN: Jet = Jet { value: Enclosure::UNDEFINED, slope: Enclosure::ALL };
-
-/// The nodes that a node was made from, through the step that it is the result of.
-fn operands(solution: &Solution, id: Id) -> Vec<Id> {
-    match solution.trace.node(id).op {
-        Op::Step(step) => solution.steps[step].formula.into_iter().collect(),
-        _ => solution.trace.operands(id),
-    }
-}
 
 fn call(function: Function, x: Jet) -> Jet {
     match function {

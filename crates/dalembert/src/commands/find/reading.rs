@@ -1,7 +1,7 @@
 //! Input, range and value that are asked for, as they are typed.
 
 use dalembert_core::{
-    Answer, Locale, Record, Text, nearest,
+    Answer, Locale, Record, Text,
     study::Amount,
     vary::{self, VariedInput},
 };
@@ -13,18 +13,8 @@ use crate::failure::Failure;
 /// The input that is to be found.
 pub(super) fn input_of(asked: &Asked<'_>, record: &Record) -> Result<VariedInput, Failure> {
     let inputs = vary::inputs(record);
-    if let Some(input) = inputs.iter().find(|input| input.path == asked.input) {
-        return Ok(input.clone());
-    }
-    let known: Vec<&str> = inputs.iter().map(|input| input.path.as_str()).collect();
-    let why =
-        match nearest(asked.input, known.iter().copied()) {
-            Some(near) => Text::new("`{name}` is not a number among the inputs; did you mean `{near}`?")
-                .with("near", near),
-            None => Text::new("`{name}` is not a number among the inputs: {known}")
-                .with("known", known.join(", ")),
-        };
-    Err(Failure::input(why.with("name", asked.input).with("path", asked.input)))
+    let found = inputs.iter().find(|input| input.path == asked.input).cloned();
+    found.ok_or_else(|| Failure::input(vary::unknown_number(&inputs, asked.input)))
 }
 
 /// The range that is asked for, or that about the value of the problem, in SI.
