@@ -229,7 +229,7 @@ fn press(model: &mut Model, key: KeyEvent) -> Vec<Intent> {
     match model.keys.action(place, key) {
         Some(action @ Action::Nudge(_)) if place == KeyContext::Form => form::nudge(model, key, action),
         Some(action) => act(model, place, action),
-        None if keys::is_escape_and(key) && !place.is_text() => {
+        None if keys::is_escape_and(key) && !(place.is_text() && request(key).is_some()) => {
             let second = KeyEvent { modifiers: key.modifiers.difference(KeyModifiers::ALT), ..key };
             vec![Intent::Key(KeyCode::Esc.into()), Intent::Key(second)]
         }
