@@ -99,6 +99,9 @@ pub(crate) struct Field {
     /// Job file: an existing job is continued, a new one is begun under this name
     #[arg(value_name = "FILE")]
     pub(crate) file: Option<PathBuf>,
+    /// Record the session to a new file, for `dalembert replay`
+    #[arg(long, value_name = "FILE")]
+    pub(crate) record: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

@@ -40,6 +40,8 @@ pub struct Bench {
     pub focus: Focus,
     /// True if that has the whole screen.
     pub expanded: bool,
+    /// True if the next of its pictures stands beside it then.
+    pub beside: bool,
     /// The marker that curves are drawn with.
     pub marker: Marker,
     /// The cell of the shown pane that is being typed in.
@@ -65,6 +67,7 @@ impl Bench {
             tab: Tab::default(),
             focus: Focus::Form,
             expanded: false,
+            beside: false,
             marker,
             edit: None,
             turned_to: String::new(),

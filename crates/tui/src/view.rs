@@ -25,6 +25,7 @@ use tui_input::Input;
 
 use self::arrangement::{Arrangement, PlacedPane};
 pub(crate) use self::{
+    arrangement::THREE_COLUMNS,
     help::longest_scroll as longest_scroll_of_help,
     target::{HitTarget, spot},
 };
@@ -35,6 +36,7 @@ use crate::{
     look::{Appearance, Glyph},
     model::Model,
     pane::{Content, Page, Tab, Ui},
+    replay::above_caption,
     text::{draw_lines, width},
 };
 
@@ -67,7 +69,7 @@ const LEAST: (u16, u16) = (16, 4);
 
 /// Draws everything.
 pub fn view(model: &Model, frame: &mut Frame<'_>) {
-    let area = frame.area();
+    let area = above_caption(model, frame.area());
     let buffer = frame.buffer_mut();
     if area.is_empty() {
         return;
@@ -155,9 +157,14 @@ pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
     bench.pane(tab).page(&bench.problem, &surroundings(model, bench, tab, Rect::ZERO), width)
 }
 
+/// The screen, without the caption of a session that is played.
+pub(crate) fn screen_of(model: &Model) -> Rect {
+    above_caption(model, Rect::new(0, 0, model.size.0, model.size.1))
+}
+
 /// The parts of the screen of a problem.
 pub(crate) fn areas_of(model: &Model, bench: &Bench, focus: Focus) -> Areas {
-    areas_in(Rect::new(0, 0, model.size.0, model.size.1), model, bench, focus)
+    areas_in(screen_of(model), model, bench, focus)
 }
 
 fn areas_in(screen: Rect, model: &Model, bench: &Bench, focus: Focus) -> Areas {

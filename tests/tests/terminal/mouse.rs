@@ -179,7 +179,7 @@ fn cases_beside_the_list_are_clicked() {
     assert!(cases > 2, "{cases}");
     let place = person.place_of("Cases");
     let of = |person: &Person| person.model.picker.case;
-    person.mouse(MouseEventKind::Down(MouseButton::Left), (place.0 + 5, place.1 + 2));
+    person.clicks("Fan on a cantilever, corr");
     assert_eq!(of(&person), Some(1));
     // Neither the heading nor the drawing is a case.
     person.clicks("Cases");
@@ -187,8 +187,7 @@ fn cases_beside_the_list_are_clicked() {
     person.mouse(MouseEventKind::ScrollDown, place);
     assert_eq!(of(&person), Some(2));
     person.mouse(MouseEventKind::ScrollUp, place);
-    let place = person.place_of("Cases");
-    person.mouse(MouseEventKind::Down(MouseButton::Left), (place.0 + 5, place.1 + 2));
+    person.clicks("Fan on a cantilever, corr");
     assert_eq!(person.model.bench.as_ref().map(|bench| bench.problem.case), Some(1));
     // The wheel goes to the cases, where the list has the keys.
     let mut person = Person::at(100, 30).knows(&[FAN, "vibration/free-vibration"]);

@@ -55,7 +55,18 @@ pub(super) fn act(model: &mut Model, place: KeyContext, action: Action) -> Optio
         Action::Undo => changed(bench.problem.inputs.form.undo(), "nothing to undo"),
         Action::Redo => changed(bench.problem.inputs.form.redo(), "nothing to redo"),
         Action::Expand => {
-            bench.expanded = !bench.expanded;
+            let has_next = model.size.0 >= view::THREE_COLUMNS
+                && bench.focus == Focus::Pane
+                && bench.place_of_shown(bench.tab).is_some();
+            (bench.expanded, bench.beside) = match (bench.expanded, bench.beside) {
+                (false, _) => (true, false),
+                (true, false) if has_next => (true, true),
+                _ => (false, false),
+            };
+            if bench.expanded && has_next && !bench.beside {
+                let text = Text::new("{key} once more shows the next one beside it");
+                return Some(vec![Intent::Say(text.with("key", model.key(place, action)))]);
+            }
             Vec::new()
         }
         Action::Statement => statement(model),
@@ -109,7 +120,7 @@ fn back(model: &mut Model, place: KeyContext) -> Option<Vec<Intent>> {
     }
     // The other panes come back.
     let bench = model.bench.as_mut().filter(|bench| bench.expanded)?;
-    bench.expanded = false;
+    (bench.expanded, bench.beside) = (false, false);
     Some(Vec::new())
 }
 

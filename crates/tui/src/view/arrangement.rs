@@ -21,8 +21,8 @@ use crate::{
 
 /// From so many columns on inputs and results stand side by side.
 const TWO_COLUMNS: u16 = 100;
-/// From so many columns on there is a third column.
-const THREE_COLUMNS: u16 = 160;
+/// From so many columns on there is a third column, or a second picture beside one that is alone.
+pub(crate) const THREE_COLUMNS: u16 = 160;
 /// Columns of the narrowest and of the widest form beside a pane.
 const FORM: (u16, u16) = (40, 66);
 /// Rows of the lowest picture, frame included, and of the lowest one of two above each other.
@@ -56,7 +56,7 @@ pub(super) fn arrange(model: &Model, bench: &Bench, focus: Focus, body: Rect) ->
     if bench.expanded || model.look.basic {
         return match focus {
             Focus::Form => Arrangement { form: Some(body), panes: Vec::new() },
-            Focus::Pane => Arrangement { form: None, panes: vec![placed(bench.tab, body, true)] },
+            Focus::Pane => Arrangement { form: None, panes: alone(bench, body) },
         };
     }
     if body.width < TWO_COLUMNS {
@@ -69,6 +69,16 @@ pub(super) fn arrange(model: &Model, bench: &Bench, focus: Focus, body: Rect) ->
     } else {
         screen.columns(bench.tab, body)
     }
+}
+
+/// The shown pane on the whole screen, the next of its pictures beside it where that is wanted.
+fn alone(bench: &Bench, body: Rect) -> Vec<PlacedPane> {
+    let has_next = bench.beside && body.width >= THREE_COLUMNS && bench.place_of_shown(bench.tab).is_some();
+    if !has_next {
+        return vec![placed(bench.tab, body, true)];
+    }
+    let [left, right] = split(body, body.width.div_ceil(2));
+    vec![placed(bench.tab, left, true), PlacedPane { is_next: true, ..placed(bench.tab, right, false) }]
 }
 
 fn placed(tab: Tab, area: Rect, has_tabs: bool) -> PlacedPane {

@@ -8,12 +8,13 @@ use ratatui::{
     widgets::{Clear, Widget},
 };
 
-use super::{animation, form::computed, word};
+use super::{animation, form::computed, screen_of, word};
 use crate::{
     bench::Bench,
     form::{self, PartRole, Role},
     glyphs::filter_untrusted,
     keys::{Action, Bound, KeyContext},
+    layout,
     look::Glyph,
     model::{Model, Notice},
     pane::Content,
@@ -94,15 +95,18 @@ pub(super) fn help(model: &Model, area: Rect, buffer: &mut Buffer) {
     buffer.set_string(area.x + 1, area.y, fit(&text, room, look), look.dim());
 }
 
-/// A notice, or the most useful keys.
+/// The most useful keys, and a notice above them; on a low screen in place of them.
 pub(super) fn footer(model: &Model, area: Rect, buffer: &mut Buffer) {
     if area.is_empty() {
         return;
     }
     let room = usize::from(area.width).saturating_sub(2);
     if let Some(notice) = &model.notice {
-        draw_notice(model, notice, area, buffer);
-        return;
+        if covers_keys(model) {
+            draw_notice(model, notice, area, buffer);
+            return;
+        }
+        draw_notice(model, notice, Rect { y: area.y.saturating_sub(1), ..area }, buffer);
     }
     let look = &model.look;
     let mut line = Line::default();
@@ -116,9 +120,14 @@ pub(super) fn footer(model: &Model, area: Rect, buffer: &mut Buffer) {
     buffer.set_line(area.x + 1, area.y, &line, area.width.saturating_sub(1));
 }
 
+/// Returns true if a notice stands in place of the keys.
+fn covers_keys(model: &Model) -> bool {
+    model.notice.is_some() && !layout::has_help(screen_of(model))
+}
+
 /// Action of the hint at a place of the footer.
 pub(super) fn action_at(model: &Model, area: Rect, at: Position) -> Option<Action> {
-    if model.notice.is_some() || !area.contains(at) {
+    if covers_keys(model) || !area.contains(at) {
         return None;
     }
     let mut offset = usize::from(at.x).checked_sub(usize::from(area.x) + 1)?;
