@@ -436,9 +436,12 @@ fn from_file(draft: &Draft, shape: &Shape, path: &str, value: &str) -> Result<Op
     }
 }
 
-/// An error with the value that was typed.
+/// An error with the value that was typed. Of a table nothing is printed: it may be the content of a file.
 fn named(err: &FieldError, draft: &Draft, shape: &Shape) -> Text {
-    let value = typed(draft, shape, &err.path);
+    let mut value = typed(draft, shape, &err.path);
+    if value.contains('\n') {
+        value.clear();
+    }
     let text =
         if value.is_empty() { Text::new("{path}: {why}") } else { Text::new("{path} = {value}: {why}") };
     text.with("path", &err.path).with("value", short(&value)).with_text("why", err.why.clone())

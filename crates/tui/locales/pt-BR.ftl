@@ -445,7 +445,8 @@ a-published-value-disagrees = um valor publicado diverge
 # Tabelas de números
 close-without-changes = fechar sem alterar
 import-a-file-into-the-table = importar um arquivo para a tabela
-file-of-the-table-csv-txt-uff-unv = Arquivo da tabela (.csv, .txt, .uff, .unv)
+file-of-the-table-csv-txt-xlsx-ods-uff-unv = Arquivo da tabela (.csv, .txt, .xlsx, .ods, .uff, .unv)
+part-write-a-number-from-1-on-as-in-2-or-1-3 = `#{ $part }`: escreva um número a partir de 1, como em `#2` ou `#1,3`
 the-table-already-contains-this-file = a tabela já contém este arquivo
 this-problem-has-no-table-of-numbers-choose-a-table-option-first = este problema não tem tabela de números; escolha antes uma opção de tabela
 several-tables-move-to-one-of-them-first = há várias tabelas: vá até uma delas

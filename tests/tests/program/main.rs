@@ -3,6 +3,7 @@
 mod cli;
 mod faults;
 mod field;
+mod import;
 mod json;
 mod optimise;
 #[cfg(feature = "parquet")]
