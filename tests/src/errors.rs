@@ -179,16 +179,22 @@ impl<'p> Solved<'p> {
         let entry = find(id).unwrap_or_else(|| panic!("there is no {id}"));
         let cases = cases::cases(entry).expect("the cases of an analysis can be read");
         let mut record = cases[case - 1].record(entry).expect("a case can be read");
+        // A count stays as it is given.
+        let counts = counts(&record);
         let given = vary::inputs(&record);
         for (place, (_, path)) in problem.inputs.iter().enumerate() {
-            let input = given.iter().find(|input| input.path == *path);
-            let input = input.unwrap_or_else(|| panic!("{id}: there is no input {path}"));
+            let Some(input) = given.iter().find(|input| input.path == *path) else {
+                assert!(counts.contains_key(path), "{id}: there is no input {path}");
+                continue;
+            };
             record = vary::changed(&record, path, factor(place) * input.si)?;
         }
         let solution = entry.solve(&record, &Stop::new()).ok()?;
         let numbers = vary::inputs(&record);
-        let si =
-            |path: &str| numbers.iter().find(|input| input.path == path).map_or(f64::NAN, |input| input.si);
+        let si = |path: &str| {
+            let number = numbers.iter().find(|input| input.path == path).map(|input| input.si);
+            number.or_else(|| counts.get(path).copied()).unwrap_or(f64::NAN)
+        };
         let inputs = problem.inputs.iter().map(|(symbol, path)| (symbol.clone(), si(path))).collect();
         let solved = Self { problem, entry, record, solution, inputs };
         let right = solved.value(&[]).unwrap_or_else(|why| panic!("{id}: {why}"));
@@ -248,7 +254,8 @@ impl<'p> Solved<'p> {
     #[must_use]
     pub fn causes(&self, typed: &str) -> Vec<Cause> {
         let typed = [(self.problem.answer.0.clone(), typed.to_owned())];
-        let found = check::causes(self.entry, &self.record, &self.solution, &typed, &Stop::new());
+        let found =
+            check::causes(self.entry, &self.record, &self.solution, &typed, &Stop::new(), &mut |_| {});
         found.into_iter().next().map_or_else(Vec::new, |(_, causes)| causes)
     }
 
@@ -384,6 +391,17 @@ impl<'p> Solved<'p> {
         };
         self.steps_at(at).into_iter().any(|other| has(other, step))
     }
+}
+
+/// The whole numbers among the inputs, by their paths.
+fn counts(record: &Record) -> BTreeMap<String, f64> {
+    let mut found = BTreeMap::new();
+    record.leaves(&mut |path, _, value| {
+        if let dalembert_core::Value::Count(count) = value {
+            found.insert(path.to_owned(), *count as f64);
+        }
+    });
+    found
 }
 
 /// The errors of problems as the search sees them, single ones and pairs, with so many digits.

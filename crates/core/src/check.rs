@@ -25,7 +25,7 @@ use dalembert_units::{self as units, Dim, Kind, Quantity};
 pub use self::{
     common::common_errors,
     mistake::{Cause, Change, Mistake, Place},
-    search::causes,
+    search::{Causes, causes},
 };
 use crate::{Answer, AnswerValue, Arg, Solution, Text, cases, reading};
 

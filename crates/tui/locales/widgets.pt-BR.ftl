@@ -30,6 +30,7 @@ incorrect-searching-for-a-common-error-that-gives-this-value = incorreto; procur
 incorrect-no-common-error-reproduces-this-value = Incorreto. Nenhum erro comum reproduz este valor.
 incorrect-likely-cause = Incorreto. Causa provável:
 incorrect-possible-causes = Incorreto. Causas possíveis:
+searching-further = procurando outras causas
 other-possibilities = Outras possibilidades:
 wrong-correct-right = { $wrong }   (correto: { $right })
 for-1 = com +1 %

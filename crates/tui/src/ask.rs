@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 use dalembert_core::{
     Answer, Entry, Record, Refusal, Solution, SolveError, Stop,
-    check::{self, Cause},
+    check::{self, Causes},
     sensitivity,
     study::StudyPlan,
 };
@@ -69,7 +69,12 @@ pub enum Question {
 #[derive(Clone, Debug)]
 pub enum Reply {
     /// For each wrong answer the causes that give it.
-    Causes(Vec<(String, Vec<Cause>)>),
+    Causes {
+        /// Causes that were found.
+        found: Causes,
+        /// True if the search has come to its end.
+        is_whole: bool,
+    },
     /// Influence of each input.
     Sensitivity(Result<sensitivity::Sensitivity, SolveError>),
     /// Result of a study, of all its points or of those that are solved so far; of a search.
@@ -81,8 +86,9 @@ impl Question {
     pub fn answer(&self, stop: &Stop, report: &dyn Fn(Reply)) -> Option<Reply> {
         match self {
             Question::Causes { entry, record, solution, typed } => {
-                let found = check::causes(entry, record, solution, typed, stop);
-                stop.check().is_ok().then_some(Reply::Causes(found))
+                let mut so_far = |found| report(Reply::Causes { found, is_whole: false });
+                let found = check::causes(entry, record, solution, typed, stop, &mut so_far);
+                stop.check().is_ok().then_some(Reply::Causes { found, is_whole: true })
             }
             Question::Sensitivity { entry, record, answer, tolerances } => {
                 let tolerances = (tolerances.as_slice(), sensitivity::USUAL);
@@ -105,7 +111,11 @@ impl Question {
 impl Reply {
     /// Returns true if more is to come.
     pub fn is_partial(&self) -> bool {
-        matches!(self, Reply::Study(found) if found.as_ref().as_ref().is_ok_and(|found| found.progress.is_some()))
+        match self {
+            Reply::Causes { is_whole, .. } => !is_whole,
+            Reply::Study(found) => found.as_ref().as_ref().is_ok_and(|found| found.progress.is_some()),
+            Reply::Sensitivity(_) => false,
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod asking;
 mod branches;
+mod causes;
 mod data_entry;
 mod exercises;
 mod field;

@@ -235,7 +235,7 @@ fn a_long_study_is_reported_while_it_runs() {
 }
 
 /// Effects of a key, without performing them.
-fn presses(person: &mut Person, key: &str) -> Vec<Effect> {
+pub(crate) fn presses(person: &mut Person, key: &str) -> Vec<Effect> {
     let key = keys_of(key).unwrap().remove(0);
     update(&mut person.model, Msg::Key(key))
 }
@@ -358,7 +358,7 @@ fn every_analysis_has_a_scatter() {
     }
 }
 
-fn at(mut person: Person, tab: &str) -> Person {
+pub(crate) fn at(mut person: Person, tab: &str) -> Person {
     person.turns_to(tab);
     person
 }

@@ -23,13 +23,16 @@ use crate::{
     vary,
 };
 
-/// Every candidate; where `stop` is given, those that were found until then.
+/// Every candidate, the likeliest first; where `stop` is given, those that were found until then. `so_far` receives them
+/// at the end of each stage but the last: what the trace gives, other options, other data as a whole; single digits take
+/// longest.
 pub(super) fn candidates(
     entry: &Entry,
     record: &Record,
     solution: &Solution,
     wrong: &[Wrong<'_>],
     stop: &Stop,
+    so_far: &mut dyn FnMut(&[Candidate]),
 ) -> Vec<Candidate> {
     let mut all = Tries { wrong, found: Vec::new() };
     all.printed(entry, record);
@@ -37,8 +40,15 @@ pub(super) fn candidates(
     all.finished(solution, record);
     // Whatever was stopped, what was found before counts.
     let _stopped = steps(&mut all, solution, stop)
-        .and_then(|()| inputs(&mut all, entry, record, solution, stop))
-        .and_then(|()| problems(&mut all, entry, record, stop));
+        .and_then(|()| {
+            so_far(all.ranked());
+            problems(&mut all, entry, record, stop)
+        })
+        .and_then(|()| {
+            so_far(all.ranked());
+            inputs(&mut all, entry, record, solution, stop, so_far)
+        });
+    all.ranked();
     all.found
 }
 

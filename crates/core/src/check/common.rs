@@ -24,9 +24,8 @@ pub fn common_errors(
     let unit = one.unit.clone();
     let wrong = Wrong { name: answer, answer: one, computed, answered: computed, unit, within: 0.0 };
     let same = |a: f64, b: f64| difference(a, b, one.dim()) <= SAME * a.abs().max(b.abs());
-    let mut all = candidates(entry, record, solution, &[wrong], stop);
+    let all = candidates(entry, record, solution, &[wrong], stop, &mut |_| {});
     stop.check()?;
-    all.sort_by(|a, b| b.prior.total_cmp(&a.prior));
     let mut found: Vec<(f64, Mistake)> = Vec::new();
     for Candidate { mistake, values, is_free, .. } in all {
         let value = values[0];

@@ -7,7 +7,7 @@ use dalembert_units::{self as units, Dim, Kind, Unit};
 use super::{
     Change, Mistake, Place,
     steps::{LONGEST_TRACE, node_of, scalar},
-    tries::Tries,
+    tries::{Candidate, Tries},
     wrong::Wrong,
 };
 use crate::{
@@ -44,13 +44,15 @@ struct Way {
     si: f64,
 }
 
-/// Adds the results of every input taken otherwise.
+/// Adds the results of every input taken otherwise, the likeliest first; `so_far` receives them before those of single
+/// digits.
 pub(super) fn inputs(
     all: &mut Tries<'_, '_>,
     entry: &Entry,
     record: &Record,
     solution: &Solution,
     stop: &Stop,
+    so_far: &mut dyn FnMut(&[Candidate]),
 ) -> Result<(), Refusal> {
     let names = all.wrong.iter().map(|one| one.name.to_owned()).collect();
     let again = match Perturbed::new(entry, record, vary::inputs(record), names) {
@@ -59,21 +61,20 @@ pub(super) fn inputs(
         Err(_) => return Ok(()),
     };
     let mut inputs = Inputs::of(again, all.wrong, solution);
-    let count = inputs.again.inputs.len();
-    for is_digit in [false, true] {
-        for at in 0..count {
-            let ways = if is_digit {
-                digits(&inputs.again.inputs[at])
-            } else {
-                ways(&inputs.again.inputs[at], &inputs.again.inputs)
-            };
-            inputs.each(all, at, ways, stop)?;
+    let given = &inputs.again.inputs;
+    let of_each = |ways: &dyn Fn(&VariedInput) -> Vec<Way>| {
+        let mut all: Vec<(usize, Way)> = Vec::new();
+        for (at, input) in given.iter().enumerate() {
+            all.extend(ways(input).into_iter().map(|way| (at, way)));
         }
-        if !is_digit {
-            inputs.interchanged(all, stop)?;
-        }
-    }
-    Ok(())
+        all.sort_by(|(_, a), (_, b)| b.prior.total_cmp(&a.prior));
+        all
+    };
+    let (whole, digits) = (of_each(&|input| ways(input, given)), of_each(&digits));
+    inputs.each(all, whole, stop)?;
+    inputs.interchanged(all, stop)?;
+    so_far(all.ranked());
+    inputs.each(all, digits, stop)
 }
 
 /// The problem with inputs taken otherwise: by its trace where that is all that an input goes into, solved again where not.
@@ -158,17 +159,11 @@ impl<'s> Inputs<'s> {
         Ok((values, all))
     }
 
-    fn each(
-        &mut self,
-        all: &mut Tries<'_, '_>,
-        at: usize,
-        ways: Vec<Way>,
-        stop: &Stop,
-    ) -> Result<(), Refusal> {
-        let (path, label) = (self.again.inputs[at].path.clone(), self.again.inputs[at].label.clone());
-        for way in ways {
+    fn each(&mut self, all: &mut Tries<'_, '_>, ways: Vec<(usize, Way)>, stop: &Stop) -> Result<(), Refusal> {
+        for (at, way) in ways {
             let (values, edits) = self.changed(&[(at, way.si)], stop)?;
-            let place = Place::Input(path.clone(), label.clone());
+            let input = &self.again.inputs[at];
+            let place = Place::Input(input.path.clone(), input.label.clone());
             all.data(way.prior, Mistake::new(place, way.change).taken(way.si), values, edits);
         }
         Ok(())

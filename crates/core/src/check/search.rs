@@ -32,57 +32,73 @@ const PAIR: f64 = 0.05;
 /// Pairs are searched for with so few chance hits only.
 const DIGITS_FOR_PAIRS: f64 = 2e-5;
 
+/// For each wrong answer, by its name, the causes that give it, the likeliest first.
+pub type Causes = Vec<(String, Vec<Cause>)>;
+
 /// For each wrong answer the causes that give it, the likeliest first; none where no mistake we know does, or where the
 /// digits that were given are too few to tell. Where `stop` is given, those that were found until then.
+///
+/// `report` receives what is found on the way: after the edits of the worked solution, and where the problem is solved
+/// again, after other options and after other data.
 pub fn causes(
     entry: &Entry,
     record: &Record,
     solution: &Solution,
     typed: &[(String, String)],
     stop: &Stop,
-) -> Vec<(String, Vec<Cause>)> {
-    let mut found = with_digits(entry, record, solution, typed, Digits::AsWritten, stop);
+    report: &mut dyn FnMut(Causes),
+) -> Causes {
+    let read = |digits| -> Vec<Wrong<'_>> {
+        typed.iter().filter_map(|(name, text)| Wrong::of(solution, name, text, digits)).collect()
+    };
     // Zeros at the end of a whole number may be no digits.
-    if found.iter().any(|(_, causes)| causes.is_empty()) {
-        let rough = with_digits(entry, record, solution, typed, Digits::Sure, stop);
-        for (name, causes) in found.iter_mut().filter(|(_, causes)| causes.is_empty()) {
-            let of_this = rough.iter().find(|(known, _)| known == name);
-            causes.extend(of_this.into_iter().flat_map(|(_, causes)| causes.clone()));
-        }
+    let (wrong, rough) = (read(Digits::AsWritten), read(Digits::Sure));
+    let branches = typed.iter().filter_map(|(name, text)| branch(solution, name, text));
+    let mut found: Causes = Vec::new();
+    if !wrong.is_empty() {
+        let mut so_far = |all: &[Candidate]| {
+            let named = |at: usize| -> (String, Vec<Cause>) {
+                let mut causes = singles(at, &wrong, all);
+                if causes.is_empty() {
+                    causes = singles(at, &rough, all);
+                }
+                causes.truncate(MOST);
+                (wrong[at].name.to_owned(), causes)
+            };
+            report((0..wrong.len()).map(named).collect());
+        };
+        let all = candidates(entry, record, solution, &wrong, stop, &mut so_far);
+        let whole = |at: usize| {
+            let mut causes = of_answer(at, &wrong, &all, solution, stop);
+            if causes.is_empty() {
+                causes = of_answer(at, &rough, &all, solution, stop);
+            }
+            (wrong[at].name.to_owned(), causes)
+        };
+        found = (0..wrong.len()).map(whole).collect();
     }
-    found.extend(typed.iter().filter_map(|(name, text)| branch(solution, name, text)));
+    found.extend(branches);
     found
 }
 
-fn with_digits(
-    entry: &Entry,
-    record: &Record,
+/// The causes of a wrong answer: a mistake, two of them, or a rounded step.
+fn of_answer(
+    at: usize,
+    wrong: &[Wrong<'_>],
+    all: &[Candidate],
     solution: &Solution,
-    typed: &[(String, String)],
-    digits: Digits,
     stop: &Stop,
-) -> Vec<(String, Vec<Cause>)> {
-    let wrong = typed.iter().filter_map(|(name, text)| Wrong::of(solution, name, text, digits));
-    let wrong: Vec<Wrong<'_>> = wrong.collect();
-    let mut found = Vec::new();
-    if wrong.is_empty() {
-        return found;
+) -> Vec<Cause> {
+    let mut causes = singles(at, wrong, all);
+    if !causes.iter().any(|cause| cause.is_named) {
+        causes.extend(pairs(at, wrong, all, solution, stop));
     }
-    let mut all = candidates(entry, record, solution, &wrong, stop);
-    all.sort_by(|a, b| b.prior.total_cmp(&a.prior));
-    for at in 0..wrong.len() {
-        let mut causes = singles(at, &wrong, &all);
-        if !causes.iter().any(|cause| cause.is_named) {
-            causes.extend(pairs(at, &wrong, &all, solution, stop));
-        }
-        if causes.is_empty() {
-            causes.extend(rounding(&wrong[at], solution));
-        }
-        causes.sort_by_key(|cause| !cause.is_named);
-        causes.truncate(MOST);
-        found.push((wrong[at].name.to_owned(), causes));
+    if causes.is_empty() {
+        causes.extend(rounding(&wrong[at], solution));
     }
-    found
+    causes.sort_by_key(|cause| !cause.is_named);
+    causes.truncate(MOST);
+    causes
 }
 
 /// Values that were tried, each counted once.

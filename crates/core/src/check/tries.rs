@@ -49,6 +49,12 @@ impl Tries<'_, '_> {
         self.push(prior, mistake, values, true, edits);
     }
 
+    /// Candidates found so far, the likeliest first.
+    pub(super) fn ranked(&mut self) -> &[Candidate] {
+        self.found.sort_by(|a, b| b.prior.total_cmp(&a.prior));
+        &self.found
+    }
+
     pub(super) fn free(&mut self, prior: f64, mistake: Mistake, values: Vec<f64>) {
         let candidate =
             Candidate { mistake, prior, values, is_shared: false, is_free: true, edits: Vec::new() };

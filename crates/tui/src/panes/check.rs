@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use dalembert_core::{
     Answer, Locale, Solution, Text,
-    check::{self, Cause, Verdict},
+    check::{self, Cause, Causes, Verdict},
     hints::{self, HintLevel},
 };
 use ratatui::{
@@ -43,8 +43,10 @@ pub struct Check {
     typed: Typed<String>,
     /// The answers that the user asked to see.
     seen: BTreeSet<String>,
-    /// The causes of what was typed, for each wrong answer; `None` while they are searched for.
-    causes: Option<Vec<(String, Vec<Cause>)>>,
+    /// The causes of what was typed, as far as they were found.
+    causes: Causes,
+    /// True if the search for them has come to its end.
+    is_searched: bool,
     /// Number of hints that were asked for, by the name of the answer.
     hints: BTreeMap<String, usize>,
     /// True if it was said that everything is right.
@@ -130,7 +132,7 @@ impl Pane for Check {
 
     fn typed(&mut self, problem: &mut Problem, text: String) {
         if let Some(name) = self.answer(problem).map(|answer| answer.name.to_string()) {
-            self.causes = None;
+            (self.causes, self.is_searched) = (Vec::new(), false);
             self.typed.set(&name, text);
         }
     }
@@ -163,7 +165,7 @@ impl Pane for Check {
         let is_wrong = |(name, _): &(String, String)| {
             matches!(self.verdict(solution, name), Some(Verdict::Wrong | Verdict::RoundedEarly(_)))
         };
-        if self.causes.is_some() || !self.typed.0.iter().any(is_wrong) {
+        if self.is_searched || !self.typed.0.iter().any(is_wrong) {
             return None;
         }
         Some(Question::Causes {
@@ -175,17 +177,20 @@ impl Pane for Check {
     }
 
     fn is_answered(&self, _: &Problem) -> bool {
-        self.causes.is_some()
+        self.is_searched
     }
 
     fn answered(&mut self, _: &mut Problem, reply: Option<Reply>) -> Vec<Intent> {
-        self.causes = Some(if let Some(Reply::Causes(causes)) = reply { causes } else { Vec::new() });
+        (self.causes, self.is_searched) = match reply {
+            Some(Reply::Causes { found, is_whole }) => (found, is_whole),
+            _ => (Vec::new(), true),
+        };
         // What is said of a wrong answer is read to its end.
         vec![Intent::BringIn(self.cursor)]
     }
 
     fn forget(&mut self, _: &mut Problem, inputs: bool) {
-        self.causes = None;
+        (self.causes, self.is_searched) = (Vec::new(), false);
         self.congratulated &= !inputs;
     }
 }
@@ -321,24 +326,26 @@ impl Check {
             Some(Verdict::Unread(why)) => say(&filter_untrusted(&why.render(locale)), look.dim()),
             Some(verdict @ (Verdict::Wrong | Verdict::RoundedEarly(_))) => {
                 let style = if *verdict == Verdict::Wrong { look.error() } else { look.warning() };
-                let found = self.causes.as_ref().map(|all| causes_of(all, &name));
+                let found = causes_of(&self.causes, &name);
                 let head = match found {
-                    None if waits => "incorrect; searching for a common error that gives this value",
-                    None => "incorrect",
-                    Some([]) if *verdict == Verdict::Wrong => {
-                        "Incorrect. No common error reproduces this value."
-                    }
-                    Some([]) => "",
-                    Some([first, ..]) if first.is_named => "Incorrect. Likely cause:",
-                    Some(_) => "Incorrect. Possible causes:",
+                    [] if waits => "incorrect; searching for a common error that gives this value",
+                    [] if !self.is_searched => "incorrect",
+                    [] if *verdict == Verdict::Wrong => "Incorrect. No common error reproduces this value.",
+                    [] => "",
+                    [first, ..] if first.is_named => "Incorrect. Likely cause:",
+                    _ => "Incorrect. Possible causes:",
                 };
-                match (found, head) {
-                    (Some([]), "") => say(&verdict.text().render(&locale.digits(2)), style),
+                match head {
+                    "" => say(&verdict.text().render(&locale.digits(2)), style),
                     _ => say(&Text::new(head).render(locale), style),
                 }
                 let hints = self.hints.get(&name).copied().unwrap_or(0);
                 let reveals = self.seen.contains(&name) || hints >= HintLevel::ALL.len();
-                cause_lines(found.unwrap_or_default(), solution, reveals, (look, locale, width), lines);
+                cause_lines(found, solution, reveals, (look, locale, width), lines);
+                if waits && !found.is_empty() {
+                    let further = Text::new("searching further").render(locale);
+                    lines.extend(wrap::hanging(vec![Span::raw("    ")], &further, look.dim(), width));
+                }
             }
         }
         if one.verdict == Some(Verdict::Right) || self.seen.contains(&name) {

@@ -96,6 +96,15 @@ impl Pane for Drawing {
         reasons::dim_stale(problem, ui, room, buffer);
     }
 
+    fn draw_next(&self, problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut Buffer) {
+        let at = turned(self.at, 1, self.pictures(problem));
+        let next = Self { at, ..Self::default() };
+        if let Some(seen) = next.seen(problem, ui.covered) {
+            drawing::render(&seen, ui.look, ui.locale, room, buffer);
+            reasons::dim_stale(problem, ui, room, buffer);
+        }
+    }
+
     fn about(&self, problem: &Problem, ui: &Ui<'_>) -> Vec<Text> {
         let key = ui.key(self.place(), Action::NextExhibit);
         let several = self.pictures(problem) > 1;
