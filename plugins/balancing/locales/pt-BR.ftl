@@ -398,9 +398,9 @@ radius-of-the-counterweight = Raio do contrapeso
 reciprocating-mass = Massa alternativa
 rotating-mass-and-the-fraction-of-the-reciprocating-mass-at-the-crank-pin = Massa rotativa e a fração da massa alternativa, no moente
 rotating-mass-at-the-crank-pin = Massa rotativa no moente
-shaking-couple = Conjugado de trepidação
+shaking-couple = Binário de trepidação
 shaking-moment = Momento de trepidação
-shaking-couple-over-a-turn = Conjugado de trepidação em uma volta
+shaking-couple-over-a-turn = Binário de trepidação em uma volta
 shaking-moment-over-a-revolution = Momento de trepidação em uma volta
 shaking-force-over-a-turn = Força de trepidação em uma volta
 shaking-force-over-a-revolution = Força de trepidação em uma volta
@@ -952,7 +952,7 @@ weight-of-a-cylinder-of-that-depth = massa de um cilindro dessa profundidade
 weights-in-two-planes-at-the-same-radius = Massas em dois planos, no mesmo raio
 angle-of-the-couple-component-in-the-first-vector = Ângulo da componente de binário no primeiro vetor
 component-of-the-vector = Componente do vetor
-couple-part = Parcela de conjugado
+couple-part = Parcela de binário
 couple-component = Componente de binário
 couple-component-half-the-difference-of-the-vectors-shown-for-the-first-opposite-in-the-second = Componente de binário: metade da diferença dos vetores; dada para o primeiro, oposta no segundo
 first-bearing = Primeiro mancal
@@ -1142,12 +1142,12 @@ equal-corrections-in-three-planes = Correções iguais em três planos
 a-force-in-the-middle-of-three-planes-is-shared-equally-3-kg-mm-opposite-to-9-kg-mm = uma força no meio de três planos é repartida igualmente: 3 kg·mm opostos a 9 kg·mm
 a-force-at-the-end-of-three-planes = Força no extremo de três planos
 u-k-u-3-z-k-z-u-z-z-s-5-6-1-3-and-1-6-of-6-kg-mm = U_k = −U/3 − (z_k − z̄) U (z − z̄)/S: 5/6, 1/3 e −1/6 de 6 kg·mm
-one-plane-cannot-balance-a-couple = Um só plano não equilibra um conjugado
+one-plane-cannot-balance-a-couple = Um só plano não equilibra um binário
 two-equal-masses-half-a-turn-apart-400-mm-from-each-other = duas massas iguais defasadas de meia volta, a 400 mm uma da outra
-static-and-couple-parts-of-two-unbalances = Parcelas estática e de conjugado de dois desbalanceamentos
+static-and-couple-parts-of-two-unbalances = Parcelas estática e de binário de dois desbalanceamentos
 the-vectors-100-30-and-80-200-in-two-planes-their-mean-and-half-difference = os vetores 100 ∠30° e 80 ∠200° em dois planos, sua média e semidiferença
 the-planes-are-those-of-the-masses-so-that-the-equivalent-unbalances-are-the-masses-themselves = Os planos são os das massas, de modo que os desbalanceamentos equivalentes são as próprias massas.
-a-couple-and-the-weight-on-two-bearings = Um conjugado e o peso sobre dois mancais
+a-couple-and-the-weight-on-two-bearings = Um binário e o peso sobre dois mancais
 n-1-kg-at-10-mm-in-both-planes-half-a-turn-apart-0-4-m-c-4-g-m-over-a-span-of-0-5-m-and-half-of-10-kg = 1 kg a 10 mm nos dois planos, com defasagem de meia volta, 0,4 m: C = 4 g·m² · ω², sobre um vão de 0,5 m; e a metade de 10 kg
 a-triangle-of-forces = Triângulo de forças
 n-3-4-5-triangle-3-and-4-kg-at-90-to-each-other-are-balanced-by-5-kg-at-180-53-13 = triângulo 3-4-5: 3 e 4 kg defasados de 90° são equilibrados por 5 kg a 180° + 53,13°
@@ -1246,9 +1246,9 @@ khurmi-gupta-theory-of-machines-ch-22 = Khurmi & Gupta, Theory of Machines, cap.
 the-counterweight-follows-from-the-closed-form-the-primary-force-is-a-vector-of-m-r-that-turns-with = O contrapeso resulta da forma fechada: a força primária é um vetor de m r ω² que gira com a manivela.
 v-twin-at-right-angles-cranks-upright = Bicilíndrico em V com ângulo reto, manivelas na vertical
 m-r-along-the-crank-the-secondary-force-of-a-90-v-is-purely-transverse-and-vanishes-here = m r ω² ao longo da manivela; a força secundária de um V a 90° é puramente transversal e aqui se anula.
-inline-five-primary-couple = Cinco cilindros em linha: conjugado primário
+inline-five-primary-couple = Cinco cilindros em linha: binário primário
 standard-coefficients-of-engine-balance-the-primary-couple-over-m-r-and-the-pitch = coeficientes usuais de balanceamento de motores; o binário primário dividido por m r ω² e pela distância entre cilindros
-inline-five-secondary-couple = Cinco cilindros em linha: conjugado secundário
+inline-five-secondary-couple = Cinco cilindros em linha: binário secundário
 standard-coefficients-of-engine-balance-the-secondary-couple-over-m-r-and-the-pitch = coeficientes usuais de balanceamento de motores; o binário secundário dividido por m r ω² λ e pela distância entre cilindros
 boxer-with-two-cylinders = Boxer de dois cilindros
 opposed-pistons-on-opposed-cranks-only-couples-m-r-times-the-distance = pistões opostos em manivelas opostas: só binários, m r ω² vezes a distância
@@ -1333,7 +1333,7 @@ two-equal-weights-opposite-to-each-other = duas massas iguais, opostas entre si
 accelerations-at-two-bearings = Acelerações em dois mancais
 readings-of-two-bearings = Leituras de dois mancais
 half-the-sum-and-half-the-difference-of-100-m-at-30-and-80-m-at-200 = a metade da soma e a metade da diferença de 100 µm a 30° e 80 µm a 200°
-weights-that-form-a-pure-couple = Massas que formam um conjugado puro
+weights-that-form-a-pure-couple = Massas que formam um binário puro
 equal-weights-half-a-turn-apart = massas iguais defasadas de meia volta
 weights-at-a-right-angle = Massas em ângulo reto
 n-3-g-at-0-and-3-g-at-90-both-components-are-3-2-g = 3 g a 0° e 3 g a 90°: as duas componentes são 3/√2 g
@@ -1363,7 +1363,7 @@ u-4-w-n-in-ounce-inches-pounds-and-revolutions-per-minute-4-16-in-2-60-s = U = 4
 two-measured-unbalances-judged-at-the-bearings = Dois desbalanceamentos medidos, julgados nos mancais
 rotor-of-80-kg-at-1800-rpm-700-g-mm-20-and-900-g-mm-250-in-planes-between-the-bearings = rotor de 80 kg a 1800 rpm, 700 g·mm ∠20° e 900 g·mm ∠250° em planos entre os mancais
 the-second-method-reverses-the-corrections-in-the-planes-of-the-bearings = O segundo método inverte as correções nos planos dos mancais.
-a-static-unbalance-and-a-couple-at-the-bearings = Desbalanceamento estático e conjugado nos mancais
+a-static-unbalance-and-a-couple-at-the-bearings = Desbalanceamento estático e binário nos mancais
 n-6-g-mm-in-the-middle-gives-3-at-each-bearing-the-couple-of-400-g-mm-over-100-mm-adds-4-a-quarter-of = 6 g·mm no meio dão 3 em cada mancal; o binário de 400 g·mm² sobre 100 mm acrescenta 4, um quarto de volta à frente: 5
 both-planes-are-out-of-tolerance-2-5-g-mm-are-permitted-in-each = Os dois planos estão fora da tolerância: admitem-se 2,5 g·mm em cada um.
 a-centre-of-mass-near-a-bearing = Centro de massa perto de um mancal
@@ -1382,7 +1382,7 @@ the-printed-numbers-belong-to-a-65-mm-with-the-25-mm-of-the-statement-w-b-21-70-
 the-printed-numbers-belong-to-a-65-mm-with-the-25-mm-of-the-statement-b-346-28 = Os números impressos correspondem a a₂ = 65 mm; com os 25 mm do enunciado θ_B = 346,28°.
 the-printed-numbers-belong-to-a-65-mm-with-the-25-mm-of-the-statement-w-a-55-31-n = Os números impressos correspondem a a₂ = 65 mm; com os 25 mm do enunciado W_A = 55,31 N.
 the-printed-numbers-belong-to-a-65-mm-with-the-25-mm-of-the-statement-a-318-34 = Os números impressos correspondem a a₂ = 65 mm; com os 25 mm do enunciado θ_A = 318,34°.
-a-couple-of-two-equal-masses = Conjugado de duas massas iguais
+a-couple-of-two-equal-masses = Binário de duas massas iguais
 two-equal-masses-half-a-turn-apart-at-the-ends-of-a-shaft-corrected-in-the-same-planes = duas massas iguais defasadas de meia volta nas extremidades de um eixo, corrigidas nos mesmos planos
 each-correction-is-opposite-to-the-mass-in-its-plane-if-drilled-it-is-at-the-mass = Cada correção é oposta à massa no seu plano. Feita por furação, fica na posição da massa.
 both-corrections-in-one-plane = As duas correções em um só plano

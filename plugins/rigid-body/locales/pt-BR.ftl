@@ -1917,7 +1917,7 @@ rolling-bodies = Rolamento sem deslizamento
 # dipping_rail.toml
 locomotive-at-95-km-h = Locomotiva a 95 km/h
 one-rail-dips-by-6-mm-in-0-1-s-in-simple-harmonic-motion = Um trilho rebaixa-se 6 mm em 0,1 s, em movimento harmônico simples.
-dip-of-10-m-with-the-couple-of-the-roll-acceleration = Rebaixo de 10 m com o conjugado da aceleração de rolagem
+dip-of-10-m-with-the-couple-of-the-roll-acceleration = Rebaixo de 10 m com o binário da aceleração de rolagem
 closed-form-c-i-a-2v-d-t-w-and-2-t-w = forma fechada: C = I_a (2v/D) (πδ/t)/w e α = 2π²δ/(t² w)
 v-20-m-s-t-0-5-s-40-rad-s-8-0-005-1-6-rad-s = v = 20 m/s, t = 0,5 s, ω = 40 rad/s, α = 8π² · 0,005/1,6 rad/s².
 level-track = Via nivelada
@@ -2571,7 +2571,7 @@ the-reaction-on-the-carrier-is-i-with-towards-the-viewer-who-sees-it-counter-clo
 clockwise-seen-from-the-right-in-a-turn = Horário visto da direita, em uma curva
 counter-clockwise-seen-from-above-bow-rising = Anti-horário visto de cima, proa subindo
 counter-clockwise-seen-from-below-left-side-falling = Anti-horário visto de baixo, lado esquerdo descendo
-slab-on-a-ball-and-socket-and-three-wires-turned-by-a-couple = Placa sobre uma rótula e três fios, solicitada por um conjugado
+slab-on-a-ball-and-socket-and-three-wires-turned-by-a-couple = Placa sobre uma rótula e três fios, solicitada por um binário
 moments-about-the-ball-t-m-g-2-m-y-t-0-4-m-g-m-x-0-8-t-m-z = momentos em relação à rótula: T₁ = m g/2 + M_y, T₂ = (0,4 m g − M_x)/0,8, T₃ = −M_z
 ring-quarter-disc-and-ellipse = Coroa, quarto de disco e elipse
 plates-m-r-r-4-m-r-4-and-xy-dm-m-r-2-about-the-corner-g-at-4r-3-m-b-4-and-m-a-4 = placas: m(R² + r²)/4; m R²/4 e ∫xy dm = m R²/2π no canto, G em 4R/3π; m b²/4 e m a²/4

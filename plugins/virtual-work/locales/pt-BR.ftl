@@ -1099,7 +1099,7 @@ its-virtual-variation-per-2-s-s-2-b-d-sin = Sua variação virtual por δθ: 2 s
 derivative-of-that-change = Derivada dessa variação
 derivative-of-the-spring-length-at-0 = Derivada do comprimento da mola em θ = 0
 extension-of-the-spring-times-its-virtual-change-per-unit-the-couple-of-the-spring-is-k-u = Alongamento da mola vezes sua variação virtual por unidade de δθ: o binário da mola é k u′
-couple-that-holds-the-arm = Conjugado que mantém o braço
+couple-that-holds-the-arm = Binário que mantém o braço
 equilibrant-couple-on-the-arm = Binário equilibrante no braço
 equilibrant-couple-on-the-arm-in-the-sense-of-t-plus-the-virtual-work-of-spring-and-load-is-zero = Binário equilibrante no braço, no sentido de θ: a soma de T δθ com os trabalhos virtuais da mola e da carga é nula
 load-whose-virtual-work-balances-that-of-the-spring = Carga cujo trabalho virtual equilibra o da mola
@@ -1856,10 +1856,10 @@ beer-johnston-vector-mechanics-for-engineers-statics-9th-ed-problem-10-1 = Beer 
 moving-a-by-y-moves-c-by-2-y-d-by-y-e-and-g-by-y-2-arms-that-give-these-ratios = Deslocar A de δy desloca C de 2 δy, D de δy, E e G de δy/2. Braços que dão estas razões.
 the-two-levers-with-the-loads-of-the-later-edition = As duas alavancas com as cargas da edição posterior
 beer-johnston-vector-mechanics-for-engineers-statics-10th-and-11th-ed-problem-10-1 = Beer & Johnston, Vector Mechanics for Engineers: Statics, 10ª e 11ª ed., problema 10.1
-couple-on-one-lever-force-on-another-force-at-g = Conjugado em uma alavanca, força em outra: força em G
+couple-on-one-lever-force-on-another-force-at-g = Binário em uma alavanca, força em outra: força em G
 beer-johnston-vector-mechanics-for-engineers-statics-8th-ed-problem-10-1-of-two-levers-abc-and-defg = Beer & Johnston, Vector Mechanics for Engineers: Statics, 8ª ed., problema 10.1 com duas alavancas ABC e DEFG
 abc-drives-defg-with-125-mm-on-375-mm-so-that-defg-rotates-one-third-as-much-g-is-100-2-mm-from-the = ABC aciona DEFG com 125 mm sobre 375 mm, de modo que DEFG gira um terço disso; G está a 100√2 mm do pivô, a 45° da linha da força vertical.
-couple-on-one-lever-force-on-another-couple-on-defg = Conjugado em uma alavanca, força em outra: conjugado em DEFG
+couple-on-one-lever-force-on-another-couple-on-defg = Binário em uma alavanca, força em outra: binário em DEFG
 beer-johnston-vector-mechanics-for-engineers-statics-8th-ed-problem-10-3-of-two-levers-abc-and-defg = Beer & Johnston, Vector Mechanics for Engineers: Statics, 8ª ed., problema 10.3 com duas alavancas ABC e DEFG
 single-lever = Uma só alavanca
 f-a-p-b = F a = P b
@@ -1875,16 +1875,16 @@ with-the-exact-motion-whose-work-is-that-of-the-pressures-903-kpa-1-ln-3-3-28-kp
 inertia-torque-of-a-high-speed-engine-over-a-turn = Torque de inércia de um motor de alta rotação ao longo de uma volta
 kinetic-energy-of-piston-and-rod-the-torque-is-de-d-and-has-no-mean = energia cinética do pistão e da biela: o torque é −dE/dθ e não tem média
 crank-40-mm-rod-140-mm-3000-rpm-the-extremes-are-symmetrical-about-the-dead-centre = Manivela de 40 mm, biela de 140 mm, 3000 rpm. Os extremos são simétricos em relação ao ponto morto.
-engine-held-by-a-couple-crank-at-30 = Motor mantido por um conjugado, manivela a 30°
+engine-held-by-a-couple-crank-at-30 = Motor mantido por um binário, manivela a 30°
 beer-johnston-vector-mechanics-for-engineers-statics-12th-ed-prob-10-21 = Beer & Johnston, Vector Mechanics for Engineers: Statics, 12ª ed., probl. 10.21
 crank-50-mm-rod-200-mm-4-kn-on-the-piston-the-couple-on-the-crank-balances-the-turning-moment = Manivela de 50 mm, biela de 200 mm, 4 kN no pistão; o binário na manivela equilibra o torque.
-engine-held-by-a-couple-crank-at-150 = Motor mantido por um conjugado, manivela a 150°
-force-on-the-piston-for-a-couple-on-the-crank-at-60 = Força no pistão para um conjugado na manivela, a 60°
+engine-held-by-a-couple-crank-at-150 = Motor mantido por um binário, manivela a 150°
+force-on-the-piston-for-a-couple-on-the-crank-at-60 = Força no pistão para um binário na manivela, a 60°
 beer-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-20 = Beer & Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.20
-force-on-the-piston-for-a-couple-on-the-crank-at-120 = Força no pistão para um conjugado na manivela, a 120°
-couple-for-a-thousand-pounds-on-the-piston-crank-at-30 = Conjugado para mil libras no pistão, manivela a 30°
+force-on-the-piston-for-a-couple-on-the-crank-at-120 = Força no pistão para um binário na manivela, a 120°
+couple-for-a-thousand-pounds-on-the-piston-crank-at-30 = Binário para mil libras no pistão, manivela a 30°
 after-beer-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-19-m-p-r-sin-cos = baseado em Beer & Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.19; M = P r sen(θ + φ)/cos φ
-couple-for-a-thousand-pounds-on-the-piston-crank-at-150 = Conjugado para mil libras no pistão, manivela a 150°
+couple-for-a-thousand-pounds-on-the-piston-crank-at-150 = Binário para mil libras no pistão, manivela a 150°
 force-on-the-slider-for-a-load-at-the-crank-pin = Força no cursor para uma carga no pino da manivela
 the-200-n-at-the-pin-between-crank-and-rod-exert-a-moment-of-200-n-0-6-m-cos-45-on-the-crank-the = Os 200 N no pino entre manivela e biela exercem na manivela o momento 200 N × 0,6 m × cos 45°; a força no cursor deve produzir esse torque.
 velocity-and-acceleration-of-a-piston = Velocidade e aceleração de um pistão
@@ -2320,18 +2320,18 @@ crank-at-30-steady-20-rad-s-rod-of-3-kg-with-its-centre-of-mass-in-the-middle-sl
 horizontal-force-that-holds-a-loaded-linkage = Força horizontal que mantém um mecanismo carregado
 weightless-bars-of-0-6-m-and-0-7-m-at-45-200-n-downwards-at-their-common-pin-the-force-is-drawn = Barras sem peso de 0,6 m e 0,7 m a 45°, 200 N para baixo no pino comum. A força é desenhada em direção ao pino fixo: aqui é negativa. Os 114 N impressos são calculados com comprimentos arredondados.
 the-book-computes-with-lengths-of-three-digits = o livro calcula com comprimentos de três algarismos
-couple-on-the-crank-of-an-engine-at-30 = Conjugado na manivela de um motor a 30°
+couple-on-the-crank-of-an-engine-at-30 = Binário na manivela de um motor a 30°
 f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-12th-ed-prob-10-21-a = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 12ª ed., probl. 10.21 (a)
 n-4-kn-on-the-piston-toward-the-bearing-the-equilibrant-couple-is-clockwise-negative-here = 4 kN no pistão em direção ao mancal. O binário equilibrante é horário: aqui é negativo.
-couple-on-the-crank-of-an-engine-at-150 = Conjugado na manivela de um motor a 150°
+couple-on-the-crank-of-an-engine-at-150 = Binário na manivela de um motor a 150°
 f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-12th-ed-prob-10-21-b = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 12ª ed., probl. 10.21 (b)
-force-on-a-piston-from-the-couple-at-60 = Força em um pistão a partir do conjugado, a 60°
+force-on-a-piston-from-the-couple-at-60 = Força em um pistão a partir do binário, a 60°
 f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-20-a = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.20 (a)
-force-on-a-piston-from-the-couple-at-120 = Força em um pistão a partir do conjugado, a 120°
+force-on-a-piston-from-the-couple-at-120 = Força em um pistão a partir do binário, a 120°
 f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-20-b = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.20 (b)
-couple-for-1-kip-on-the-piston-at-30 = Conjugado para 1 kip no pistão, a 30°
+couple-for-1-kip-on-the-piston-at-30 = Binário para 1 kip no pistão, a 30°
 f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-19-a-no-printed-answer = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.19 (a): sem resposta impressa disponível; T = F r (sen θ + tan φ cos θ)
-couple-for-1-kip-on-the-piston-at-150 = Conjugado para 1 kip no pistão, a 150°
+couple-for-1-kip-on-the-piston-at-150 = Binário para 1 kip no pistão, a 150°
 f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-19-b-no-printed-answer = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.19 (b): sem resposta impressa disponível; T = F r (sen θ + tan φ cos θ)
 engine-with-a-massive-rod-at-314-rad-s = Motor com biela com massa a 314 rad/s
 dynamics-of-machines-turkish-lecture-notes-example-9-the-answers-are-known-from-a-program-that-quotes = Dinâmica das máquinas, notas de aula em turco, exemplo 9 (as respostas são conhecidas por um programa que as cita)
@@ -2370,7 +2370,7 @@ mass-on-the-disc-for-60 = Massa no disco para 60°
 m-k-a-g-b-sin = m = k a² θ/(g b sen θ)
 tilted-arm-held-by-hand = Braço inclinado segurado com a mão
 t-k-a-m-g-b-sin = T = k a² (θ − θ₀) − m g b sen(θ + φ₀)
-hanging-arm-under-a-couple = Braço pendente sob um conjugado
+hanging-arm-under-a-couple = Braço pendente sob um binário
 m-w-l-sin-k = M = W l sen θ + K θ
 lamp-arm-with-zero-free-length-springs = Braço de luminária com molas de comprimento livre nulo
 v-w-l-cos-k-b-d-2-b-d-cos-2-is-constant-for-k-b-d-w-l = V = W l cos θ + k (b² + d² − 2 b d cos θ)/2 é constante para k b d = W l
@@ -2423,10 +2423,10 @@ virtual-displacements-in-place-of-velocities-when-a-goes-down-by-1-c-goes-down-b
 two-levers-joined-by-a-link-other-loads = Duas alavancas unidas por uma ligação, outras cargas
 beer-johnston-statics-10th-11th-ed-problem-10-1 = Beer & Johnston, Statics, 10ª/11ª ed., problema 10.1
 the-same-levers-with-80-60-20-and-40-n = As mesmas alavancas com 80, 60, 20 e 40 N.
-couple-and-force-on-coupled-links-force-at-g = Conjugado e força em alavancas acopladas, força em G
+couple-and-force-on-coupled-links-force-at-g = Binário e força em alavancas acopladas, força em G
 beer-johnston-statics-8th-ed-problem-10-1 = Beer & Johnston, Statics, 8ª ed., problema 10.1
 link-abc-rotates-three-times-as-fast-as-defg-375-mm-125-mm-and-in-the-sense-opposite-to-its-couple-e = O elo ABC gira três vezes mais depressa que DEFG (375 mm : 125 mm) e no sentido contrário ao do seu binário. E está a 250 mm de D; G está a 100√2 mm de D, a 45°, e por isso se desloca 100 mm na vertical para um radiano.
-couple-and-force-on-coupled-links-couple-on-defg = Conjugado e força em alavancas acopladas, conjugado em DEFG
+couple-and-force-on-coupled-links-couple-on-defg = Binário e força em alavancas acopladas, binário em DEFG
 beer-johnston-statics-8th-ed-problem-10-3 = Beer & Johnston, Statics, 8ª ed., problema 10.3
 the-same-links-held-by-a-couple-on-defg = Os mesmos elos, mantidos por um binário em DEFG.
 pinion-a-25-teeth-drives-the-wheel-b-90-whose-annulus-c-83-turns-planets-about-a-fixed-sun-e-31-the = O pinhão A (25 dentes) aciona a engrenagem B (90), cuja coroa interna C (83) gira planetas em torno de uma solar fixa E (31). O braço gira a −(25/90)·83/(83 + 31) da velocidade do pinhão.
@@ -2450,7 +2450,7 @@ remaining-stroke-of-the-ram-until-the-links-are-collinear-l-1-cos-l-1-cos-with-1
 with-these-angles-it-can-also-be-assembled-on-another-side-give-the-position-of-names-or-check-in-the = com estes ângulos a montagem também é possível do outro lado: informe a posição de { $names }, ou verifique no desenho se este é o lado desejado
 a-disc-accelerates-as-one-and-a-half-times-its-mass = Um disco acelera como uma vez e meia a sua massa
 i-m-r-2-t-3-2-m-a-u-at-90-with-l-2-r-u-r-a-r-friction-m-a-2 = I = m R²/2: T = 3/2 m a u a 90° com l = √2 r, u = −r, a = r ω²; atrito −m a/2
-two-geared-links-a-couple-on-the-second = Duas barras engrenadas, um conjugado na segunda
+two-geared-links-a-couple-on-the-second = Duas barras engrenadas, um binário na segunda
 t-t-m-g-v-i-0 = T₁ ω₁ + T₂ ω₂ − m g v − I α ω₂ = 0
 slider-behind-its-driving-pin = Cursor atrás do seu pino de acionamento
 x-p-x-l-p-y-with-p-on-the-rocker-of-the-closed-loop-t-f-dx-d = x = P_x − √(l² − P_y²) com P no balancim da cadeia fechada; T = −F dx/dθ
@@ -2643,7 +2643,7 @@ ab-for-two-pins-ab-bc-and-ca-for-three-without-them-the-distances-are-those-of-t
 coordinate-at-rest-on-the-stop = Coordenada em repouso no batente
 distances-of-the-pins = Distâncias dos pinos
 force-of-the-stop = Força do batente
-force-or-couple-of-name-by-virtual-work-q-c-v-q-dv-dm-dc-dm = Força ou conjugado de { $name }, pelo trabalho virtual: Q δc = δV, Q = (dV/dm)/(dc/dm)
+force-or-couple-of-name-by-virtual-work-q-c-v-q-dv-dm-dc-dm = Força ou binário de { $name }, pelo trabalho virtual: Q δc = δV, Q = (dV/dm)/(dc/dm)
 pins = Pinos
 points-through-which-the-body-goes-at-each-it-is-pinned-to-the-ground-or-to-the-other-bodies-that = Pontos por onde passa o corpo: em cada um ele é articulado ao solo ou aos outros corpos que têm o ponto entre seus pinos. A origem de seus eixos é o primeiro pino, e x aponta para o segundo.
 selects-the-side-on-which-a-linkage-is-assembled-the-joints-correct-the-value-the-positions-of-two = Escolhe o lado em que o mecanismo é montado; as juntas corrigem o valor. As posições de dois pinos o substituem.
@@ -2681,7 +2681,7 @@ contact-of-a-point-with-a-straight-edge-to-the-left-of-it = Contato de um ponto 
 contour-radius-against-the-angle-in-the-axes-of-the-cam-over-one-revolution = Contorno: raio em função do ângulo nos eixos do came, em uma volta
 cord-or-strap-largest-distance-between-two-points = Corda ou correia: maior distância entre dois pontos
 cords-buffers-and-contacts-that-limit-the-motion-found-over-a-range-of-a-single-coordinate = Cordas, batentes e contatos que limitam o movimento; procurados em um intervalo de uma única coordenada.
-couple-of-the-stop-m-w-l-2-cos = Conjugado do batente M = W (L/2) cos θ
+couple-of-the-stop-m-w-l-2-cos = Binário do batente M = W (L/2) cos θ
 crank-of-15-mm-about-o-fixed-pivot-b-bars-j-k-c-f-and-the-triangles-bce-and-dfg-of-the-walking = Manivela de 15 mm em torno de O, pivô fixo B; barras j, k, c, f e os triângulos BCE e DFG do mecanismo andante, com os comprimentos que T. Jansen publicou. As posições de A a G são um esboço. No pé G atuam 20 N para cima e 3 N contra o movimento.
 direction-from-the-centre-of-the-driver-to-that-of-the-wheel-in-the-axes-of-the-carrier = Direção do centro da motora ao da roda, nos eixos de quem as leva
 direction-of-the-edge-in-the-axes-of-its-body = Direção da borda, nos eixos de seu corpo

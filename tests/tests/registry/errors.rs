@@ -6,7 +6,7 @@ use dalembert_core::{Stop, cases, check, find};
 use dalembert_tests::errors::{corpus, tally};
 
 /// Analysis, case counted from 1, answer, what was written, and words of the cause that comes first.
-const OF_THE_COURSE: [(&str, usize, &str, &str, &str); 16] = [
+const OF_THE_COURSE: [(&str, usize, &str, &str, &str); 18] = [
     ("virtual-work/virtual-power", 1, "torque", "82350 N*m", "−45 000 W instead of the −450 000 W"),
     ("virtual-work/virtual-power", 1, "torque", "102600 N*m", "sign error in the term I_G₁ α₁"),
     ("virtual-work/virtual-power", 1, "torque", "82750 N*m", "computing P_Fi₁"),
@@ -29,6 +29,14 @@ const OF_THE_COURSE: [(&str, usize, &str, &str, &str); 16] = [
         "given value: Maximum steady-state amplitude",
     ),
     ("vibration/rotating-unbalance", 1, "transmitted_force", "8782 N", "the term (c ω)² omitted"),
+    (
+        "vibration/shaft-clearance",
+        1,
+        "diameters",
+        "≥ 0.44 m",
+        "the damping ratio in place of the coefficient",
+    ),
+    ("vibration/shaft-clearance", 1, "diameters", "440 mm", "the damping ratio in place of the coefficient"),
     ("vibration/shaft-clearance", 3, "diameters", "0.44 m", "one limit or one part of the set only"),
     ("vibration/shaft-clearance", 3, "diameters", ">= 440 mm", "one limit or one part of the set only"),
     ("vibration/beam-and-springs", 1, "mass", "910.17 kg", "incorrectly copied stiffness"),

@@ -16,12 +16,27 @@ use super::{
     wrong::Wrong,
 };
 use crate::{
-    Entry, Record, Solution, Stop,
+    Entry, Record, Solution, Stop, Text,
     cases::{self, ComparisonRule},
     reevaluate::{Edit, Reevaluation},
     trace::{Id, Number},
     vary,
 };
+
+/// Printed values of these inputs that the catalogue disputes: name of the answer, value, and reason.
+pub(super) fn disputed(entry: &Entry, record: &Record) -> Vec<(String, String, Text)> {
+    let all = cases::cases(entry).unwrap_or_default();
+    let of_these = all.iter().filter(|case| case.record(entry).is_ok_and(|known| known == *record));
+    let expected = of_these.flat_map(|case| &case.expect);
+    expected
+        .filter_map(|expected| match &expected.how {
+            ComparisonRule::Disputed { why, .. } => {
+                Some((expected.answer.clone(), expected.printed.clone(), why.clone()))
+            }
+            _ => None,
+        })
+        .collect()
+}
 
 /// Every candidate, the likeliest first; where `stop` is given, those that were found until then. `so_far` receives them
 /// at the end of each stage but the last: what the trace gives, other options, other data as a whole; single digits take
@@ -180,13 +195,10 @@ impl Tries<'_, '_> {
 
     /// Published answers to this very problem that are disputed.
     fn printed(&mut self, entry: &Entry, record: &Record) {
-        let all = cases::cases(entry).unwrap_or_default();
-        let of_these = all.iter().filter(|case| case.record(entry).is_ok_and(|known| known == *record));
-        for expected in of_these.flat_map(|case| &case.expect) {
-            let ComparisonRule::Disputed { why, .. } = &expected.how else { continue };
-            let Some(at) = self.wrong.iter().position(|one| one.name == expected.answer) else { continue };
-            if let Ok(printed) = super::value(self.wrong[at].answer, &expected.printed) {
-                let mistake = Mistake::new(Place::Answer, Change::Printed(why.clone()));
+        for (answer, printed, why) in disputed(entry, record) {
+            let Some(at) = self.wrong.iter().position(|one| one.name == answer) else { continue };
+            if let Ok(printed) = super::value(self.wrong[at].answer, &printed) {
+                let mistake = Mistake::new(Place::Answer, Change::Printed(why));
                 let values = self.only(at, printed);
                 self.free(2.0, mistake, values);
             }

@@ -4,7 +4,7 @@ use std::{collections::BTreeSet, ops::Bound};
 
 use super::{
     Cause, Change, Mistake, Place,
-    candidates::candidates,
+    candidates::{candidates, disputed},
     steps::{node_of, rounded, scalar},
     tries::Candidate,
     wrong::{Digits, Wrong},
@@ -53,7 +53,7 @@ pub fn causes(
     };
     // Zeros at the end of a whole number may be no digits.
     let (wrong, rough) = (read(Digits::AsWritten), read(Digits::Sure));
-    let branches = typed.iter().filter_map(|(name, text)| branch(solution, name, text));
+    let branches = typed.iter().filter_map(|(name, text)| of_set(entry, record, solution, name, text));
     let mut found: Causes = Vec::new();
     if !wrong.is_empty() {
         let mut so_far = |all: &[Candidate]| {
@@ -314,21 +314,38 @@ fn rounding(one: &Wrong<'_>, solution: &Solution) -> Option<Cause> {
     best.map(|(_, cause)| cause)
 }
 
-/// One limit or one part of a set in place of the whole.
-fn branch(solution: &Solution, name: &str, text: &str) -> Option<(String, Vec<Cause>)> {
+/// Cause of a wrong set: it is a printed one that the catalogue disputes, or one limit or one part of the right one.
+fn of_set(
+    entry: &Entry,
+    record: &Record,
+    solution: &Solution,
+    name: &str,
+    text: &str,
+) -> Option<(String, Vec<Cause>)> {
     let answer = solution.answer(name)?;
     let AnswerValue::Set(set, _) = &answer.value else { return None };
     if super::compare(answer, text) != super::Verdict::Wrong {
         return None;
     }
-    let number = text.trim().trim_start_matches(['<', '>', '=', '≤', '≥', ' ']);
-    let typed = super::read(answer, number).ok()?;
-    let ends = set.intervals().flat_map(|part| [part.lower, part.upper]).filter_map(|bound| match bound {
-        Bound::Included(end) | Bound::Excluded(end) => Some(end),
-        Bound::Unbounded => None,
-    });
+    let limit = |text: &str| {
+        let number = text.trim().trim_start_matches(['<', '>', '=', '≤', '≥', ' ']);
+        super::read(answer, number).ok()
+    };
+    let typed = limit(text)?;
     let within = super::half_a_place(&typed) + 1e-12 * typed.si.abs();
-    let is_end = ends.into_iter().any(|end| (end - typed.si).abs() <= within);
-    let cause = Cause::new(vec![Mistake::new(Place::Answer, Change::Branch)], true);
-    is_end.then(|| (name.to_owned(), vec![cause]))
+    let is_typed = |si: f64| (si - typed.si).abs() <= within;
+    let printed = disputed(entry, record).into_iter().find(|(answer, printed, _)| {
+        answer == name && limit(printed).is_some_and(|printed| is_typed(printed.si))
+    });
+    let mut ends = set.intervals().flat_map(|part| [part.lower, part.upper]);
+    let change = match printed {
+        Some((_, _, why)) => Change::Printed(why),
+        None if ends
+            .any(|end| matches!(end, Bound::Included(end) | Bound::Excluded(end) if is_typed(end))) =>
+        {
+            Change::Branch
+        }
+        None => return None,
+    };
+    Some((name.to_owned(), vec![Cause::new(vec![Mistake::new(Place::Answer, change)], true)]))
 }

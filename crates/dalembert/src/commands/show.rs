@@ -105,10 +105,13 @@ fn document(
     let case = |(n, case): (usize, &Case)| {
         let texts = [&case.title(), &case.source, &case.statement, &case.note];
         let [name, source, statement, note] = texts.map(|text| text.render(locale));
-        let [statement, note] = [statement, note]
-            .map(|text| if text.is_empty() { text } else { format!(". {}", text.trim_end_matches('.')) });
         let seen = case.seen.map_or_else(String::new, |seen| format!(", {}", say(seen_in(seen))));
-        format!("{}: {name} — {source} ({}{seen}){statement}{note}", n + 1, say(case.truth.name()))
+        let mut line = format!("{}: {name} — {source} ({}{seen})", n + 1, say(case.truth.name()));
+        for text in [statement, note].iter().filter(|text| !text.is_empty()) {
+            line += if line.ends_with(['?', '!']) { " " } else { ". " };
+            line += text.trim_end_matches('.');
+        }
+        line
     };
     let question = |question: &Suggestion| NamedValue {
         label: format!("--ask {}", question.key),
