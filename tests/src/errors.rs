@@ -254,8 +254,7 @@ impl<'p> Solved<'p> {
     #[must_use]
     pub fn causes(&self, typed: &str) -> Vec<Cause> {
         let typed = [(self.problem.answer.0.clone(), typed.to_owned())];
-        let found =
-            check::causes(self.entry, &self.record, &self.solution, &typed, &Stop::new(), &mut |_| {});
+        let found = check::causes(self.entry, &self.record, &self.solution, &typed, &Stop::new(), None);
         found.into_iter().next().map_or_else(Vec::new, |(_, causes)| causes)
     }
 

@@ -11,3 +11,4 @@ the-sheet-sheet-has-cells-from-first-to-last-choose-columns-as-in-sheet-a-c = a 
 cell-cell-of-the-sheet-sheet-is-a-date-or-a-time-of-day-write-the-time-in-seconds-as-a-number = a célula { $cell } da planilha `{ $sheet }` é uma data ou uma hora: escreva o tempo em segundos, como número
 cell-cell-of-the-sheet-sheet-is-true-or-false-write-a-number = a célula { $cell } da planilha `{ $sheet }` é verdadeiro ou falso: escreva um número
 cell-cell-of-the-sheet-sheet-has-an-error-in-place-of-a-number-correct-its-formula = a célula { $cell } da planilha `{ $sheet }` tem um erro em lugar de um número: corrija a fórmula
+this-build-reads-no-spreadsheets-build-it-with-features-spreadsheets-or-save-the-sheet-as-csv = esta compilação não lê planilhas: compile com `--features spreadsheets`, ou salve a planilha como CSV

@@ -67,7 +67,7 @@ pub fn causes(
     typed: &[(String, String)],
     stop: &Stop,
 ) -> Result<Vec<(String, Cause)>, Refusal> {
-    let found = check::causes(entry, record, solution, typed, stop, &mut |_| {});
+    let found = check::causes(entry, record, solution, typed, stop, None);
     stop.check()?;
     let first = |(name, causes): (String, Vec<check::Cause>)| {
         let cause = causes.into_iter().next().filter(|cause| cause.is_named)?;

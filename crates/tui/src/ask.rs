@@ -87,7 +87,7 @@ impl Question {
         match self {
             Question::Causes { entry, record, solution, typed } => {
                 let mut so_far = |found| report(Reply::Causes { found, is_whole: false });
-                let found = check::causes(entry, record, solution, typed, stop, &mut so_far);
+                let found = check::causes(entry, record, solution, typed, stop, Some(&mut so_far));
                 stop.check().is_ok().then_some(Reply::Causes { found, is_whole: true })
             }
             Question::Sensitivity { entry, record, answer, tolerances } => {

@@ -25,7 +25,7 @@ use tui_input::Input;
 
 use self::arrangement::{Arrangement, PlacedPane};
 pub(crate) use self::{
-    arrangement::THREE_COLUMNS,
+    arrangement::has_room_for_next,
     help::longest_scroll as longest_scroll_of_help,
     target::{HitTarget, spot},
 };

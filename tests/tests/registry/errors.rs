@@ -52,7 +52,7 @@ fn the_errors_of_the_course_have_their_cause_first() {
         let record = cases::cases(entry).unwrap()[case - 1].record(entry).unwrap();
         let solution = entry.solve(&record, &Stop::new()).unwrap();
         let typed = [(answer.to_owned(), typed.to_owned())];
-        let causes = check::causes(entry, &record, &solution, &typed, &Stop::new(), &mut |_| {});
+        let causes = check::causes(entry, &record, &solution, &typed, &Stop::new(), None);
         let first = causes.first().and_then(|(_, causes)| causes.first());
         let first = first.map_or_else(String::new, |cause| cause.text(&solution).english());
         assert!(first.contains(words), "{id} {typed:?}: {first}");

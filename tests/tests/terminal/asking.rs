@@ -67,8 +67,7 @@ impl Problem {
     fn causes_of(&self, typed: &[(&str, &str)]) -> Vec<Vec<String>> {
         let typed: Vec<(String, String)> =
             typed.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect();
-        let found =
-            check::causes(self.entry, &self.record, &self.solution, &typed, &Stop::new(), &mut |_| {});
+        let found = check::causes(self.entry, &self.record, &self.solution, &typed, &Stop::new(), None);
         found
             .into_iter()
             .map(|(_, causes)| causes.iter().map(|cause| cause.text(&self.solution).english()).collect())
@@ -78,8 +77,7 @@ impl Problem {
     /// True if a cause is named of an answer.
     fn is_named(&self, answer: &str, typed: &str) -> bool {
         let typed = [(answer.to_owned(), typed.to_owned())];
-        let found =
-            check::causes(self.entry, &self.record, &self.solution, &typed, &Stop::new(), &mut |_| {});
+        let found = check::causes(self.entry, &self.record, &self.solution, &typed, &Stop::new(), None);
         found.iter().flat_map(|(_, causes)| causes).any(|cause| cause.is_named)
     }
 }

@@ -38,46 +38,43 @@ pub type Causes = Vec<(String, Vec<Cause>)>;
 /// For each wrong answer the causes that give it, the likeliest first; none where no mistake we know does, or where the
 /// digits that were given are too few to tell. Where `stop` is given, those that were found until then.
 ///
-/// `report` receives what is found on the way: after the edits of the worked solution, and where the problem is solved
-/// again, after other options and after other data.
+/// `report`, where there is one, receives what is found on the way: after the edits of the worked solution, and where the
+/// problem is solved again, after other options and after other data.
 pub fn causes(
     entry: &Entry,
     record: &Record,
     solution: &Solution,
     typed: &[(String, String)],
     stop: &Stop,
-    report: &mut dyn FnMut(Causes),
+    mut report: Option<&mut dyn FnMut(Causes)>,
 ) -> Causes {
     let read = |digits| -> Vec<Wrong<'_>> {
         typed.iter().filter_map(|(name, text)| Wrong::of(solution, name, text, digits)).collect()
     };
     // Zeros at the end of a whole number may be no digits.
     let (wrong, rough) = (read(Digits::AsWritten), read(Digits::Sure));
-    let branches = typed.iter().filter_map(|(name, text)| of_set(entry, record, solution, name, text));
+    let of_each = |find: &dyn Fn(usize, &[Wrong<'_>]) -> Vec<Cause>| -> Causes {
+        let of_one = |at: usize| {
+            let mut causes = find(at, &wrong);
+            if causes.is_empty() {
+                causes = find(at, &rough);
+            }
+            causes.truncate(MOST);
+            (wrong[at].name.to_owned(), causes)
+        };
+        (0..wrong.len()).map(of_one).collect()
+    };
     let mut found: Causes = Vec::new();
     if !wrong.is_empty() {
         let mut so_far = |all: &[Candidate]| {
-            let named = |at: usize| -> (String, Vec<Cause>) {
-                let mut causes = singles(at, &wrong, all);
-                if causes.is_empty() {
-                    causes = singles(at, &rough, all);
-                }
-                causes.truncate(MOST);
-                (wrong[at].name.to_owned(), causes)
-            };
-            report((0..wrong.len()).map(named).collect());
+            if let Some(report) = &mut report {
+                report(of_each(&|at, wrong| singles(at, wrong, all)));
+            }
         };
         let all = candidates(entry, record, solution, &wrong, stop, &mut so_far);
-        let whole = |at: usize| {
-            let mut causes = of_answer(at, &wrong, &all, solution, stop);
-            if causes.is_empty() {
-                causes = of_answer(at, &rough, &all, solution, stop);
-            }
-            (wrong[at].name.to_owned(), causes)
-        };
-        found = (0..wrong.len()).map(whole).collect();
+        found = of_each(&|at, wrong| of_answer(at, wrong, &all, solution, stop));
     }
-    found.extend(branches);
+    found.extend(typed.iter().filter_map(|(name, text)| of_set(entry, record, solution, name, text)));
     found
 }
 
@@ -97,7 +94,6 @@ fn of_answer(
         causes.extend(rounding(&wrong[at], solution));
     }
     causes.sort_by_key(|cause| !cause.is_named);
-    causes.truncate(MOST);
     causes
 }
 

@@ -40,7 +40,7 @@ pub(crate) fn run(check: &Check, console: &Console) -> Result<ExitCode, Failure>
     let locale = console.locale.at(problem.entry.about.id);
     let typed = typed(&check.answers, &solution)?;
     let causes = solving::guarded(problem.entry, || {
-        check::causes(problem.entry, &problem.record, &solution, &typed, &Stop::new(), &mut |_| {})
+        check::causes(problem.entry, &problem.record, &solution, &typed, &Stop::new(), None)
     })?;
     let checked: Vec<Checked<'_>> = check::compare_all(&solution, &typed)
         .into_iter()

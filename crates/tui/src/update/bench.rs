@@ -55,9 +55,7 @@ pub(super) fn act(model: &mut Model, place: KeyContext, action: Action) -> Optio
         Action::Undo => changed(bench.problem.inputs.form.undo(), "nothing to undo"),
         Action::Redo => changed(bench.problem.inputs.form.redo(), "nothing to redo"),
         Action::Expand => {
-            let has_next = model.size.0 >= view::THREE_COLUMNS
-                && bench.focus == Focus::Pane
-                && bench.place_of_shown(bench.tab).is_some();
+            let has_next = bench.focus == Focus::Pane && view::has_room_for_next(bench, model.size.0);
             (bench.expanded, bench.beside) = match (bench.expanded, bench.beside) {
                 (false, _) => (true, false),
                 (true, false) if has_next => (true, true),

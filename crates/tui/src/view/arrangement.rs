@@ -22,7 +22,7 @@ use crate::{
 /// From so many columns on inputs and results stand side by side.
 const TWO_COLUMNS: u16 = 100;
 /// From so many columns on there is a third column, or a second picture beside one that is alone.
-pub(crate) const THREE_COLUMNS: u16 = 160;
+const THREE_COLUMNS: u16 = 160;
 /// Columns of the narrowest and of the widest form beside a pane.
 const FORM: (u16, u16) = (40, 66);
 /// Rows of the lowest picture, frame included, and of the lowest one of two above each other.
@@ -71,10 +71,14 @@ pub(super) fn arrange(model: &Model, bench: &Bench, focus: Focus, body: Rect) ->
     }
 }
 
+/// Returns true if the shown pane has a next picture, and a screen of this width room for it beside the one that is shown.
+pub(crate) fn has_room_for_next(bench: &Bench, width: u16) -> bool {
+    width >= THREE_COLUMNS && bench.place_of_shown(bench.tab).is_some()
+}
+
 /// The shown pane on the whole screen, the next of its pictures beside it where that is wanted.
 fn alone(bench: &Bench, body: Rect) -> Vec<PlacedPane> {
-    let has_next = bench.beside && body.width >= THREE_COLUMNS && bench.place_of_shown(bench.tab).is_some();
-    if !has_next {
+    if !(bench.beside && has_room_for_next(bench, body.width)) {
         return vec![placed(bench.tab, body, true)];
     }
     let [left, right] = split(body, body.width.div_ceil(2));

@@ -102,11 +102,12 @@ pub(super) fn footer(model: &Model, area: Rect, buffer: &mut Buffer) {
     }
     let room = usize::from(area.width).saturating_sub(2);
     if let Some(notice) = &model.notice {
-        if covers_keys(model) {
-            draw_notice(model, notice, area, buffer);
+        let covers_keys = covers_keys(model);
+        let above = u16::from(!covers_keys);
+        draw_notice(model, notice, Rect { y: area.y.saturating_sub(above), ..area }, buffer);
+        if covers_keys {
             return;
         }
-        draw_notice(model, notice, Rect { y: area.y.saturating_sub(1), ..area }, buffer);
     }
     let look = &model.look;
     let mut line = Line::default();

@@ -374,7 +374,16 @@ fn listed(model: &Model, heading: &'static str, all: &[String], room: usize, lin
         };
         wrapped(&format!("{heading}: {names}"), room)
     };
-    let few = (1..=all.len()).rev().map(some).find(|lines| lines.len() <= MOST_LISTED);
+    // More than these have no room, even if every line were filled to its end.
+    let room_of_all = MOST_LISTED * (room + 1);
+    let mut used = 0;
+    let most = all.iter().take_while(|name| {
+        used += width(name);
+        let has_room = used <= room_of_all;
+        used += 2;
+        has_room
+    });
+    let few = (1..=most.count()).rev().map(some).find(|lines| lines.len() <= MOST_LISTED);
     for (n, text) in few.unwrap_or_else(|| some(1)).into_iter().enumerate() {
         lines.push(match text.strip_prefix(&heading).filter(|_| n == 0) {
             Some(rest) => Line::from(vec![
