@@ -167,7 +167,8 @@ impl Picker {
         }
         let leaf = |found: &Found| Leaf { under: None, listing: found.place, case: found.case };
         let field = of.leads_to_field(filter).then_some(Row::Heading(Heading::Field));
-        field.into_iter().chain(found.1.iter().map(|found| Row::Leaf(leaf(found)))).collect()
+        let exercises = of.exercises_of_lists(filter).into_iter().map(Row::Leaf);
+        field.into_iter().chain(exercises).chain(found.1.iter().map(|found| Row::Leaf(leaf(found)))).collect()
     }
 
     /// The chosen row.
@@ -247,6 +248,20 @@ impl<'m> Contents<'m> {
                 let balancing = search::family("balancing").render(locale);
                 search::has_words(&name, filter) && !search::has_words(&balancing, filter)
             })
+    }
+
+    /// The exercises of the lists that a filter names, as exercise lists or by two words of a title, in either language.
+    /// One word, as of *Mechanical vibration*, asks for analyses.
+    fn exercises_of_lists(self, filter: &str) -> Vec<Leaf> {
+        let is_one_word = filter.split_whitespace().nth(1).is_none();
+        let is_named = |heading: &Heading| {
+            [Locale::default(), Locale::portuguese()].iter().any(|locale| {
+                let of = Contents { locale, ..self };
+                search::has_words(&of.name(Heading::Exercises), filter)
+                    || !is_one_word && search::has_words(&of.name(*heading), filter)
+            })
+        };
+        self.below(Heading::Exercises).into_iter().filter(is_named).flat_map(|set| self.leaves(set)).collect()
     }
 
     /// The headings under a heading.

@@ -211,7 +211,16 @@ impl<'t> Parser<'t> {
         let start = self.at;
         self.number();
         if self.rest().starts_with(',') && self.rest()[1..].starts_with(|c: char| c.is_ascii_digit()) {
-            let why = "write a decimal point in formulas, and a blank after a comma between arguments: `1.5`, `max(1, 5)`";
+            let decimals: String = self.rest()[1..].chars().take_while(char::is_ascii_digit).collect();
+            let whole = &self.text[start..self.at];
+            let why = match decimals.len() {
+                // Thousands, or decimals.
+                3 => Text::new("`{text}` can be read in two ways: write `{first}` or `{second}`")
+                    .with("text", format!("{whole},{decimals}"))
+                    .with("first", format!("{whole}{decimals}"))
+                    .with("second", format!("{whole}.{decimals}")),
+                _ => "write a decimal point in formulas, and a blank after a comma between arguments: `1.5`, `max(1, 5)`".into(),
+            };
             return Err(FormulaError::at(start..self.at + 1, why));
         }
         let number_end = self.at;

@@ -1,6 +1,6 @@
 //! A draft as lines: what a form shows from top to bottom.
 
-use dalembert_core::{Draft, Field, Shape, Variant};
+use dalembert_core::{Draft, Field, Shape, Variant, table::TableOutline};
 
 /// A line of a form.
 #[derive(Clone, Debug)]
@@ -33,6 +33,8 @@ pub enum Role {
     },
     /// A table, as a text of many lines.
     Table {
+        /// Rows and units; `None` where it cannot be read.
+        outline: Option<TableOutline>,
         /// Number of lines.
         lines: usize,
     },
@@ -62,8 +64,10 @@ impl PartialEq for FormLine {
         let same_role = match (&self.role, &other.role) {
             (Role::Leaf { text: a, .. }, Role::Leaf { text: b, .. }) => a == b,
             (Role::Choice { chosen: a, .. }, Role::Choice { chosen: b, .. }) => a == b,
-            (Role::Rows { count: a }, Role::Rows { count: b })
-            | (Role::Table { lines: a }, Role::Table { lines: b }) => a == b,
+            (Role::Rows { count: a }, Role::Rows { count: b }) => a == b,
+            (Role::Table { lines: a, outline: of_a }, Role::Table { lines: b, outline: of_b }) => {
+                (a, of_a) == (b, of_b)
+            }
             // The lines of the row follow, and tell.
             (Role::Group { .. }, Role::Group { .. }) | (Role::Absent, Role::Absent) => true,
             _ => false,
@@ -154,9 +158,10 @@ fn push(mut line: FormLine, shape: &Shape, draft: &Draft, lines: &mut Vec<FormLi
                 push(line, item(), row, lines);
             }
         }
-        (Shape::Table(_), Draft::Leaf(text)) => {
+        (Shape::Table(columns), Draft::Leaf(text)) => {
             let filled = text.lines().filter(|line| !line.trim().is_empty()).count();
-            lines.push(FormLine { role: Role::Table { lines: filled }, ..line });
+            let outline = TableOutline::of(text, columns());
+            lines.push(FormLine { role: Role::Table { outline, lines: filled }, ..line });
         }
         (_, Draft::Leaf(text)) => {
             lines.push(FormLine { role: Role::Leaf { shape: *shape, text: text.clone() }, ..line });

@@ -61,11 +61,13 @@ pub(super) fn act(model: &mut Model, place: KeyContext, action: Action) -> Optio
                 (true, false) if has_next => (true, true),
                 _ => (false, false),
             };
-            if bench.expanded && has_next && !bench.beside {
-                let text = Text::new("{key} once more shows the next one beside it");
-                return Some(vec![Intent::Say(text.with("key", model.key(place, action)))]);
-            }
-            Vec::new()
+            let text = match (bench.expanded, has_next && !bench.beside) {
+                (false, _) => return Some(Vec::new()),
+                (true, false) if bench.focus == Focus::Pane => return Some(Vec::new()),
+                (true, true) => Text::new("{key} once more shows the next one beside it"),
+                (true, false) => Text::new("maximised; {key} restores all panes"),
+            };
+            vec![Intent::Say(text.with("key", model.key(place, action)))]
         }
         Action::Statement => statement(model),
         Action::NextPane | Action::PreviousPane => {

@@ -208,12 +208,13 @@ impl LineView<'_> {
                 }
                 LineRows { rows, cursor: None }
             }
-            Role::Table { lines } => {
-                let count = match lines {
-                    1 => Text::from("one line"),
-                    lines => Text::new("{count} lines").with("count", lines),
+            Role::Table { outline, lines } => {
+                let content = match (outline, lines) {
+                    (Some(outline), _) => outline.text(),
+                    (None, 1) => Text::from("one line"),
+                    (None, lines) => Text::new("{count} lines").with("count", lines),
                 };
-                let value = text(count.render(&model.locale), picked, open);
+                let value = text(content.render(&model.locale), picked, open);
                 LineRows { rows: self.beside(self.columns, Style::new(), &value, None), cursor: None }
             }
             Role::Group { summary } => {
