@@ -25,7 +25,7 @@ use anyhow::{Context, Result, bail, ensure};
 
 use crate::cargo::{cargo, git, output, run as run_command, target};
 
-/// What is built, and where it is put together.
+/// The program that was built, and the folder of what is handed out.
 struct Release {
     root: PathBuf,
     /// Folder of the files that are handed out.

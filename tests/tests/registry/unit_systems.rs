@@ -149,7 +149,7 @@ first = [{ amplitude = "4 mil", phase = "45 deg" }]
 influence.runs.after = "taken-off"
 influence.runs.runs = [{ plane = "1", mass = "4 oz", angle = "-20 deg", readings = [{ amplitude = "8 mil", phase = "145 deg" }] }]
 "#;
-    let mass = |text: &str| shown(&solved(text), "mass[1]");
+    let mass = |text: &str| shown(&solved(text), "correction[1]");
     // Rao's example: 1.676 oz.
     assert_eq!(mass(one_plane), "1.6762 oz");
     let metric = with(one_plane, &[("4 oz", "113.398 g")]);

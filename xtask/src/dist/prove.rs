@@ -25,7 +25,7 @@ const PROBLEMS: [(&str, &str); 5] = [
 ];
 /// Longest time from the package to the open workbench, beside the download.
 const MOST: Duration = Duration::from_mins(1);
-/// What a terminal gets at the end: the screen as it was before.
+/// Sequence that gives the terminal its screen back.
 const LEFT: &str = "\u{1b}[?1049l";
 
 /// Runs the program in an empty root, and installs package and wheel in Debian.
