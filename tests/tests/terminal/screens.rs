@@ -877,7 +877,7 @@ fn a_table_is_read_from_the_file_it_names() {
     person.pastes(&format!("@{}", good.display()));
     let read = text(&person);
     assert!(
-        read.contains("[Hz]; [(m/s^2)/(N)]; [(m/s^2)/(N)]\n10; 0.5; 0.1\n12; 1.5; 2.5\n14; -2; 1.5"),
+        read.contains("[Hz]; [(m/s^2)/N]; [(m/s^2)/N]\n10; 0.5; 0.1\n12; 1.5; 2.5\n14; -2; 1.5"),
         "{read}"
     );
     // A file that is not there leaves the table as it is, and reports it.
