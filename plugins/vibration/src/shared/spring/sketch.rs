@@ -90,6 +90,14 @@ pub(crate) fn stands_alone<T: Suspended>(spring: &T) -> bool {
     }
 }
 
+/// Kind of a single spring that is drawn with coils.
+fn coil<T: Suspended>(spring: &T) -> Option<&'static str> {
+    match spring.hanging() {
+        Hanging::One(kind) if kind != "shaft" => Some(kind),
+        _ => None,
+    }
+}
+
 /// True for cantilevers side by side, which stand on one wall with their tips joined.
 fn are_cantilevers<T: Suspended>(members: &[T]) -> bool {
     members.len() > 1
@@ -149,19 +157,14 @@ pub(crate) fn hanging<T: Suspended>(
                 let share =
                     if matches!(member.hanging(), Hanging::Beam { cantilever: true }) { 0.85 } else { 0.5 };
                 let x = left + share * width;
-                // Springs of one kind say it once.
-                if let (Hanging::One(kind), Some(Hanging::One(first))) =
-                    (member.hanging(), members.first().filter(|_| n > 0).map(Suspended::hanging))
-                    && kind == first
-                    && kind != "shaft"
-                {
-                    let name = symbol(T::SYMBOL, &[place, &[n + 1]].concat());
-                    sketch.spring(caption("", &name), (x, top.1 - gap), (x, end.1 + gap));
-                    (upper.push(x), lower.push(x));
-                    left += width;
-                    continue;
+                let (top, end) = ((x, top.1 - gap), (x, end.1 + gap));
+                let place = [place, &[n + 1]].concat();
+                // Coil springs of one kind say it once.
+                if n > 0 && coil(member).is_some() && coil(member) == coil(&members[0]) {
+                    sketch.spring(caption("", &symbol(T::SYMBOL, &place)), top, end);
+                } else {
+                    hanging(member, top, top.1 - end.1, &place, sketch);
                 }
-                hanging(member, (x, top.1 - gap), height - 2.0 * gap, &[place, &[n + 1]].concat(), sketch);
                 lower.push(x);
                 if !bends {
                     upper.push(x);
