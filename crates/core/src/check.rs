@@ -9,12 +9,15 @@ mod candidates;
 mod common;
 mod inputs;
 mod mistake;
+mod pairs;
 mod problem;
 mod products;
+mod ranking;
 mod search;
 mod slip;
 mod steps;
 mod tries;
+mod ways;
 mod words;
 mod wrong;
 

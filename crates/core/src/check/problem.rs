@@ -77,7 +77,7 @@ impl Other {
         match self {
             Other::Count { path, label, count } => {
                 draft.set(shape, &path, &count.to_string()).ok()?;
-                Some((Mistake::new(Place::Input(path, label), Change::Count), draft, 0.6))
+                Some((Mistake::new(Place::Input(path, label), Change::Count), draft, 10.0))
             }
             Other::Option { path, label, labels: [right, taken], at } => {
                 let (choice, choice_shape) = draft.at_mut(shape, &path).ok()?;
@@ -97,7 +97,7 @@ impl Other {
                 }
                 *choice = other;
                 let change = Change::Alternative(right, taken);
-                Some((Mistake::new(Place::Input(path, label), change), draft, 0.8))
+                Some((Mistake::new(Place::Input(path, label), change), draft, 9.0))
             }
         }
     }
