@@ -3,16 +3,16 @@
 use std::collections::BTreeSet;
 
 use super::{
-    Cause, Mistake, Place,
+    Cause, Change, Mistake, Place,
     steps::node_of,
     wrong::{Wrong, is_near},
 };
 use crate::{Solution, trace::Id};
 
 /// So many other mistakes are listed with the first that gives their number.
-const EQUIVALENTS: usize = 2;
+pub(super) const EQUIVALENTS: usize = 2;
 /// A cause is named only if it is so likely beside all others that give the digits, known and unknown.
-const LIKELY: f64 = 0.8;
+const LIKELY: f64 = 0.9;
 /// In so many of a thousand wrong answers there is a mistake that we do not know.
 pub(super) const UNKNOWN: f64 = 100.0;
 
@@ -77,6 +77,12 @@ fn are_alike(one: &Cause, other: &Cause) -> bool {
     is_the_same && one.all_mistakes().all(is_elsewhere) || places(&one.mistakes) == here
 }
 
+/// True if two causes are the sign of one step and of another, of which the first is enough.
+fn are_signs_of_steps(one: &Cause, other: &Cause) -> bool {
+    let is_sign = |cause: &Cause| matches!(&cause.mistakes[..], [only] if only.change == Change::Sign && matches!(only.place, Place::Step(..)));
+    is_sign(one) && is_sign(other)
+}
+
 /// True if a mistake with the finished answer is one with the step that holds it.
 fn is_of_last_step(answer: &Hit, step: &Hit, node: Option<Id>, solution: &Solution) -> bool {
     match (&answer.cause.mistakes[..], &step.cause.mistakes[..]) {
@@ -124,7 +130,9 @@ pub(super) fn causes_of(one: &Wrong<'_>, mut hits: Vec<Hit>, solution: &Solution
         match alike {
             Some((known, sentences)) => {
                 sentences.push(sentence);
-                if known.cause.equivalents.len() < EQUIVALENTS {
+                if known.cause.equivalents.len() < EQUIVALENTS
+                    && !are_signs_of_steps(&known.cause, &hit.cause)
+                {
                     known.prior += hit.prior;
                     known.cause.equivalents.push(hit.cause.mistakes);
                 }

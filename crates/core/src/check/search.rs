@@ -2,11 +2,14 @@
 
 use std::ops::Bound;
 
+use dalembert_numerics::intervals::IntervalSet;
+
 use super::{
     Cause, Change, Mistake, Place,
     candidates::{candidates, disputed},
     pairs::pairs,
-    ranking::{Hit, UNKNOWN, Values, causes_of},
+    problem::solved_otherwise,
+    ranking::{EQUIVALENTS, Hit, UNKNOWN, Values, causes_of},
     steps::{node_of, rounded, scalar},
     tries::Candidate,
     wrong::{Digits, Wrong},
@@ -66,7 +69,7 @@ pub fn causes(
         let all = candidates(entry, record, solution, &wrong, stop, &mut so_far);
         found = of_each(&|at, wrong| of_answer(at, wrong, &all, solution, stop));
     }
-    found.extend(typed.iter().filter_map(|(name, text)| of_set(entry, record, solution, name, text)));
+    found.extend(typed.iter().filter_map(|(name, text)| of_set(entry, record, (solution, name, text), stop)));
     found
 }
 
@@ -170,13 +173,13 @@ fn rounding(one: &Wrong<'_>, solution: &Solution) -> Option<Cause> {
     best.map(|(_, cause)| cause)
 }
 
-/// Cause of a wrong set: it is a printed one that the catalogue disputes, or one limit or one part of the right one.
+/// Cause of a wrong set: it is a printed one that the catalogue disputes, one limit or one part of the right one, or that of
+/// another option.
 fn of_set(
     entry: &Entry,
     record: &Record,
-    solution: &Solution,
-    name: &str,
-    text: &str,
+    (solution, name, text): (&Solution, &str, &str),
+    stop: &Stop,
 ) -> Option<(String, Vec<Cause>)> {
     let answer = solution.answer(name)?;
     let AnswerValue::Set(set, _) = &answer.value else { return None };
@@ -184,24 +187,42 @@ fn of_set(
         return None;
     }
     let limit = |text: &str| {
-        let number = text.trim().trim_start_matches(['<', '>', '=', '≤', '≥', ' ']);
-        super::read(answer, number).ok()
+        let text = super::in_signs(text);
+        super::read(answer, text.trim().trim_start_matches(['≤', '≥', ' '])).ok()
     };
-    let typed = limit(text)?;
-    let within = super::half_a_place(&typed) + 1e-12 * typed.si.abs();
-    let is_typed = |si: f64| (si - typed.si).abs() <= within;
+    let change = |change| vec![Mistake::new(Place::Answer, change)];
+    let of = |mistakes| Some((name.to_owned(), vec![Cause::new(mistakes, true)]));
+    let typed = limit(text);
+    let is_typed = |si: f64| {
+        typed
+            .as_ref()
+            .is_some_and(|typed| (si - typed.si).abs() <= super::half_a_place(typed) + 1e-12 * typed.si.abs())
+    };
+    let is_end = |set: &IntervalSet| {
+        let mut ends = set.intervals().flat_map(|part| [part.lower, part.upper]);
+        ends.any(|end| matches!(end, Bound::Included(end) | Bound::Excluded(end) if is_typed(end)))
+    };
     let printed = disputed(entry, record).into_iter().find(|(answer, printed, _)| {
         answer == name && limit(printed).is_some_and(|printed| is_typed(printed.si))
     });
-    let mut ends = set.intervals().flat_map(|part| [part.lower, part.upper]);
-    let change = match printed {
-        Some((_, _, why)) => Change::Printed(why),
-        None if ends
-            .any(|end| matches!(end, Bound::Included(end) | Bound::Excluded(end) if is_typed(end))) =>
-        {
-            Change::Branch
+    if let Some((_, _, why)) = printed {
+        return of(change(Change::Printed(why)));
+    }
+    if is_end(set) {
+        return of(change(Change::Branch));
+    }
+    // The set, or one limit of it, with another option or count.
+    let mut others = solved_otherwise(entry, record, stop).ok()?;
+    others.sort_by(|(a, ..), (b, ..)| b.total_cmp(a));
+    let mut found = others.into_iter().filter_map(|(_, mistake, other)| {
+        let found = other.answer(name)?;
+        let AnswerValue::Set(set, _) = &found.value else { return None };
+        if super::compare(found, text) == super::Verdict::Right {
+            return Some(vec![mistake]);
         }
-        None => return None,
-    };
-    Some((name.to_owned(), vec![Cause::new(vec![Mistake::new(Place::Answer, change)], true)]))
+        is_end(set).then(|| [vec![mistake], change(Change::Branch)].concat())
+    });
+    let first = found.next()?;
+    let equivalents = found.take(EQUIVALENTS).collect();
+    Some((name.to_owned(), vec![Cause { equivalents, ..Cause::new(first, true) }]))
 }
