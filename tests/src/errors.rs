@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, fmt::Write as _, fs, path::Path};
 
 use dalembert_core::{
     Entry, Record, Solution, Stop, cases,
-    check::{self, Cause, Mistake, Place, Verdict},
+    check::{self, Cause, Causes, Mistake, Place, Verdict},
     find, printer,
     trace::{Id, Op},
     value_of_numbers, vary,
@@ -253,8 +253,14 @@ impl<'p> Solved<'p> {
     /// Causes that the search finds for an answer.
     #[must_use]
     pub fn causes(&self, typed: &str) -> Vec<Cause> {
+        self.searched(typed, &mut |_| {})
+    }
+
+    /// The same; `report` receives what is found on the way.
+    pub fn searched(&self, typed: &str, report: &mut dyn FnMut(Causes)) -> Vec<Cause> {
         let typed = [(self.problem.answer.0.clone(), typed.to_owned())];
-        let found = check::causes(self.entry, &self.record, &self.solution, &typed, &Stop::new(), None);
+        let found =
+            check::causes(self.entry, &self.record, &self.solution, &typed, &Stop::new(), Some(report));
         found.into_iter().next().map_or_else(Vec::new, |(_, causes)| causes)
     }
 

@@ -19,11 +19,12 @@ struct Part {
     reached_by: &'static str,
 }
 
-const PARTS: [Part; 13] = [
+const PARTS: [Part; 14] = [
     part("plain", "dalembert-tests", "plain", "dalembert study; Python: dalembert.sweep"),
     part("units", "dalembert-units", "read", "dalembert solve, and every key in the workbench"),
     part("solve", "dalembert-tests", "solve", "dalembert solve ANALYSIS"),
     part("keys", "dalembert-tests", "keys", "dalembert, a key in a field of any analysis"),
+    part("causes", "dalembert-tests", "causes", "dalembert check, and a wrong answer in Check"),
     part("study", "dalembert-tests", "study", "dalembert study PLAN"),
     part(
         "large",

@@ -37,7 +37,7 @@ usage: cargo xtask COMMAND
   errors [DIGITS]... [--log] the table of the corpus of student errors: how many causes Check names
   cluster [POINTS]           a study killed and resumed, in shards by GNU parallel and by a real Slurm: the same bytes?
   first-entry                the rate of published problems that were right at their first entry, from the history
-  bench [PART]...            measure; parts: plain units solve keys tui
+  bench [PART]...            measure; parts: plain units solve keys causes tui
 ";
 
 fn main() -> ExitCode {

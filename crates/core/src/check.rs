@@ -9,12 +9,15 @@ mod candidates;
 mod common;
 mod inputs;
 mod mistake;
+mod pairs;
 mod problem;
 mod products;
+mod ranking;
 mod search;
 mod slip;
 mod steps;
 mod tries;
+mod ways;
 mod words;
 mod wrong;
 
@@ -73,10 +76,26 @@ pub fn compare(answer: &Answer, typed: &str) -> Verdict {
     }
 }
 
-/// A set as it is typed on a keyboard, with the signs that it is printed with: `>= 440 mm`.
+/// A set as it is typed on a keyboard, with the signs that it is printed with, and without the symbol or name of the
+/// quantity: `>= 440 mm`, `d >= 440 mm`, `440 mm <= d`, `2 m <= d <= 3 m`.
 fn in_signs(typed: &str) -> String {
-    let typed = typed.replace(">=", "≥").replace("<=", "≤");
-    typed.replace('>', "≥").replace('<', "≤")
+    let typed = typed.replace(">=", "≥").replace("<=", "≤").replace('>', "≥").replace('<', "≤");
+    typed.split(" or ").map(part_in_signs).collect::<Vec<_>>().join(" or ")
+}
+
+/// An interval of a set in signs.
+fn part_in_signs(part: &str) -> String {
+    let is_name = |text: &str| text.chars().next().is_some_and(char::is_alphabetic);
+    let sign = if part.contains('≤') { '≤' } else { '≥' };
+    let ends: Vec<&str> = part.split(sign).map(str::trim).collect();
+    match (&ends[..], sign) {
+        ([name, end], _) if is_name(name) => format!("{sign} {end}"),
+        ([end, name], '≤') if is_name(name) => format!("≥ {end}"),
+        ([end, name], _) if is_name(name) => format!("≤ {end}"),
+        ([from, name, to], '≤') if is_name(name) => format!("{from} … {to}"),
+        ([to, name, from], _) if is_name(name) => format!("{from} … {to}"),
+        _ => part.to_owned(),
+    }
 }
 
 /// The user's answers beside the problem's: each with its verdict.

@@ -75,6 +75,11 @@ impl<'s> Reevaluation<'s> {
         Self { solution, order, numbers }
     }
 
+    /// Number of the operations that are read.
+    pub(crate) fn len(&self) -> usize {
+        self.order.len()
+    }
+
     /// True if a number was used on the way to the wanted ones.
     pub(crate) fn uses(&self, id: Id) -> bool {
         self.order.binary_search(&id).is_ok()

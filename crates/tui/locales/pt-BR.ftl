@@ -364,6 +364,7 @@ next-cell = próxima célula
 accept-previous-cell = confirmar, célula anterior
 value-with-unit-e-g-19-5-mm-checked-as-you-type = valor com unidade, por exemplo 19,5 mm; conferido enquanto se digita
 all-required-answers-are-correct = todas as respostas pedidas estão corretas
+the-answers-entered-are-correct-still-empty-answers = as respostas digitadas estão corretas; ainda vazias: { $answers }
 sensitivity = Sensibilidade
 study = Estudo
 edit-the-cell-or-choose = editar a célula, ou escolher

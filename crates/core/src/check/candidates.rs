@@ -1,7 +1,8 @@
 //! Candidate answers: the results that common mistakes would give, each with how common the mistake is.
 //!
-//! The prior of a mistake is its weight beside those of the others, 1 for the commonest. It ranks mistakes that give the
-//! same number, and decides which of them are tried before chance hits become likely.
+//! The prior of a mistake says in how many of a thousand wrong answers it is made at a place; it is counted on the corpus of
+//! student errors, kind by kind. It ranks mistakes that give the same number, and decides which of them are tried before
+//! chance hits become likely.
 
 use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2, TAU};
 
@@ -13,6 +14,7 @@ use super::{
     problem::problems,
     steps::{LONGEST_TRACE, node_of, scalar, steps},
     tries::{Candidate, Tries},
+    ways::by_other_method,
     wrong::Wrong,
 };
 use crate::{
@@ -55,6 +57,7 @@ pub(super) fn candidates(
     all.finished(solution, record);
     // Whatever was stopped, what was found before counts.
     let _stopped = steps(&mut all, solution, stop)
+        .and_then(|()| by_other_method(&mut all, solution, stop))
         .and_then(|()| {
             so_far(all.ranked());
             problems(&mut all, entry, record, stop)
@@ -84,44 +87,49 @@ impl Tries<'_, '_> {
     /// Mistakes with the finished answer.
     fn finished(&mut self, solution: &Solution, record: &Record) {
         self.units();
-        self.answer(0.95, &Change::Sign, |x, _| -x);
+        self.answer(3.0, &Change::Sign, |x, _| -x);
         for (prior, factor, written) in [
-            (0.5, 2.0, "2"),
-            (0.5, 0.5, "2"),
-            (0.45, TAU, "2π"),
-            (0.45, 1.0 / TAU, "2π"),
-            (0.25, PI, "π"),
-            (0.25, 1.0 / PI, "π"),
-            (0.25, 4.0, "4"),
-            (0.25, 0.25, "4"),
-            (0.3, SQRT_2, "√2"),
-            (0.3, FRAC_1_SQRT_2, "√2"),
-            (0.25, 9.81, "g"),
-            (0.25, 1.0 / 9.81, "g"),
-            (0.25, 10.0, "g"),
-            (0.2, 3.0, "3"),
-            (0.2, 1.0 / 3.0, "3"),
-            (0.15, -2.0, "−2"),
-            (0.15, -0.5, "−2"),
+            (2.3, 2.0, "2"),
+            (3.3, 0.5, "2"),
+            (0.5, TAU, "2π"),
+            (0.8, 1.0 / TAU, "2π"),
+            (0.2, PI, "π"),
+            (0.2, 1.0 / PI, "π"),
+            (0.2, 4.0, "4"),
+            (0.2, 0.25, "4"),
+            (0.2, SQRT_2, "√2"),
+            (0.2, FRAC_1_SQRT_2, "√2"),
+            (1.5, 9.81, "g"),
+            (0.6, 1.0 / 9.81, "g"),
+            (1.0, 10.0, "g"),
+            (0.1, 3.0, "3"),
+            (0.1, 1.0 / 3.0, "3"),
+            (0.1, -2.0, "−2"),
+            (0.1, -0.5, "−2"),
         ] {
             self.answer(prior, &Change::Times(factor, written), |x, _| factor * x);
         }
         for places in [-6i8, -5, -4, -3, -2, -1, 1, 2, 3, 4, 5, 6] {
             let factor = 10f64.powi(places.into());
-            let prior = if places.abs() <= 3 { 0.5 } else { 0.2 };
+            let prior = match places.abs() {
+                3 => 0.9,
+                1 => 0.5,
+                2 => 0.3,
+                _ => 0.1,
+            };
             self.answer(prior, &Change::PowerOfTen(places), |x, _| factor * x);
         }
         self.answer(0.5, &Change::Squared, |x, _| x * x);
-        self.answer(0.5, &Change::Rooted, |x, _| x.sqrt());
-        self.answer(0.4, &Change::Inverted, |x, _| 1.0 / x);
+        self.answer(1.5, &Change::Rooted, |x, _| x.sqrt());
+        self.answer(1.8, &Change::Inverted, |x, _| 1.0 / x);
         for turn in [0.5 * PI, PI, TAU] {
-            self.angle(0.6, |x| turn - x);
-            self.angle(0.5, |x| x - turn);
-            self.angle(0.5, |x| x + turn);
+            self.angle(5.0, |x| turn - x);
+            self.angle(1.0, |x| x - turn);
+            self.angle(1.0, |x| x + turn);
         }
         self.ratio(0.3, &Change::Times(1e-2, "100"), |x| 0.01 * x);
         self.ratio(0.3, &Change::Times(1e2, "100"), |x| 100.0 * x);
-        self.ratio(0.4, &Change::Direction, |x| 1.0 - x);
+        self.ratio(1.0, &Change::Complement, |x| 1.0 - x);
         self.others(solution);
         self.given(record);
     }
@@ -141,7 +149,7 @@ impl Tries<'_, '_> {
         for at in 0..self.wrong.len() {
             let one = &self.wrong[at];
             let (typed, kind, computed) = (one.unit.clone(), Kind::of(&one.answer.unit), one.computed);
-            for (prior, customary) in [(0.9, false), (0.2, true)] {
+            for (prior, customary) in [(4.0, false), (0.3, true)] {
                 for taken in units_of(kind, &typed, customary) {
                     let change = Change::Unit { is: typed.pretty(), taken: taken.pretty() };
                     let values = self.only(at, typed.si(taken.value(computed)));
@@ -156,7 +164,7 @@ impl Tries<'_, '_> {
         for other in &solution.answers {
             let Some(si) = other.si() else { continue };
             let name = other.name.to_string();
-            let prior = 0.92;
+            let prior = 21.0;
             let value = |one: &Wrong<'_>| {
                 if other.dim().agrees(one.answer.dim()) && one.name != name { si } else { f64::NAN }
             };
@@ -169,12 +177,12 @@ impl Tries<'_, '_> {
             let fits = |one: &Wrong<'_>| step.unit.dim.agrees(one.answer.dim());
             let values = self.wrong.iter().map(|one| if fits(one) { si } else { f64::NAN }).collect();
             let mistake = Mistake::new(Place::Answer, Change::OtherStep(step.symbol));
-            self.push(0.76, mistake.clone(), values, false, Vec::new());
+            self.push(5.0, mistake.clone(), values, false, Vec::new());
             // The number of another kind of quantity, written with the unit that was asked for.
             for written in [step.unit.value(si), si] {
                 let number = |one: &Wrong<'_>| if fits(one) { f64::NAN } else { one.unit.si(written) };
                 let values = self.wrong.iter().map(number).collect();
-                self.push(0.15, mistake.clone(), values, false, Vec::new());
+                self.push(2.6, mistake.clone(), values, false, Vec::new());
             }
         }
     }
@@ -185,11 +193,11 @@ impl Tries<'_, '_> {
             let fits = |one: &Wrong<'_>| input.unit.dim.agrees(one.answer.dim());
             let values = self.wrong.iter().map(|one| if fits(one) { input.si } else { f64::NAN }).collect();
             let mistake = Mistake::new(Place::Answer, Change::Given(input.path.clone(), input.label.clone()));
-            self.push(0.95, mistake.clone(), values, false, Vec::new());
+            self.push(14.0, mistake.clone(), values, false, Vec::new());
             let written = input.unit.value(input.si);
             let number = |one: &Wrong<'_>| if fits(one) { f64::NAN } else { one.unit.si(written) };
             let values = self.wrong.iter().map(number).collect();
-            self.push(0.2, mistake, values, false, Vec::new());
+            self.push(0.4, mistake, values, false, Vec::new());
         }
     }
 
@@ -200,7 +208,7 @@ impl Tries<'_, '_> {
             if let Ok(printed) = super::value(self.wrong[at].answer, &printed) {
                 let mistake = Mistake::new(Place::Answer, Change::Printed(why));
                 let values = self.only(at, printed);
-                self.free(2.0, mistake, values);
+                self.free(2000.0, mistake, values);
             }
         }
     }
@@ -227,7 +235,7 @@ impl Tries<'_, '_> {
             let found = Reevaluation::new(solution, &[id]).with(&edits, &[Some(id)]);
             let values = self.only(at, found.first().map_or(f64::NAN, |number| scalar(*number)));
             let names = causes.iter().map(|(other, _)| self.wrong[*other].name.to_owned()).collect();
-            self.free(3.0, Mistake::new(Place::Answer, Change::Follows(names)), values);
+            self.free(3000.0, Mistake::new(Place::Answer, Change::Follows(names)), values);
         }
     }
 }

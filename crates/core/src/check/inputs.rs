@@ -185,7 +185,7 @@ impl<'s> Inputs<'s> {
             let [first, second] = [first, second].map(|at| &self.again.inputs[at]);
             let place = Place::Input(first.path.clone(), first.label.clone());
             let change = Change::Interchanged(second.path.clone(), second.label.clone());
-            all.data(0.4, Mistake::new(place, change), values, edits);
+            all.data(4.0, Mistake::new(place, change), values, edits);
         }
         Ok(())
     }
@@ -230,9 +230,8 @@ fn ways(input: &VariedInput, others: &[VariedInput]) -> Vec<Way> {
             let turning = [Kind::AngularVelocity, Kind::Angle].contains(&kind)
                 && ["rad/s", "rpm", "Hz", "rad", "deg"].contains(&taken.ascii().as_str());
             let prior = match (taken.factor == 1.0 || turning, customary) {
-                (true, _) => 0.85,
-                (false, false) => 0.4,
-                (false, true) => 0.15,
+                (true, _) => 12.0,
+                (false, _) => 0.15,
             };
             let change = Change::Unit { is: input.unit.pretty(), taken: taken.pretty() };
             may(prior, change, taken.si(input.unit.value(si)));
@@ -241,33 +240,33 @@ fn ways(input: &VariedInput, others: &[VariedInput]) -> Vec<Way> {
     let whole_or_half =
         has(&["diameter", "radius", "peak", "amplitude", "width", "half", "stroke", "eccentricity"]);
     let prior = if whole_or_half {
-        0.85
+        11.0
     } else if kind == Kind::Length {
-        0.35
+        4.0
     } else {
-        0.3
+        1.2
     };
-    for (factor, written) in [(2.0, "2"), (0.5, "2")] {
+    for (factor, prior) in [(2.0, prior), (0.5, if prior < 4.0 { 0.8 } else { prior })] {
         let change =
-            if whole_or_half || kind == Kind::Length { Change::Half } else { Change::Times(factor, written) };
+            if whole_or_half || kind == Kind::Length { Change::Half } else { Change::Times(factor, "2") };
         may(prior, change, factor * si);
     }
     if whole_or_half {
-        may(0.3, Change::Times(SQRT_2, "√2"), SQRT_2 * si);
-        may(0.3, Change::Times(FRAC_1_SQRT_2, "√2"), FRAC_1_SQRT_2 * si);
+        may(0.6, Change::Times(SQRT_2, "√2"), SQRT_2 * si);
+        may(1.5, Change::Times(FRAC_1_SQRT_2, "√2"), FRAC_1_SQRT_2 * si);
     }
     if kind == Kind::Acceleration && (9.5..10.2).contains(&si) {
         for g in GRAVITY.into_iter().filter(|g| *g != si) {
-            may(0.6, Change::Gravity(g), g);
+            may(2.0, Change::Gravity(g), g);
         }
     }
     if si != 0.0 {
-        may(if has(&["damp"]) { 0.6 } else { 0.35 }, Change::LeftOut, 0.0);
-        may(if is_signed(input) { 0.65 } else { 0.2 }, Change::Sign, -si);
+        may(if has(&["damp"]) { 4.0 } else { 2.3 }, Change::LeftOut, 0.0);
+        may(if is_signed(input) { 6.0 } else { 1.0 }, Change::Sign, -si);
     }
     if [Kind::Mass, Kind::Force].contains(&kind) {
         // A factor of ten is rather a decimal point, unless gravity is.
-        for (prior, g) in [(0.5, 9.81), (0.25, 10.0)] {
+        for (prior, g) in [(4.5, 9.81), (0.4, 10.0)] {
             let taken = [(prior, si * g), (prior, si / g)];
             for (prior, si) in taken {
                 may(prior, Change::Weight, si);
@@ -276,35 +275,46 @@ fn ways(input: &VariedInput, others: &[VariedInput]) -> Vec<Way> {
     }
     if kind == Kind::Angle {
         for turn in [0.5 * PI, PI, TAU] {
-            may(0.5, Change::Direction, turn - si);
-            may(0.4, Change::Direction, turn + si);
-            may(0.4, Change::Direction, si - turn);
+            may(3.0, Change::Direction, turn - si);
+            may(0.8, Change::Direction, turn + si);
+            may(0.8, Change::Direction, si - turn);
         }
     }
     if kind == Kind::AngularVelocity {
         let confused = |is: &str, taken: &str| Change::Unit { is: is.to_owned(), taken: taken.to_owned() };
-        may(0.7, confused("rad/s", "Hz"), TAU * si);
-        may(0.7, confused("Hz", "rad/s"), si / TAU);
+        may(11.0, confused("rad/s", "Hz"), TAU * si);
+        may(11.0, confused("Hz", "rad/s"), si / TAU);
+        may(0.3, Change::Times(3600.0, "3600"), 3600.0 * si);
+        may(0.3, Change::Times(1.0 / 3600.0, "3600"), si / 3600.0);
     }
     for places in [-3i8, -2, -1, 1, 2, 3] {
-        let prior = if [-3, -1, 1, 3].contains(&places) { 0.5 } else { 0.3 };
+        let prior = match places.abs() {
+            1 => 2.5,
+            3 => 1.0,
+            _ => 0.3,
+        };
         may(prior, Change::PowerOfTen(places), si * 10f64.powi(places.into()));
     }
     if kind == Kind::Length {
         let is_whole = |other: &&VariedInput| other.measure.kind() == Kind::Length && other.si > si;
         for whole in others.iter().filter(is_whole) {
-            may(0.4, Change::OtherEnd(whole.label.clone()), whole.si - si);
+            may(2.7, Change::OtherEnd(whole.label.clone()), whole.si - si);
         }
     }
     if kind == Kind::Ratio {
-        may(0.4, Change::Direction, 1.0 - si);
-        may(0.4, Change::Times(1e-2, "100"), 0.01 * si);
-        may(0.4, Change::Times(1e2, "100"), 100.0 * si);
+        may(3.0, Change::Complement, 1.0 - si);
+        may(0.8, Change::Times(1e-2, "100"), 0.01 * si);
+        may(0.8, Change::Times(1e2, "100"), 100.0 * si);
+        // What is counted in whole numbers.
+        if si >= 1.0 && si.fract() == 0.0 && has(&["number", "count"]) {
+            may(12.0, Change::Count, si + 1.0);
+            may(12.0, Change::Count, si - 1.0);
+        }
     }
-    may(0.15, Change::Squared, si * si);
+    may(0.2, Change::Squared, si * si);
     if si > 0.0 {
-        may(0.15, Change::Rooted, si.sqrt());
-        may(0.25, Change::Inverted, 1.0 / si);
+        may(0.1, Change::Rooted, si.sqrt());
+        may(0.7, Change::Inverted, 1.0 / si);
     }
     found
 }
@@ -317,31 +327,59 @@ fn is_signed(input: &VariedInput) -> bool {
 
 /// One digit copied wrongly, or two interchanged.
 fn digits(input: &VariedInput) -> Vec<Way> {
+    let right = input.unit.value(input.si);
+    let way = |(change, value): (Change, f64)| {
+        let prior = match &change {
+            Change::Swapped(..) if is_shifted(value / right) => 0.2,
+            Change::Swapped(..) => 9.0,
+            Change::Digit(right, taken) if looks_alike(right, taken) => 2.4,
+            _ => 0.4,
+        };
+        Way { prior, change, si: input.unit.si(value) }
+    };
+    other_digit(right).into_iter().map(way).collect()
+}
+
+/// True if a number is so many times another by the decimal point alone.
+fn is_shifted(times: f64) -> bool {
+    let places = times.abs().log10();
+    !places.is_finite() || (places - places.round()).abs() < 1e-9
+}
+
+/// True if the first digits in which two numbers differ look alike.
+fn looks_alike(right: &str, taken: &str) -> bool {
+    let differ = right.chars().zip(taken.chars()).find(|(a, b)| a != b);
+    differ.is_some_and(|(a, b)| ALIKE.contains(&(a, b)) || ALIKE.contains(&(b, a)))
+}
+
+/// A number with one digit of it copied wrongly, or two neighbours interchanged.
+pub(super) fn other_digit(value: f64) -> Vec<(Change, f64)> {
     let mut found = Vec::new();
-    if input.si == 0.0 {
+    if value == 0.0 || !value.is_finite() {
         return found;
     }
-    let text = written(input.unit.value(input.si));
-    let mut may = |prior: f64, change: fn(String, String) -> Change, taken: String| {
-        if let Ok(value) = taken.parse::<f64>() {
-            let change = change(text.clone(), taken);
-            found.push(Way { prior, change, si: input.unit.si(value) });
+    let text = written(value);
+    let mut may = |change: fn(String, String) -> Change, taken: String| {
+        // Nobody copies a number as nothing.
+        if let Ok(value) = taken.parse::<f64>()
+            && value != 0.0
+        {
+            found.push((change(text.clone(), taken), value));
         }
     };
     let characters: Vec<char> = text.chars().collect();
-    for (at, digit) in characters.iter().enumerate().filter(|(_, digit)| digit.is_ascii_digit()) {
+    let end = characters.iter().position(|one| *one == 'e').unwrap_or(characters.len());
+    for (at, digit) in characters[..end].iter().enumerate().filter(|(_, digit)| digit.is_ascii_digit()) {
         for other in ('0'..='9').filter(|other| other != digit) {
             let mut taken = characters.clone();
             taken[at] = other;
-            let is_alike =
-                ALIKE.iter().any(|(a, b)| (*a, *b) == (*digit, other) || (*b, *a) == (*digit, other));
-            may(if is_alike { 0.12 } else { 0.08 }, Change::Digit, taken.into_iter().collect());
+            may(Change::Digit, taken.into_iter().collect());
         }
-        let next = (at + 1..characters.len()).find(|next| characters[*next].is_ascii_digit());
+        let next = (at + 1..end).find(|next| characters[*next].is_ascii_digit());
         if let Some(next) = next.filter(|next| characters[*next] != *digit) {
             let mut taken = characters.clone();
             taken.swap(at, next);
-            may(0.25, Change::Swapped, taken.into_iter().collect());
+            may(Change::Swapped, taken.into_iter().collect());
         }
     }
     found

@@ -87,6 +87,10 @@ pub enum Change {
     Inverted,
     /// An angle from another axis or in the other direction.
     Direction,
+    /// A share measured from the other end: its complement to 1.
+    Complement,
+    /// The other angle of the same sine or cosine.
+    OtherAngle,
     /// The sign of a term of a sum.
     TermSign,
     /// A term of a sum is missing.
@@ -169,7 +173,7 @@ impl Mistake {
             Change::Digit(..) => "digit",
             Change::Swapped(..) => "swapped",
             Change::Count => "count",
-            Change::OtherEnd(_) => "other-end",
+            Change::OtherEnd(_) | Change::Complement => "other-end",
             Change::Interchanged(..) => "interchanged",
             Change::Alternative(..) => "alternative",
             Change::Squared | Change::FactorSquared | Change::Exponent(..) => "square",
@@ -184,7 +188,7 @@ impl Mistake {
             Change::TermTwice => "twice",
             Change::Trigonometric(..) => "sine-cosine",
             Change::Degrees => "degrees",
-            Change::Branch => "branch",
+            Change::Branch | Change::OtherAngle => "branch",
             Change::Rounded(_) => "rounded",
         }
     }

@@ -3,7 +3,7 @@
 use super::{Change, Mistake, Place, tries::Tries};
 use crate::{
     Answer, Draft, Entry, Field, Record, Refusal, Shape, Solution, SolveError, Stop, Text, Value, Variant,
-    vary,
+    vary::{self, VariedInput},
 };
 
 /// Adds the results of other options of every choice, and of other counts.
@@ -13,8 +13,22 @@ pub(super) fn problems(
     record: &Record,
     stop: &Stop,
 ) -> Result<(), Refusal> {
+    for (prior, mistake, solution) in solved_otherwise(entry, record, stop)? {
+        let values = all.wrong.iter().map(|one| si_of(&solution, one.name)).collect();
+        all.data(prior, mistake, values, Vec::new());
+    }
+    Ok(())
+}
+
+/// The problem solved with other options of every choice, and with other counts: prior, mistake, solution.
+pub(super) fn solved_otherwise(
+    entry: &Entry,
+    record: &Record,
+    stop: &Stop,
+) -> Result<Vec<(f64, Mistake, Solution)>, Refusal> {
     let draft = Draft::of_record(record);
     let shape = entry.shape();
+    let numbers = vary::inputs(record);
     let mut others = Vec::new();
     record.leaves(&mut |path, field, value| match (field.shape.present(), value) {
         (Shape::OneOf(variants), Value::OneOf { variant, .. }) => {
@@ -29,20 +43,18 @@ pub(super) fn problems(
         }
         _ => {}
     });
+    let mut found = Vec::new();
     for other in others {
         stop.check()?;
-        let Some((mistake, changed, prior)) = other.applied(&draft, &shape) else { continue };
+        let Some((mistake, changed, prior)) = other.applied(&draft, &shape, &numbers) else { continue };
         let Ok(record) = changed.read(&shape) else { continue };
         match entry.solve_nominal(&record, stop) {
             Err(SolveError::Refused(Refusal::Stopped)) => return Err(Refusal::Stopped),
             Err(_) => {}
-            Ok(solution) => {
-                let values = all.wrong.iter().map(|one| si_of(&solution, one.name)).collect();
-                all.data(prior, mistake, values, Vec::new());
-            }
+            Ok(solution) => found.push((prior, mistake, solution)),
         }
     }
-    Ok(())
+    Ok(found)
 }
 
 fn si_of(solution: &Solution, name: &str) -> f64 {
@@ -71,18 +83,21 @@ fn options(
 }
 
 impl Other {
-    /// The mistake, and the inputs with it. Of another option the inputs of the same names are taken over.
-    fn applied(self, draft: &Draft, shape: &Shape) -> Option<(Mistake, Draft, f64)> {
+    /// The mistake, and the inputs with it. Of another option the inputs of the same names are taken over, and the only number
+    /// as the only number: 0.3 that is the damping ratio as 0.3 N·s/m.
+    fn applied(self, draft: &Draft, shape: &Shape, numbers: &[VariedInput]) -> Option<(Mistake, Draft, f64)> {
         let mut draft = draft.clone();
         match self {
             Other::Count { path, label, count } => {
                 draft.set(shape, &path, &count.to_string()).ok()?;
-                Some((Mistake::new(Place::Input(path, label), Change::Count), draft, 0.6))
+                Some((Mistake::new(Place::Input(path, label), Change::Count), draft, 10.0))
             }
             Other::Option { path, label, labels: [right, taken], at } => {
                 let (choice, choice_shape) = draft.at_mut(shape, &path).ok()?;
                 let choice_shape = choice_shape.present();
                 let Draft::OneOf(before, fields) = choice else { return None };
+                let Shape::OneOf(variants) = choice_shape else { return None };
+                let chosen = variants()[at].name;
                 let known = choice_shape.fields(Some(*before));
                 let mut other = Draft::alternative(&choice_shape, at);
                 if let (Draft::OneOf(_, blank), Draft::Group(values)) = (&mut other, &**fields)
@@ -95,9 +110,26 @@ impl Other {
                         }
                     }
                 }
+                let only = |fields: &[Field]| match fields {
+                    [only] if matches!(only.shape.present(), Shape::Quantity(_)) => Some(only.name),
+                    _ => None,
+                };
+                let mut prior = 9.0;
+                let (before, after) = (only(known), only(choice_shape.fields(Some(at))));
                 *choice = other;
+                if let (Some(before), Some(after)) = (before, after)
+                    && before != after
+                {
+                    let is_it = |number: &&VariedInput| {
+                        number.path.starts_with(&format!("{path}."))
+                            && number.path.ends_with(&format!(".{before}"))
+                    };
+                    let si = numbers.iter().find(is_it)?.si;
+                    draft.set(shape, &format!("{path}.{chosen}.{after}"), &si.to_string()).ok()?;
+                    prior = 10.0;
+                }
                 let change = Change::Alternative(right, taken);
-                Some((Mistake::new(Place::Input(path, label), change), draft, 0.8))
+                Some((Mistake::new(Place::Input(path, label), change), draft, prior))
             }
         }
     }

@@ -1,5 +1,7 @@
 //! Mistakes in a product: its factors missing, inverted or squared, and its coefficient another number.
 
+use std::f64::consts::PI;
+
 use dalembert_units::{Dim, Kind};
 
 use super::{
@@ -15,9 +17,14 @@ use crate::{
 /// Dimension of the acceleration of gravity.
 const GRAVITY: Dim = Dim::new(1, 0, -2, 0);
 
+const MASS: Dim = Dim::new(0, 1, 0, 0);
+
 /// Coefficients of the formulas of mechanics: of moments of inertia, second moments of area, beams, springs.
 const COEFFICIENTS: [f64; 15] =
     [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 24.0, 32.0, 48.0, 64.0, 192.0];
+
+/// Coefficients of moments of inertia: rods about an end and the middle, discs, rings, spheres.
+const INERTIA: [f64; 6] = [1.0 / 3.0, 1.0 / 12.0, 1.0 / 2.0, 1.0 / 4.0, 2.0 / 5.0, 2.0 / 3.0];
 
 /// A factor of a product, and whether it divides.
 #[derive(Clone, Copy)]
@@ -58,25 +65,57 @@ pub(super) fn of_product(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
         let number = solution.trace.node(factor.id).number;
         let is_this = |other: &Factor| other.id == factor.id;
         if number == Number::Scalar(-1.0) {
-            found.extend(without(&is_this).map(|edit| Slip::new(0.8, Change::TermSign, edit)));
+            found.extend(without(&is_this).map(|edit| Slip::new(5.0, Change::TermSign, edit)));
             continue;
         }
-        let prior = if is_literal(factor) { 0.75 } else { 0.45 };
+        let prior = if is_literal(factor) { 9.0 } else { 2.5 };
         let is_gravity = solution.trace.node(factor.id).dim.agrees(GRAVITY)
             && matches!(number, Number::Scalar(g) if (9.5..10.2).contains(&g.abs()));
         let slip = |prior: f64, change: Change, edit: Edit| Slip::new(prior, change, edit).of(factor.id);
-        let change = if is_gravity { Change::Weight } else { Change::FactorLeftOut };
+        let (prior, change) =
+            if is_gravity { (15.0, Change::Weight) } else { (prior, Change::FactorLeftOut) };
         found.extend(without(&is_this).map(|edit| slip(prior, change, edit)));
         if !is_literal(factor) && all.iter().any(is_literal) {
             let with_literals = |other: &Factor| is_this(other) || is_literal(other);
-            found.extend(without(&with_literals).map(|edit| slip(0.3, Change::FactorLeftOut, edit)));
+            found.extend(without(&with_literals).map(|edit| slip(2.0, Change::FactorLeftOut, edit)));
         }
         let turned: Vec<Factor> =
             all.iter().map(|one| Factor { divides: one.divides != is_this(one), ..*one }).collect();
         let change = if is_literal(factor) { Change::FactorInverted } else { Change::DividedForMultiplied };
-        found.extend(product_of(solution, id, &turned, 1.0).map(|edit| slip(0.4, change, edit)));
+        let prior = if is_literal(factor) { 0.4 } else { 1.0 };
+        found.extend(product_of(solution, id, &turned, 1.0).map(|edit| slip(prior, change, edit)));
+        if !is_literal(factor) && all.iter().any(is_literal) {
+            let is_turned = |one: &Factor| is_this(one) || is_literal(one);
+            let turned: Vec<Factor> =
+                all.iter().map(|one| Factor { divides: one.divides != is_turned(one), ..*one }).collect();
+            let edit = product_of(solution, id, &turned, 1.0);
+            found.extend(edit.map(|edit| slip(0.6, Change::DividedForMultiplied, edit)));
+        }
+        // A ratio of two like quantities upside down.
+        let dim = |one: &Factor| solution.trace.node(one.id).dim;
+        let is_under = |one: &&Factor| one.divides && !factor.divides && dim(one).agrees(dim(factor));
+        for under in all.iter().filter(is_under).filter(|under| !is_literal(under) && !is_vector(under)) {
+            let is_turned = |one: &Factor| is_this(one) || one.id == under.id;
+            let turned: Vec<Factor> =
+                all.iter().map(|one| Factor { divides: one.divides != is_turned(one), ..*one }).collect();
+            let edit = product_of(solution, id, &turned, 1.0);
+            found.extend(edit.map(|edit| slip(3.0, Change::Inverted, edit)));
+        }
+        // An arc is its radius times an angle in radians.
+        if dim(factor) == Dim::ANGLE {
+            let edit = product_of(solution, id, &all, (PI / 180.0).powi(if factor.divides { 1 } else { -1 }));
+            found.extend(edit.map(|edit| slip(2.0, Change::Degrees, edit)));
+        }
+        // Weight where the mass belongs, here alone.
+        if dim(factor).agrees(MASS) && !all.iter().any(|one| dim(one).agrees(GRAVITY)) {
+            for (prior, g) in [(1.5, 9.81), (0.4, 10.0), (0.4, 1.0 / 9.81)] {
+                let g = if factor.divides { 1.0 / g } else { g };
+                let edit = product_of(solution, id, &all, g);
+                found.extend(edit.map(|edit| slip(prior, Change::Weight, edit)));
+            }
+        }
         let twice: Vec<Factor> = all.iter().copied().chain([*factor]).collect();
-        let prior = if is_literal(factor) { 0.15 } else { 0.4 };
+        let prior = if is_literal(factor) { 0.1 } else { 0.5 };
         found.extend(
             product_of(solution, id, &twice, 1.0).map(|edit| slip(prior, Change::FactorSquared, edit)),
         );
@@ -84,7 +123,7 @@ pub(super) fn of_product(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
     if !all.iter().any(is_vector) {
         let inverse: Vec<Factor> = all.iter().map(|one| Factor { divides: !one.divides, ..*one }).collect();
         found.extend(
-            product_of(solution, id, &inverse, 1.0).map(|edit| Slip::new(0.4, Change::Inverted, edit)),
+            product_of(solution, id, &inverse, 1.0).map(|edit| Slip::new(1.8, Change::Inverted, edit)),
         );
     }
     coefficients(solution, id, &all, found);
@@ -113,7 +152,16 @@ fn coefficients(solution: &Solution, id: Id, all: &[Factor], found: &mut Vec<Sli
     let present: f64 = numbers.iter().product();
     let taken = COEFFICIENTS.into_iter().map(|other| if present.abs() < 1.0 { 1.0 / other } else { other });
     let taken = taken.chain([2.0 / 5.0, 2.0 / 3.0, 3.0 / 10.0]).map(|other| other.copysign(present));
-    let prior = if is_remembered(solution.trace.node(id).dim) { 0.72 } else { 0.25 };
+    let dim = solution.trace.node(id).dim;
+    let is_inertia = |factor: f64| {
+        INERTIA.iter().any(|known| (known - factor.abs()).abs() < 1e-9)
+            && Kind::MomentOfInertia.dim().is_some_and(|of| of.agrees(dim))
+    };
+    let prior = |other: f64| match (is_inertia(present) && is_inertia(other), is_remembered(dim)) {
+        (true, _) => 8.0,
+        (false, true) => 1.5,
+        (false, false) => 0.3,
+    };
     // A coefficient ten times as large is a power of ten, which others look for.
     let is_another = |other: &f64| {
         let places = (other / present).log10();
@@ -121,7 +169,8 @@ fn coefficients(solution: &Solution, id: Id, all: &[Factor], found: &mut Vec<Sli
     };
     for other in taken.filter(is_another) {
         let change = Change::Coefficient(present, other);
-        found.extend(product_of(solution, id, &others, other).map(|edit| Slip::new(prior, change, edit)));
+        let edit = product_of(solution, id, &others, other);
+        found.extend(edit.map(|edit| Slip::new(prior(other), change, edit)));
     }
 }
 

@@ -7,7 +7,7 @@ use crate::{
     trace::{Id, Number, Op},
 };
 
-/// An edit of the trace, how common it is, and what it does.
+/// An edit of the trace, in how many wrong answers of a thousand it is made, and what it does.
 pub(super) struct Slip {
     pub(super) prior: f64,
     pub(super) change: Change,

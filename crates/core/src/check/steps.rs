@@ -9,6 +9,7 @@ use dalembert_units::Dim;
 
 use super::{
     Change, Mistake, Place,
+    inputs::other_digit,
     products::of_product,
     slip::{Slip, UNKNOWN, alone, is_scalar},
     tries::Tries,
@@ -48,12 +49,7 @@ pub(super) fn steps(all: &mut Tries<'_, '_>, solution: &Solution, stop: &Stop) -
         if !again.uses(step.result) {
             continue;
         }
-        let mut edits = of_result(solution, place);
-        edits.extend(of_common_errors(solution, place));
-        if let Some(formula) = step.formula {
-            of_formula(solution, formula, &mut edits);
-        }
-        for Slip { prior, change, edit, of } in edits {
+        for Slip { prior, change, edit, of } in of_step(solution, place) {
             stop.check()?;
             tries += 1;
             if tries > MOST {
@@ -74,56 +70,87 @@ pub(super) fn steps(all: &mut Tries<'_, '_>, solution: &Solution, stop: &Stop) -
     Ok(())
 }
 
+/// Edits of a step: of its result and of its formula.
+pub(super) fn of_step(solution: &Solution, place: usize) -> Vec<Slip> {
+    let mut edits = of_result(solution, place);
+    edits.extend(of_common_errors(solution, place));
+    if let Some(formula) = solution.steps[place].formula {
+        of_formula(solution, formula, &mut edits);
+    }
+    edits.extend(copied(solution, place));
+    edits
+}
+
+/// A digit of the result copied wrongly into the next formula, as it is written with three or four digits.
+fn copied(solution: &Solution, place: usize) -> Vec<Slip> {
+    let step = &solution.steps[place];
+    let mut found = Vec::new();
+    let Number::Scalar(si) = solution.trace.node(step.result).number else { return found };
+    for digits in [3, 4] {
+        let right = step.unit.value(rounded(si, &step.unit, digits));
+        for (change, taken) in other_digit(right) {
+            let prior = if matches!(change, Change::Swapped(..)) { 0.3 } else { 0.1 };
+            let edit = Edit::number(step.result, Number::Scalar(step.unit.si(taken)));
+            found.push(Slip::new(prior, change, edit));
+        }
+    }
+    found
+}
+
 /// Edits of the result of a step.
 fn of_result(solution: &Solution, place: usize) -> Vec<Slip> {
     let step = &solution.steps[place];
     let at = step.result;
     let node = solution.trace.node(at);
     let times = |factor: f64| Edit::with_literal(solution, at, factor, |own, by| Op::Mul(by, own));
-    let mut found = vec![Slip::new(0.6, Change::Sign, times(-1.0))];
+    let mut found = vec![Slip::new(2.0, Change::Sign, times(-1.0))];
     if matches!(node.number, Number::Vector(_)) {
         return found;
     }
     for (prior, factor, written) in [
-        (0.4, 2.0, "2"),
-        (0.4, 0.5, "2"),
-        (0.35, TAU, "2π"),
-        (0.35, 1.0 / TAU, "2π"),
-        (0.15, PI, "π"),
-        (0.15, 1.0 / PI, "π"),
-        (0.2, 4.0, "4"),
-        (0.2, 0.25, "4"),
-        (0.15, SQRT_2, "√2"),
-        (0.15, FRAC_1_SQRT_2, "√2"),
-        (0.1, 9.81, "g"),
-        (0.1, 1.0 / 9.81, "g"),
-        (0.1, 3.0, "3"),
-        (0.1, 1.0 / 3.0, "3"),
+        (2.2, 2.0, "2"),
+        (3.2, 0.5, "2"),
+        (0.4, TAU, "2π"),
+        (0.8, 1.0 / TAU, "2π"),
+        (0.2, PI, "π"),
+        (0.3, 1.0 / PI, "π"),
+        (0.5, 4.0, "4"),
+        (0.5, 0.25, "4"),
+        (0.1, SQRT_2, "√2"),
+        (0.1, FRAC_1_SQRT_2, "√2"),
+        (0.6, 9.81, "g"),
+        (1.0, 1.0 / 9.81, "g"),
+        (0.15, 3.0, "3"),
+        (0.3, 1.0 / 3.0, "3"),
     ] {
         found.push(Slip::new(prior, Change::Times(factor, written), times(factor)));
     }
     for places in [-6i8, -4, -3, -2, -1, 1, 2, 3, 4, 6] {
-        let prior = if [-3, -1, 1, 3].contains(&places) { 0.45 } else { 0.2 };
+        let prior = if [-1, 1].contains(&places) { 1.3 } else { 0.1 };
         found.push(Slip::new(prior, Change::PowerOfTen(places), times(10f64.powi(places.into()))));
     }
-    let prior = if node.dim == Dim::NONE { 0.78 } else { 0.5 };
+    let prior = if node.dim == Dim::NONE { 8.0 } else { 1.2 };
     found.push(Slip::new(
         prior,
         Change::Inverted,
         Edit::with_literal(solution, at, 1.0, |own, one| Op::Div(one, own)),
     ));
-    found.push(Slip::new(0.25, Change::Squared, Edit::then(solution, at, |own| Op::Power(own, 2))));
-    found.push(Slip::new(0.3, Change::Rooted, Edit::then(solution, at, |own| Op::Root(own, 2))));
+    found.push(Slip::new(0.3, Change::Squared, Edit::then(solution, at, |own| Op::Power(own, 2))));
+    found.push(Slip::new(0.6, Change::Rooted, Edit::then(solution, at, |own| Op::Root(own, 2))));
     if node.dim == Dim::ANGLE {
         let in_degrees = 180.0 / PI;
-        found.push(Slip::new(0.35, Change::Degrees, times(in_degrees)));
-        found.push(Slip::new(0.35, Change::Degrees, times(1.0 / in_degrees)));
+        found.push(Slip::new(5.0, Change::Degrees, times(in_degrees)));
+        found.push(Slip::new(3.0, Change::Degrees, times(1.0 / in_degrees)));
         for turn in [PI / 2.0, PI, TAU] {
             let minus = |own, turn| Op::Sub(turn, own);
-            found.push(Slip::new(0.35, Change::Direction, Edit::with_literal(solution, at, turn, minus)));
-            found.push(Slip::new(0.3, Change::Direction, Edit::with_literal(solution, at, turn, Op::Add)));
-            found.push(Slip::new(0.3, Change::Direction, Edit::with_literal(solution, at, turn, Op::Sub)));
+            found.push(Slip::new(2.5, Change::Direction, Edit::with_literal(solution, at, turn, minus)));
+            found.push(Slip::new(0.5, Change::Direction, Edit::with_literal(solution, at, turn, Op::Add)));
+            found.push(Slip::new(0.5, Change::Direction, Edit::with_literal(solution, at, turn, Op::Sub)));
         }
+    } else if node.dim.angle != 0 {
+        let per_degree = (PI / 180.0).powi(node.dim.angle.into());
+        found.push(Slip::new(1.5, Change::Degrees, times(per_degree)));
+        found.push(Slip::new(1.5, Change::Degrees, times(1.0 / per_degree)));
     }
     found
 }
@@ -134,11 +161,11 @@ fn of_common_errors(solution: &Solution, place: usize) -> Vec<Slip> {
     let of_step = solution.common_errors.iter().filter(|error| error.step == place);
     // The node of the error is read as it is: it stands before the step.
     let edit = |formula: Id| Edit::with_literal(solution, at, 1.0, move |_, one| Op::Mul(one, formula));
-    of_step.map(|error| Slip::new(1.0, Change::Common(error.what.clone()), edit(error.formula))).collect()
+    of_step.map(|error| Slip::new(10.0, Change::Common(error.what.clone()), edit(error.formula))).collect()
 }
 
 /// Edits of the operations of a formula.
-fn of_formula(solution: &Solution, formula: Id, found: &mut Vec<Slip>) {
+pub(super) fn of_formula(solution: &Solution, formula: Id, found: &mut Vec<Slip>) {
     let mut seen: HashSet<Id> = HashSet::new();
     // Each node with the operation that it goes into: sums and products are edited as a whole.
     let mut open = vec![(formula, Part::Alone)];
@@ -200,14 +227,14 @@ fn of_sum(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
         let first = Edit::first_new(solution);
         let series =
             vec![(Op::Mul(a, b), UNKNOWN), (Op::Add(a, b), UNKNOWN), (Op::Div(first, first + 1), UNKNOWN)];
-        found.push(Slip::new(0.3, Change::SeriesForParallel, Edit { at: id, ops: series }));
+        found.push(Slip::new(1.0, Change::SeriesForParallel, Edit { at: id, ops: series }));
         let squares = vec![
             (Op::Power(a, 2), UNKNOWN),
             (Op::Power(b, 2), UNKNOWN),
             (Op::Add(first, first + 1), UNKNOWN),
             (Op::Root(first + 2, 2), UNKNOWN),
         ];
-        found.push(Slip::new(0.3, Change::AddedAsVectors, Edit { at: id, ops: squares }));
+        found.push(Slip::new(0.5, Change::AddedAsVectors, Edit { at: id, ops: squares }));
     }
     for at in 0..all.len() {
         let mut with = |prior: f64, change: Change, factor: f64| {
@@ -216,14 +243,14 @@ fn of_sum(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
         };
         // A term that is a step of its own may have its sign wrong there.
         let is_step = matches!(solution.trace.node(all[at].0).op, Op::Step(_));
-        with(if is_step { 0.5 } else { 0.9 }, Change::TermSign, -1.0);
-        with(0.82, Change::TermLeftOut, 0.0);
-        with(0.3, Change::TermTwice, 2.0);
-        with(0.3, Change::PowerOfTen(1), 10.0);
+        with(if is_step { 6.0 } else { 7.5 }, Change::TermSign, -1.0);
+        with(11.0, Change::TermLeftOut, 0.0);
+        with(1.0, Change::TermTwice, 2.0);
+        with(0.4, Change::PowerOfTen(1), 10.0);
         with(0.3, Change::PowerOfTen(-1), 0.1);
-        with(0.2, Change::PowerOfTen(3), 1e3);
-        with(0.2, Change::PowerOfTen(-3), 1e-3);
-        with(0.25, Change::Times(0.5, "2"), 0.5);
+        with(0.1, Change::PowerOfTen(3), 1e3);
+        with(0.1, Change::PowerOfTen(-3), 1e-3);
+        with(0.7, Change::Times(0.5, "2"), 0.5);
     }
 }
 
@@ -281,44 +308,43 @@ fn of_operation(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
     };
     match &solution.trace.node(id).op {
         Op::Power(a, n) if *n > 1 => {
-            may(0.8, Change::Exponent(*n, 1), alone(*a), *a);
+            may(if *n == 2 { 15.0 } else { 8.0 }, Change::Exponent(*n, 1), alone(*a), *a);
             if *n > 2 {
-                may(0.6, Change::Exponent(*n, n - 1), Op::Power(*a, n - 1), *a);
+                may(15.0, Change::Exponent(*n, n - 1), Op::Power(*a, n - 1), *a);
             }
-            may(0.35, Change::Exponent(*n, n + 1), Op::Power(*a, n + 1), *a);
+            may(1.0, Change::Exponent(*n, n + 1), Op::Power(*a, n + 1), *a);
         }
-        Op::Power(a, n) if *n < -1 => may(0.7, Change::Exponent(*n, -1), Op::Power(*a, -1), *a),
+        Op::Power(a, n) if *n < -1 => may(5.0, Change::Exponent(*n, -1), Op::Power(*a, -1), *a),
         Op::Root(a, n) => {
-            may(0.8, Change::RootLeftOut, alone(*a), *a);
+            may(20.0, Change::RootLeftOut, alone(*a), *a);
             if let (2, Some((first, second))) = (*n, squares(solution, *a)) {
-                may(0.5, Change::AddedDirectly, Op::Add(first, second), id);
+                found.extend(added_directly(solution, id, |_| (Vec::new(), [first, second])));
             }
         }
         Op::Magnitude(a) => {
-            let first = Edit::first_new(solution);
             let component = |axis| (Op::Component(*a, axis), UNKNOWN);
-            let ops = vec![component(0), component(1), (Op::Add(first, first + 1), UNKNOWN)];
-            found.push(Slip::new(0.4, Change::AddedDirectly, Edit { at: id, ops }));
+            let components = |first| (vec![component(0), component(1)], [first, first + 1]);
+            found.extend(added_directly(solution, id, components));
         }
         Op::Call(function, a) => of_function(solution, id, *function, *a, found),
-        Op::Neg(a) => may(0.7, Change::TermSign, alone(*a), *a),
+        Op::Neg(a) => may(7.0, Change::TermSign, alone(*a), *a),
         Op::Atan2(y, x) => {
-            may(0.5, Change::Inverted, Op::Atan2(*x, *y), id);
+            may(3.0, Change::Inverted, Op::Atan2(*x, *y), id);
             for function in [Function::Asin, Function::Acos] {
                 let first = Edit::first_new(solution);
                 let ops = vec![(Op::Div(*y, *x), UNKNOWN), (Op::Call(function, first), UNKNOWN)];
                 let change = Change::Trigonometric("arctan", crate::printer::function(function));
-                found.push(Slip::new(0.5, change, Edit { at: id, ops }));
+                found.push(Slip::new(4.0, change, Edit { at: id, ops }));
             }
         }
-        Op::Cross(a, b) => may(0.5, Change::TermSign, Op::Cross(*b, *a), id),
+        Op::Cross(a, b) => may(2.0, Change::TermSign, Op::Cross(*b, *a), id),
         Op::Compose(parts) => {
             for axis in 0..3 {
                 let first = Edit::first_new(solution);
                 let minus = (Op::Neg(parts[axis]), UNKNOWN);
                 let zero = (Op::Literal, Number::Scalar(0.0));
                 for (prior, change, part) in
-                    [(0.5, Change::TermSign, minus), (0.4, Change::TermLeftOut, zero)]
+                    [(3.0, Change::TermSign, minus), (4.0, Change::TermLeftOut, zero)]
                 {
                     let mut others = *parts;
                     others[axis] = first;
@@ -338,11 +364,11 @@ fn of_function(solution: &Solution, id: Id, function: Function, argument: Id, fo
     use Function::{Acos, Asin, Cos, Sin, Tan};
     let name = crate::printer::function;
     let others: &[(f64, Function)] = match function {
-        Sin => &[(0.85, Cos), (0.5, Tan)],
-        Cos => &[(0.85, Sin), (0.4, Tan)],
-        Tan => &[(0.6, Sin), (0.4, Cos)],
-        Asin => &[(0.6, Acos)],
-        Acos => &[(0.6, Asin)],
+        Sin => &[(12.0, Cos), (1.0, Tan)],
+        Cos => &[(20.0, Sin), (1.0, Tan)],
+        Tan => &[(8.0, Sin), (6.0, Cos)],
+        Asin => &[(8.0, Acos)],
+        Acos => &[(8.0, Asin)],
         _ => &[],
     };
     for (prior, other) in others {
@@ -351,32 +377,68 @@ fn of_function(solution: &Solution, id: Id, function: Function, argument: Id, fo
     }
     if function == Tan {
         let inverse = Edit::with_literal(solution, id, 1.0, |own, one| Op::Div(one, own));
-        found.push(Slip::new(0.5, Change::Inverted, inverse));
+        found.push(Slip::new(3.0, Change::Inverted, inverse));
     }
     if function == Function::Ln {
         let other = Edit::op(id, Op::Call(Function::Log10, argument));
-        found.push(Slip::new(0.7, Change::Trigonometric(name(function), name(Function::Log10)), other));
+        found.push(Slip::new(10.0, Change::Trigonometric(name(function), name(Function::Log10)), other));
     }
     if matches!(function, Sin | Cos | Tan) {
         let first = Edit::first_new(solution);
-        let mut in_degrees = |factor: f64| {
+        for (prior, change, factor) in [
+            (2.0, Change::Degrees, 180.0 / PI),
+            (2.0, Change::Degrees, PI / 180.0),
+            (0.4, Change::Times(2.0, "2"), 2.0),
+            (0.4, Change::Times(0.5, "2"), 0.5),
+        ] {
             let ops = vec![
                 (Op::Literal, Number::Scalar(factor)),
                 (Op::Mul(first, argument), UNKNOWN),
                 (Op::Call(function, first + 1), UNKNOWN),
             ];
-            found.push(Slip::new(0.6, Change::Degrees, Edit { at: id, ops }));
-        };
-        in_degrees(180.0 / PI);
-        for (prior, factor) in [(0.3, 2.0), (0.3, 0.5)] {
-            let ops = vec![
-                (Op::Literal, Number::Scalar(factor)),
-                (Op::Mul(first, argument), UNKNOWN),
-                (Op::Call(function, first + 1), UNKNOWN),
-            ];
-            found.push(Slip::new(prior, Change::Times(factor, "2"), Edit { at: id, ops }));
+            found.push(Slip::new(prior, change, Edit { at: id, ops }));
+        }
+        // A calculator in the wrong mode is so for every function of the angle.
+        if !matches!(solution.trace.node(argument).op, Op::Step(_) | Op::Given { .. }) {
+            for factor in [180.0 / PI, PI / 180.0] {
+                let edit = Edit::with_literal(solution, argument, factor, |own, by| Op::Mul(by, own));
+                found.push(Slip::new(2.0, Change::Degrees, edit));
+            }
         }
     }
+    // The other angle of the same sine or cosine.
+    let other: Option<(f64, fn(Id, Id) -> Op)> = match function {
+        Asin => Some((PI, |own, turn| Op::Sub(turn, own))),
+        Acos => Some((0.0, |own, zero| Op::Sub(zero, own))),
+        _ => None,
+    };
+    if let Some((turn, op)) = other {
+        found.push(Slip::new(3.0, Change::OtherAngle, Edit::with_literal(solution, id, turn, op)));
+    }
+}
+
+/// Two components added as numbers in place of the root of the sum of their squares: with their signs, with the sum of
+/// both signs, or without signs.
+fn added_directly(
+    solution: &Solution,
+    id: Id,
+    components: impl Fn(Id) -> (Vec<(Op, Number)>, [Id; 2]),
+) -> [Slip; 3] {
+    let begun = || {
+        let (ops, both) = components(Edit::first_new(solution));
+        let next = Edit::first_new(solution) + ops.len() as Id;
+        (ops, both, next)
+    };
+    let slip = |ops| Slip::new(5.0, Change::AddedDirectly, Edit { at: id, ops });
+    let (mut sum, [a, b], next) = begun();
+    sum.push((Op::Add(a, b), UNKNOWN));
+    let mut size = sum.clone();
+    size.push((Op::Call(Function::Abs, next), UNKNOWN));
+    let (mut sizes, [a, b], next) = begun();
+    sizes.push((Op::Call(Function::Abs, a), UNKNOWN));
+    sizes.push((Op::Call(Function::Abs, b), UNKNOWN));
+    sizes.push((Op::Add(next, next + 1), UNKNOWN));
+    [slip(sum), slip(size), slip(sizes)]
 }
 
 /// The last edit of a number that is read as it is.

@@ -6,7 +6,7 @@ use crate::reevaluate::Edit;
 /// A mistake, and what each of the wrong answers would be with it.
 pub(super) struct Candidate {
     pub(super) mistake: Mistake,
-    /// Weight beside other mistakes, at most 1.
+    /// Number of wrong answers in a thousand with this mistake at this place.
     pub(super) prior: f64,
     /// NaN where the mistake does not concern an answer.
     pub(super) values: Vec<f64>,

@@ -167,6 +167,8 @@ fn common(change: &Change) -> Text {
         Change::Rooted => Text::new("square root taken"),
         Change::Inverted => Text::new("inverted"),
         Change::Direction => Text::new("measured from another axis or in the opposite sense"),
+        Change::Complement => Text::new("measured from the other end: the complement to 1"),
+        Change::OtherAngle => Text::new("the other angle with the same sine or cosine"),
         Change::Digit(right, taken) | Change::Swapped(right, taken) => {
             Text::new("{right} copied as {taken}").with("right", right).with("taken", taken)
         }

@@ -81,3 +81,8 @@ impl<'s> Wrong<'s> {
         (width * (near + far)).min(1.0)
     }
 }
+
+/// True if two computed numbers are one, within rounding.
+pub(super) fn is_near(one: f64, other: f64) -> bool {
+    (one - other).abs() <= 1e-9 * other.abs()
+}

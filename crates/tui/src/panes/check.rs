@@ -49,8 +49,10 @@ pub struct Check {
     is_searched: bool,
     /// Number of hints that were asked for, by the name of the answer.
     hints: BTreeMap<String, usize>,
-    /// True if it was said that everything is right.
+    /// True if it was said that what is asked for is right.
     congratulated: bool,
+    /// True if then nothing that is asked for was empty.
+    is_complete: bool,
 }
 
 register_pane!(Check, 60);
@@ -153,11 +155,27 @@ impl Pane for Check {
             [] => self.is_right(solution, &wanted),
             _ => wanted.iter().all(|name| self.verdict(solution, name) == Some(Verdict::Right)),
         };
-        if wanted.is_empty() || !is_done || std::mem::replace(&mut self.congratulated, true) {
+        let empty: Vec<Text> = wanted
+            .iter()
+            .filter(|name| self.text(name).trim().is_empty())
+            .filter_map(|name| Some(solution.answer(name)?.title()))
+            .collect();
+        let is_said = self.congratulated && (!empty.is_empty() || self.is_complete);
+        if wanted.is_empty() || !is_done || is_said {
             return Vec::new();
         }
+        (self.congratulated, self.is_complete) = (true, empty.is_empty());
         problem.found.revealed = None;
-        vec![Intent::Say("all required answers are correct".into()), Intent::Reach(Progress::Solved)]
+        let all = empty
+            .into_iter()
+            .reduce(|all, next| Text::new("{all}, {next}").with_text("all", all).with_text("next", next));
+        let words = match all {
+            None => "all required answers are correct".into(),
+            Some(all) => {
+                Text::new("the answers entered are correct; still empty: {answers}").with_text("answers", all)
+            }
+        };
+        vec![Intent::Say(words), Intent::Reach(Progress::Solved)]
     }
 
     fn question(&self, problem: &Problem) -> Option<Question> {

@@ -1,0 +1,154 @@
+//! Mistakes that give the digits of an answer, as causes: what cannot be told apart is one, and the likeliest comes first.
+
+use std::collections::BTreeSet;
+
+use super::{
+    Cause, Change, Mistake, Place,
+    steps::node_of,
+    wrong::{Wrong, is_near},
+};
+use crate::{Solution, trace::Id};
+
+/// So many other mistakes are listed with the first that gives their number.
+pub(super) const EQUIVALENTS: usize = 2;
+/// A cause is named only if it is so likely beside all others that give the digits, known and unknown.
+const LIKELY: f64 = 0.9;
+/// In so many of a thousand wrong answers there is a mistake that we do not know.
+pub(super) const UNKNOWN: f64 = 100.0;
+
+/// Values that were tried, each counted once.
+#[derive(Default)]
+pub(super) struct Values {
+    pub(super) values: BTreeSet<(bool, i64)>,
+    /// Expected number of chance hits.
+    pub(super) accidents: f64,
+}
+
+impl Values {
+    /// Counts a value; values that agree to nine digits are one.
+    pub(super) fn count(&mut self, one: &Wrong<'_>, value: f64) {
+        if value == 0.0 {
+            return;
+        }
+        let key = (value < 0.0, (value.abs().ln() * 1e9).round() as i64);
+        let is_known = (-1..=1).any(|off| self.values.contains(&(key.0, key.1.saturating_add(off))));
+        if !is_known {
+            self.values.insert(key);
+            self.accidents += one.accident(value);
+        }
+    }
+}
+
+/// Mistakes that give the digits of the answer.
+pub(super) struct Hit {
+    pub(super) cause: Cause,
+    /// Number of the user's other wrong answers that they give as well.
+    pub(super) others: usize,
+    pub(super) prior: f64,
+    /// The number that they give; NaN where it is the user's own or a book's.
+    pub(super) value: f64,
+    /// In so many of a thousand wrong answers an unknown mistake leads to the digits of this number.
+    pub(super) unknown: f64,
+}
+
+impl Hit {
+    /// True if the number of another hit is this one.
+    fn is_of(&self, other: &Hit) -> bool {
+        is_near(self.value, other.value) && self.others == other.others
+    }
+}
+
+fn places(mistakes: &[Mistake]) -> Vec<&Place> {
+    mistakes.iter().map(|one| &one.place).collect()
+}
+
+/// True if two causes are the same mistakes at other places before the finished answer, or other mistakes at the same.
+fn are_alike(one: &Cause, other: &Cause) -> bool {
+    // A number that is so many times too large may be so for any reason.
+    let operation = |mistake: &Mistake| match mistake.operation() {
+        "power-of-ten" | "unit" | "half" | "degrees" => "factor",
+        other => other,
+    };
+    let operations = |cause: &Cause| cause.mistakes.iter().map(operation).collect::<Vec<_>>();
+    let here = places(&other.mistakes);
+    let is_last = |places: &[&Place]| places.contains(&&Place::Answer);
+    let is_elsewhere = |all: &Vec<Mistake>| !is_last(&places(all)) && places(all) != here;
+    let is_the_same = !is_last(&here) && operations(one) == operations(other);
+    is_the_same && one.all_mistakes().all(is_elsewhere) || places(&one.mistakes) == here
+}
+
+/// True if two causes are the sign of one step and of another, of which the first is enough.
+fn are_signs_of_steps(one: &Cause, other: &Cause) -> bool {
+    let is_sign = |cause: &Cause| matches!(&cause.mistakes[..], [only] if only.change == Change::Sign && matches!(only.place, Place::Step(..)));
+    is_sign(one) && is_sign(other)
+}
+
+/// True if a mistake with the finished answer is one with the step that holds it.
+fn is_of_last_step(answer: &Hit, step: &Hit, node: Option<Id>, solution: &Solution) -> bool {
+    match (&answer.cause.mistakes[..], &step.cause.mistakes[..]) {
+        ([answer], [step]) => {
+            let is_last = matches!(step.place, Place::Step(at, _) if Some(solution.steps[at].result) == node);
+            answer.place == Place::Answer && is_last && answer.change == step.change
+        }
+        _ => false,
+    }
+}
+
+/// True if two mistakes were made in one step: that is as well one that we do not know.
+fn is_in_one_step(cause: &Cause) -> bool {
+    matches!(&cause.mistakes[..], [one, other] if one.place == other.place)
+}
+
+/// Causes of hits, the likeliest first. Hits with one number are one cause where they are the same mistake at several places,
+/// or several at one place; those that read alike are listed once.
+pub(super) fn causes_of(one: &Wrong<'_>, mut hits: Vec<Hit>, solution: &Solution) -> Vec<Cause> {
+    let node = node_of(one);
+    hits.sort_by(|a, b| {
+        (b.cause.is_named, b.others).cmp(&(a.cause.is_named, a.others)).then(b.prior.total_cmp(&a.prior))
+    });
+    let all: Vec<(usize, f64)> = hits.iter().map(|hit| (hit.others, hit.prior)).collect();
+    // The step says more than the answer.
+    for at in (0..hits.len()).rev() {
+        let step = hits.iter().position(|step| is_of_last_step(&hits[at], step, node, solution));
+        if let Some(step) = step.filter(|step| hits[*step].is_of(&hits[at])) {
+            hits[step].prior += hits[at].prior;
+            hits.remove(at);
+        }
+    }
+    hits.sort_by(|a, b| {
+        (b.cause.is_named, b.others).cmp(&(a.cause.is_named, a.others)).then(b.prior.total_cmp(&a.prior))
+    });
+    let mut found: Vec<(Hit, Vec<String>)> = Vec::new();
+    for hit in hits {
+        let sentence = hit.cause.text(solution).english();
+        if let Some((known, _)) = found.iter_mut().find(|(_, sentences)| sentences.contains(&sentence)) {
+            known.prior += if known.is_of(&hit) { hit.prior } else { 0.0 };
+            continue;
+        }
+        let alike =
+            found.iter_mut().find(|(known, _)| known.is_of(&hit) && are_alike(&known.cause, &hit.cause));
+        match alike {
+            Some((known, sentences)) => {
+                sentences.push(sentence);
+                if known.cause.equivalents.len() < EQUIVALENTS
+                    && !are_signs_of_steps(&known.cause, &hit.cause)
+                {
+                    known.prior += hit.prior;
+                    known.cause.equivalents.push(hit.cause.mistakes);
+                }
+            }
+            None => found.push((hit, vec![sentence])),
+        }
+    }
+    found.sort_by(|(a, _), (b, _)| {
+        (b.cause.is_named, b.others).cmp(&(a.cause.is_named, a.others)).then(b.prior.total_cmp(&a.prior))
+    });
+    let likely = |(mut hit, _): (Hit, Vec<String>)| {
+        let rivals = all.iter().filter(|(others, _)| *others == hit.others).map(|(_, prior)| prior);
+        // What was said by the user or a book is no chance.
+        let is_likely = hit.value.is_nan() || hit.prior >= LIKELY * (rivals.sum::<f64>() + hit.unknown);
+        hit.cause.is_named &= is_likely && !is_in_one_step(&hit.cause);
+        hit.cause
+    };
+    found.into_iter().map(likely).collect()
+}
