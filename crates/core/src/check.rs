@@ -7,6 +7,7 @@
 
 mod candidates;
 mod common;
+mod digits;
 mod inputs;
 mod mistake;
 mod pairs;

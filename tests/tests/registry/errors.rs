@@ -237,7 +237,7 @@ const RECOMPUTED: [Recomputed; 18] = [
     (ROTOR, 1, &[("angle_a", "", "deg", correction_angle)], "measured from the other end of: Position of plane B"),
 ];
 
-/// What is said first of an error, with inputs so many times as large.
+/// First cause of an error, with inputs so many times as large.
 fn first_cause((id, case, written, _): &Recomputed, factor: &dyn Fn(usize) -> f64) -> String {
     let entry = find(id).unwrap();
     let printed = cases::cases(entry).unwrap()[case - 1].record(entry).unwrap();

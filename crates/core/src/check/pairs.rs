@@ -2,11 +2,10 @@
 
 use super::{
     Cause,
-    ranking::{Hit, UNKNOWN, Values, causes_of},
-    search::{NAMED, POSSIBLE, is_computed},
+    ranking::{Hit, NAMED, POSSIBLE, UNKNOWN, Values, causes_of},
     steps::{node_of, scalar},
     tries::Candidate,
-    wrong::{Wrong, is_near},
+    wrong::{Wrong, is_computed, is_near},
 };
 use crate::{
     Solution, Stop,

@@ -1,4 +1,4 @@
-//! Mistakes that give the digits of an answer, as causes: what cannot be told apart is one, and the likeliest comes first.
+//! Mistakes that give the digits of an answer, as causes: those that cannot be distinguished are one, and the likeliest comes first.
 
 use std::collections::BTreeSet;
 
@@ -9,6 +9,10 @@ use super::{
 };
 use crate::{Solution, trace::Id};
 
+/// A cause is named only where random numbers would meet so few of the candidates that are as likely.
+pub(super) const NAMED: f64 = 0.02;
+/// It is listed as possible up to here.
+pub(super) const POSSIBLE: f64 = 0.5;
 /// So many other mistakes are listed with the first that gives their number.
 pub(super) const EQUIVALENTS: usize = 2;
 /// A cause is named only if it is so likely beside all others that give the digits, known and unknown.

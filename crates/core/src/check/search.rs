@@ -9,10 +9,10 @@ use super::{
     candidates::{candidates, disputed},
     pairs::pairs,
     problem::solved_otherwise,
-    ranking::{EQUIVALENTS, Hit, UNKNOWN, Values, causes_of},
+    ranking::{EQUIVALENTS, Hit, NAMED, POSSIBLE, UNKNOWN, Values, causes_of},
     steps::{node_of, rounded, scalar},
     tries::Candidate,
-    wrong::{Digits, Wrong},
+    wrong::{Digits, Wrong, is_computed},
 };
 use crate::{
     AnswerValue, Entry, Record, Solution, Stop,
@@ -20,10 +20,6 @@ use crate::{
     trace::Number,
 };
 
-/// A cause is named only where random numbers would meet so few of the candidates that are as likely.
-pub(super) const NAMED: f64 = 0.02;
-/// It is listed as possible up to here.
-pub(super) const POSSIBLE: f64 = 0.5;
 /// At most so many causes are listed for an answer.
 const MOST: usize = 4;
 
@@ -123,11 +119,6 @@ fn singles(at: usize, wrong: &[Wrong<'_>], candidates: &[Candidate], solution: &
         }
     }
     causes_of(one, hits, solution)
-}
-
-/// True if a value is ours, within rounding.
-pub(super) fn is_computed(one: &Wrong<'_>, value: f64) -> bool {
-    super::difference(value, one.computed, one.answer.dim()) <= 1e-9 * one.computed.abs().max(1e-300)
 }
 
 /// The number of other wrong answers that a mistake explains, and the expected number of chance hits left with them.

@@ -9,7 +9,7 @@ use dalembert_units::Dim;
 
 use super::{
     Change, Mistake, Place,
-    inputs::other_digit,
+    digits::other_digit,
     products::of_product,
     slip::{Slip, UNKNOWN, alone, is_scalar},
     tries::Tries,

@@ -86,3 +86,8 @@ impl<'s> Wrong<'s> {
 pub(super) fn is_near(one: f64, other: f64) -> bool {
     (one - other).abs() <= 1e-9 * other.abs()
 }
+
+/// True if a value is ours, within rounding.
+pub(super) fn is_computed(one: &Wrong<'_>, value: f64) -> bool {
+    difference(value, one.computed, one.answer.dim()) <= 1e-9 * one.computed.abs().max(1e-300)
+}
