@@ -220,21 +220,29 @@ impl Solution {
             .filter(|unit| asks(unit))
             .chain(columns.iter().filter(|unit| asks(unit) || unit.text == "Hz"))
             .collect();
-        for answer in &mut self.answers {
+        for at in 0..self.answers.len() {
+            let answer = &self.answers[at];
             let is_of_answer = |unit: &&Unit| unit.dim.agrees(answer.unit.dim);
             let Some(unit) = wanted.iter().copied().find(is_of_answer) else { continue };
             let mut alike = units.iter().chain(&columns).filter(is_of_answer);
             if answer.is_unit_asked || is_named(&answer.unit) || !alike.all(|other| other.text == unit.text) {
                 continue;
             }
-            answer.unit = unit.clone();
-            if let AnswerValue::Number(_, id) = answer.value
-                && let Op::Step(step) = self.trace.node(id).op
-            {
-                self.steps[step].unit = unit.clone();
-            }
+            self.show_answer_in(at, unit);
         }
         self
+    }
+
+    /// Shows an answer, by its place, and the step that found it in another unit. In a system of units the step keeps its
+    /// unit, so that numbers can be put into later formulas as they are.
+    pub fn show_answer_in(&mut self, at: usize, unit: &Unit) {
+        let answer = &mut self.answers[at];
+        answer.unit = unit.clone();
+        if let (AnswerValue::Number(_, id), None) = (&answer.value, self.units)
+            && let Op::Step(step) = self.trace.node(*id).op
+        {
+            self.steps[step].unit = unit.clone();
+        }
     }
 
     /// The same solution in a system of units: answers, steps with what is put into them, tables, plots and sentences.

@@ -243,7 +243,7 @@ impl<'m> Contents<'m> {
     fn leads_to_field(self, filter: &str) -> bool {
         let is_known = self.place(ANALYSIS).is_some();
         is_known
-            && [Locale::default(), Locale::portuguese()].iter().any(|locale| {
+            && in_either_language(|locale| {
                 let name = Text::from(FIELD).render(locale);
                 let balancing = search::family("balancing").render(locale);
                 search::has_words(&name, filter) && !search::has_words(&balancing, filter)
@@ -255,7 +255,7 @@ impl<'m> Contents<'m> {
     fn exercises_of_lists(self, filter: &str) -> Vec<Leaf> {
         let is_one_word = filter.split_whitespace().nth(1).is_none();
         let is_named = |heading: &Heading| {
-            [Locale::default(), Locale::portuguese()].iter().any(|locale| {
+            in_either_language(|locale| {
                 let of = Contents { locale, ..self };
                 search::has_words(&of.name(Heading::Exercises), filter)
                     || !is_one_word && search::has_words(&of.name(*heading), filter)
@@ -368,6 +368,11 @@ impl<'m> Contents<'m> {
     fn place(self, id: &str) -> Option<usize> {
         self.listings.iter().position(|listing| listing.entry.about.id == id)
     }
+}
+
+/// True if something holds in English or in Portuguese.
+fn in_either_language(holds: impl Fn(&Locale) -> bool) -> bool {
+    [Locale::default(), Locale::portuguese()].iter().any(holds)
 }
 
 impl Heading {

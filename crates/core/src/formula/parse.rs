@@ -211,14 +211,11 @@ impl<'t> Parser<'t> {
         let start = self.at;
         self.number();
         if self.rest().starts_with(',') && self.rest()[1..].starts_with(|c: char| c.is_ascii_digit()) {
-            let decimals: String = self.rest()[1..].chars().take_while(char::is_ascii_digit).collect();
-            let whole = &self.text[start..self.at];
-            let why = match decimals.len() {
-                // Thousands, or decimals.
-                3 => Text::new("`{text}` can be read in two ways: write `{first}` or `{second}`")
-                    .with("text", format!("{whole},{decimals}"))
-                    .with("first", format!("{whole}{decimals}"))
-                    .with("second", format!("{whole}.{decimals}")),
+            let digits = self.rest()[1..].bytes().take_while(u8::is_ascii_digit).count();
+            let number = &self.text[start..self.at + 1 + digits];
+            // `1,000` may be a thousand.
+            let why = match units::read_any(number) {
+                Err(error @ units::ReadError::Ambiguous { .. }) => reading::text(&error),
                 _ => "write a decimal point in formulas, and a blank after a comma between arguments: `1.5`, `max(1, 5)`".into(),
             };
             return Err(FormulaError::at(start..self.at + 1, why));

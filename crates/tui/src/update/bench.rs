@@ -61,13 +61,13 @@ pub(super) fn act(model: &mut Model, place: KeyContext, action: Action) -> Optio
                 (true, false) if has_next => (true, true),
                 _ => (false, false),
             };
-            let text = match (bench.expanded, has_next && !bench.beside) {
-                (false, _) => return Some(Vec::new()),
-                (true, false) if bench.focus == Focus::Pane => return Some(Vec::new()),
-                (true, true) => Text::new("{key} once more shows the next one beside it"),
-                (true, false) => Text::new("maximised; {key} restores all panes"),
+            let next = match bench.focus {
+                _ if !bench.expanded => return Some(Vec::new()),
+                Focus::Form => "maximised; {key} restores all panes",
+                Focus::Pane if has_next && !bench.beside => "{key} once more shows the next one beside it",
+                Focus::Pane => return Some(Vec::new()),
             };
-            vec![Intent::Say(text.with("key", model.key(place, action)))]
+            vec![Intent::Say(Text::new(next).with("key", model.key(place, action)))]
         }
         Action::Statement => statement(model),
         Action::NextPane | Action::PreviousPane => {

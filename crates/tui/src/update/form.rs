@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use dalembert_core::{Draft, Shape, Text, suggestions::Suggestion, table::TableOutline};
+use dalembert_core::{Draft, Field, Shape, Text, suggestions::Suggestion, table::TableOutline};
 use dalembert_units::Decimal;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
@@ -314,10 +314,15 @@ pub(super) fn take_table(model: &mut Model, path: &str, text: String) -> Vec<Int
 /// The effect that reads the file that the text of a table names, as in `@measured.csv`; `None` for any other text.
 fn file_of_table(model: &Model, field: &str, text: &str) -> Option<Effect> {
     let name = text.trim().strip_prefix('@').filter(|name| !name.contains('\n'))?;
+    let columns = columns_of(model, field)?;
+    Some(Effect::ReadTable { field: field.to_owned(), path: PathBuf::from(name.trim()), columns })
+}
+
+/// Columns of the table at a path; `None` where there is no table.
+fn columns_of(model: &Model, path: &str) -> Option<&'static [Field]> {
     let bench = model.bench.as_ref()?;
-    let (_, shape) = bench.problem.inputs.form.draft.at(&bench.problem.entry().shape(), field).ok()?;
-    let Shape::Table(columns) = shape.present() else { return None };
-    Some(Effect::ReadTable { field: field.to_owned(), path: PathBuf::from(name.trim()), columns: columns() })
+    let (_, shape) = bench.problem.inputs.form.draft.at(&bench.problem.entry().shape(), path).ok()?;
+    if let Shape::Table(columns) = shape.present() { Some(columns()) } else { None }
 }
 
 /// The file of a table takes the place of its text.
@@ -331,12 +336,7 @@ pub(super) fn table_read(model: &mut Model, field: &str, result: Result<String, 
             if asked.is_some() {
                 model.dialog = None;
             }
-            let outline = model.bench.as_ref().and_then(|bench| {
-                let (_, shape) =
-                    bench.problem.inputs.form.draft.at(&bench.problem.entry().shape(), field).ok()?;
-                let Shape::Table(columns) = shape.present() else { return None };
-                TableOutline::of(&text, columns())
-            });
+            let outline = columns_of(model, field).and_then(|columns| TableOutline::of(&text, columns));
             let mut intents = after(
                 model,
                 |form| form.set(field, text, Decimal::Point),

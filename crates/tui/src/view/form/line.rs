@@ -208,12 +208,7 @@ impl LineView<'_> {
                 }
                 LineRows { rows, cursor: None }
             }
-            Role::Table { outline, lines } => {
-                let content = match (outline, lines) {
-                    (Some(outline), _) => outline.text(),
-                    (None, 1) => Text::from("one line"),
-                    (None, lines) => Text::new("{count} lines").with("count", lines),
-                };
+            Role::Table { content } => {
                 let value = text(content.render(&model.locale), picked, open);
                 LineRows { rows: self.beside(self.columns, Style::new(), &value, None), cursor: None }
             }
