@@ -1,7 +1,7 @@
 //! Causes of wrong answers: the one place that calls the search for them in `dalembert_core::check`.
 
 use dalembert_core::{
-    Answer, Entry, Record, Refusal, Solution, Stop, Text,
+    Answer, AnswerValue, Entry, Record, Refusal, Solution, Stop, Text,
     check::{self, Change, Mistake, Place, Verdict},
 };
 
@@ -73,7 +73,7 @@ pub fn causes(
         let cause = causes.into_iter().next().filter(|cause| cause.is_named)?;
         let kind = match (&cause.mistakes[..], &cause.mistakes.first()?.change) {
             (_, Change::Follows(_)) => CauseKind::CarriedForward,
-            ([one], Change::Sign | Change::Unit { .. }) if one.place == Place::Answer => {
+            ([one], Change::Sign | Change::Unit { .. }) if is_of_answer(solution, &name, &one.place) => {
                 CauseKind::SignOrUnit
             }
             _ => CauseKind::Other,
@@ -81,6 +81,15 @@ pub fn causes(
         Some((name, Cause { kind, text: cause.text(solution) }))
     };
     Ok(found.into_iter().filter_map(first).collect())
+}
+
+/// True for the finished answer, and for the step that holds it.
+fn is_of_answer(solution: &Solution, name: &str, place: &Place) -> bool {
+    match (place, solution.answer(name).map(|answer| &answer.value)) {
+        (Place::Answer, _) => true,
+        (Place::Step(at, _), Some(AnswerValue::Number(_, id))) => solution.steps[*at].result == *id,
+        _ => false,
+    }
 }
 
 /// Comparison of a typed answer with the computed one.

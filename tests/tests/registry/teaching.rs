@@ -25,7 +25,7 @@ const PROBLEMS: [(&str, usize); 20] = [
     ("vibration/logarithmic-decrement", 1),
     ("vibration/loss-of-contact", 1),
     ("vibration/mass-on-shaft", 1),
-    ("vibration/vibration-instrument", 1),
+    ("vibration/vibration-instrument", 2),
     ("virtual-work/a-frame", 1),
     ("virtual-work/bar-and-cord", 1),
     ("virtual-work/geared-drive", 1),

@@ -1,13 +1,14 @@
 //! Common errors of an answer: the numbers that usual mistakes would give in its place.
 
-use super::{Mistake, candidates::candidates, difference, tries::Candidate, wrong::Wrong};
+use super::{Change, Mistake, candidates::candidates, difference, tries::Candidate, wrong::Wrong};
 use crate::{Entry, Record, Refusal, Solution, Stop};
 
 /// Values closer to each other than this share are one.
 const SAME: f64 = 1e-9;
 
 /// For an answer that is a number at most so many values, in SI, that usual mistakes give in its place, with the mistake of
-/// each, the most frequent first. A mistake that does not change the answer, or gives the value of one before it, is left out.
+/// each, the most frequent first. A mistake that does not change the answer, or gives the value of one before it, is left out,
+/// and so are miscopied digits, which are others with every datum.
 ///
 /// # Errors
 /// [`Refusal::Stopped`] alone.
@@ -30,7 +31,8 @@ pub fn common_errors(
     for Candidate { mistake, values, is_free, .. } in all {
         let value = values[0];
         let is_known = same(value, computed) || found.iter().any(|(known, _)| same(*known, value));
-        if value.is_finite() && !is_known && !is_free {
+        let is_copied = matches!(mistake.change, Change::Digit(..) | Change::Swapped(..));
+        if value.is_finite() && !is_known && !is_free && !is_copied {
             found.push((value, mistake));
         }
         if found.len() == most {
