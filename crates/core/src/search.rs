@@ -2,8 +2,10 @@
 //!
 //! Every word that is typed must be found, in any order: in the names of an analysis, in one of its cases, in what
 //! describes it, or in its inputs and answers, in either language and with accents or without. A whole word counts more
-//! than the beginning of one, and that more than letters within. Where a word is in no analysis, the letters of the filter
-//! may stand scattered in a title: `rotunb` finds `Rotating unbalance`.
+//! than the beginning of one, that more than another form of it (`balancing`, `balance`), and that more than letters
+//! within. Articles and prepositions do not count. Where fewer than three analyses have every word, as of a heading of a
+//! book, those follow that have most of them. Where none has, the letters of the filter may stand scattered in a title:
+//! `rotunb` finds `Rotating unbalance`.
 
 use std::{cmp::Reverse, collections::BTreeSet};
 
@@ -26,22 +28,41 @@ const DESCRIPTION: u32 = 3;
 const INPUTS: u32 = 1;
 /// Weight of the words standing together as they were typed.
 const TOGETHER: u32 = 8;
-/// The shortest word that is searched for within others.
-const WITHIN: usize = 3;
+/// The shortest word that is searched for within others, in bytes.
+pub const WITHIN: usize = 3;
+/// The shortest stem of a word, in bytes.
+pub const STEM: usize = 4;
+/// Number of analyses with every word from which on those with most of the words are left out.
+const ENOUGH: usize = 3;
+
+/// Words of a filter that do not count beside others, folded.
+pub const SMALL_WORDS: &[&str] = &[
+    "a", "an", "the", "of", "in", "on", "to", "by", "and", "or", "with", "for", "from", "at", "under", "its",
+    "between", "o", "as", "os", "um", "uma", "de", "da", "do", "das", "dos", "em", "no", "na", "nos", "nas",
+    "e", "ou", "com", "por", "para", "sob", "sobre", "ao", "entre", "pelo", "pela",
+];
+
+/// Endings of words of both languages, folded, that make another form of a word.
+pub const ENDINGS: &[&str] = &[
+    "ations", "ation", "ings", "ing", "ions", "ion", "ers", "er", "ed", "es", "s", "ally", "ly", "ical",
+    "al", "e", "ity", "acoes", "acao", "icoes", "icao", "oes", "ao", "amentos", "amento", "imentos",
+    "imento", "ados", "adas", "ado", "ada", "idos", "idas", "ido", "ida", "ivel", "iveis", "icos", "icas",
+    "ico", "ica", "os", "as", "o", "a", "ais", "eis", "ens", "em",
+];
 
 /// Texts of an analysis that are searched, folded.
 #[derive(Debug)]
 pub struct Index {
     /// Titles, topic, family and id.
-    names: String,
+    pub names: String,
     /// Keywords.
-    keywords: String,
+    pub keywords: String,
     /// Summaries and books.
-    words: String,
+    pub words: String,
     /// Labels and symbols of inputs and alternatives, and names of answers.
-    inputs: String,
+    pub inputs: String,
     /// Name and source of each case, in both languages.
-    cases: Vec<String>,
+    pub cases: Vec<String>,
 }
 
 /// An analysis that a search leaves.
@@ -53,27 +74,76 @@ pub struct Found {
     pub case: Option<usize>,
 }
 
-/// The analyses in which every word is found, the best match first.
-pub fn find_words(indices: &[&Index], filter: &str) -> Vec<Found> {
-    let phrase = folded(filter.trim());
-    let words: Vec<&str> = phrase.split_whitespace().collect();
-    let scored = indices.iter().enumerate().filter_map(|(place, index)| {
-        let (score, case) = index.rank(&words, &phrase)?;
-        Some(((score, index.mentions(&phrase)), Found { place, case }))
-    });
-    ranked(scored.collect())
+/// A filter, folded.
+struct Filter {
+    /// The words as they were typed, and spaces between them.
+    phrase: String,
+    /// Those that count.
+    words: Vec<Word>,
 }
 
-/// The same; where a word is in none, those whose names have the letters in their order.
+/// A word of a filter.
+struct Word {
+    whole: String,
+    /// The beginning that other forms of the word have; empty where it has none.
+    stem: String,
+}
+
+impl Filter {
+    fn of(filter: &str) -> Self {
+        let phrase = folded(filter.trim());
+        let typed = phrase.split_whitespace().map(|word| {
+            // A mark that ends a clause belongs to no word; one alone may be a symbol.
+            let bare = word.trim_end_matches([',', ':', ';', '?', '!']);
+            if bare.is_empty() { word } else { bare }
+        });
+        let typed: Vec<&str> = typed.collect();
+        let counting: Vec<&str> = typed.iter().copied().filter(|word| !SMALL_WORDS.contains(word)).collect();
+        let words = if counting.is_empty() { typed } else { counting };
+        Self { words: words.into_iter().map(Word::of).collect(), phrase }
+    }
+}
+
+impl Word {
+    fn of(whole: &str) -> Self {
+        let stems = ENDINGS.iter().filter_map(|ending| whole.strip_suffix(ending));
+        let stem = stems.filter(|stem| stem.len() >= STEM).min_by_key(|stem| stem.len()).unwrap_or_default();
+        Self { whole: whole.to_owned(), stem: stem.to_owned() }
+    }
+}
+
+/// The analyses in which every word is found, the best match first.
+pub fn find_words(indices: &[&Index], filter: &str) -> Vec<Found> {
+    let filter = Filter::of(filter);
+    with_words(indices, &filter, filter.words.len())
+}
+
+/// The same; where they are few, those follow that have more than half of the words; where there are none, those whose
+/// names have the letters in their order.
 pub fn find(indices: &[&Index], filter: &str) -> Vec<Found> {
-    let found = find_words(indices, filter);
-    if found.is_empty() { ranked(scattered(indices, &folded(filter.trim()))) } else { found }
+    let filter = Filter::of(filter);
+    let mut found = with_words(indices, &filter, filter.words.len());
+    if found.len() < ENOUGH && filter.words.len() > 2 {
+        let others = with_words(indices, &filter, filter.words.len() / 2 + 1);
+        let known: BTreeSet<usize> = found.iter().map(|found| found.place).collect();
+        found.extend(others.into_iter().filter(|other| !known.contains(&other.place)));
+    }
+    if found.is_empty() { ranked(scattered(indices, &filter.phrase)) } else { found }
+}
+
+/// The analyses in which at least so many of the words are found, the best match first.
+fn with_words(indices: &[&Index], filter: &Filter, least: usize) -> Vec<Found> {
+    let scored = indices.iter().enumerate().filter_map(|(place, index)| {
+        let (score, case) = index.rank(filter, least)?;
+        Some(((score, index.mentions(&filter.phrase)), Found { place, case }))
+    });
+    ranked(scored.collect())
 }
 
 /// Returns true if a text has every word of a filter, in upper or lower case and with accents or without.
 pub fn has_words(text: &str, filter: &str) -> bool {
     let text = folded(text);
-    folded(filter).split_whitespace().all(|word| place(&text, word) == 4)
+    folded(filter).split_whitespace().all(|word| place(&text, word, "") == WHOLE)
 }
 
 fn ranked<S: Ord + Copy>(mut found: Vec<(S, Found)>) -> Vec<Found> {
@@ -154,16 +224,18 @@ impl Index {
         texts.chain(self.cases.iter().map(String::as_str)).filter(|text| text.contains(phrase)).count()
     }
 
-    /// Score of the match, and the case that matches best; `None` if a word is missing.
-    fn rank(&self, words: &[&str], phrase: &str) -> Option<(u32, Option<usize>)> {
+    /// Score of the match, and the case that matches best; `None` where fewer than `least` words are found together.
+    fn rank(&self, filter: &Filter, least: usize) -> Option<(u32, Option<usize>)> {
+        let Filter { phrase, words } = filter;
         let together = |text: &str, weight: u32| {
-            if words.len() > 1 && place(text, phrase) > 0 { TOGETHER * weight } else { 0 }
+            if words.len() > 1 && place(text, phrase, "") > 0 { TOGETHER * weight } else { 0 }
         };
+        let place_of = |text: &str, word: &Word| place(text, &word.whole, &word.stem);
         let of_analysis: Vec<u32> = words
             .iter()
             .map(|word| {
                 let texts = self.texts();
-                texts.into_iter().map(|(text, weight)| weight * place(text, word)).max().unwrap_or(0)
+                texts.into_iter().map(|(text, weight)| weight * place_of(text, word)).max().unwrap_or(0)
             })
             .collect();
         let spaced = |text: &str| text.replace('-', " ");
@@ -171,41 +243,48 @@ impl Index {
         let title = if self.names.lines().any(is_phrase) { TOGETHER * NAMES } else { 0 };
         let bonus = self.texts().into_iter().map(|(text, weight)| together(text, weight)).max().unwrap_or(0);
         let bonus = bonus + title;
-        let whole = of_analysis.iter().all(|score| *score > 0);
-        let mut best = whole.then(|| (of_analysis.iter().sum::<u32>() + bonus, None));
+        let has_enough = |scores: &[u32]| scores.iter().filter(|score| **score > 0).count() >= least;
+        let mut best = has_enough(&of_analysis).then(|| (of_analysis.iter().sum::<u32>() + bonus, None));
         for (n, case) in self.cases.iter().enumerate() {
             let scores = words.iter().zip(&of_analysis).map(|(word, score)| {
                 // Of two analyses with such a case, the one whose own words speak of it comes first.
-                let of_case = CASE * place(case, word);
+                let of_case = CASE * place_of(case, word);
                 of_case.max(*score) + u32::from(of_case > *score && *score > 0)
             });
-            let total = scores.reduce(|sum, score| if sum == 0 || score == 0 { 0 } else { sum + score });
-            let Some(total) = total.filter(|total| *total > 0) else { continue };
-            let total = total + together(case, CASE).max(bonus);
+            let scores: Vec<u32> = scores.collect();
+            if !has_enough(&scores) {
+                continue;
+            }
+            let total = scores.iter().sum::<u32>() + together(case, CASE).max(bonus);
             if best.is_none_or(|(score, _)| total > score) {
                 best = Some((total, Some(n)));
             }
         }
-        if let ([word], Some((score, _))) = (words, &mut best) {
-            *score = (*score).max(KEYWORD_ALONE * place(&self.keywords, word));
+        if let ([word], Some((score, _))) = (words.as_slice(), &mut best) {
+            *score = (*score).max(KEYWORD_ALONE * place_of(&self.keywords, word));
         }
         best
     }
 }
 
-/// Score of a word in a text: 4 as a whole word, 3 as the beginning of one, 1 within one, 0 if absent.
-fn place(text: &str, word: &str) -> u32 {
+/// Score of a whole word.
+const WHOLE: u32 = 4;
+
+/// Score of a word in a text: 4 as a whole word, 3 as the beginning of one, 2 with its stem alone, 1 within one, 0 if
+/// absent.
+fn place(text: &str, word: &str, stem: &str) -> u32 {
+    let begins = |at: usize| !text[..at].ends_with(char::is_alphanumeric);
     let mut best = 0;
     for (at, _) in text.match_indices(word) {
-        let begins = !text[..at].ends_with(char::is_alphanumeric);
         let ends = !text[at + word.len()..].starts_with(char::is_alphanumeric);
-        best = best.max(match (begins, ends) {
-            (true, true) => return 4,
+        best = best.max(match (begins(at), ends) {
+            (true, true) => return WHOLE,
             (true, false) => 3,
             (false, _) => u32::from(word.len() >= WITHIN),
         });
     }
-    best
+    let has_stem = || !stem.is_empty() && text.match_indices(stem).any(|(at, _)| begins(at));
+    if best < 2 && has_stem() { 2 } else { best }
 }
 
 /// Titles and ids that hold the letters in their order, with gaps.
@@ -291,8 +370,12 @@ mod tests {
             ("rotating unbalance", "bal", 1),
             ("rotating unbalance", "al", 0),
             ("rotating unbalance", "rotating", 4),
+            ("rotating unbalance", "rotation", 2),
+            ("desbalanceamento rotativo", "rotativa", 2),
+            ("the rotor", "rotation", 0),
         ] {
-            assert_eq!(place(text, word), score, "{word} in {text}");
+            let word = Word::of(word);
+            assert_eq!(place(text, &word.whole, &word.stem), score, "{} in {text}", word.whole);
         }
         assert_eq!(folded("Vibração À"), "vibracao a");
     }
@@ -306,11 +389,13 @@ mod tests {
             inputs: "length of the rod\nl".into(),
             cases: vec!["engine\nriul".into(), "two levers\nbeer & johnston, problem 10.1".into()],
         };
-        let of =
-            |phrase: &str| index.rank(&phrase.split(' ').collect::<Vec<_>>(), phrase).map(|(_, case)| case);
+        let of = |phrase: &str| {
+            let filter = Filter::of(phrase);
+            index.rank(&filter, filter.words.len()).map(|(_, case)| case)
+        };
         assert_eq!(of("manivela cursor"), Some(None));
         assert_eq!(of("piston"), Some(None));
-        assert_eq!(of("rod length"), Some(None));
+        assert_eq!(of("the length of a rod:"), Some(None));
         assert_eq!(of("10 beer"), Some(Some(1)));
         assert_eq!(of("riul"), Some(Some(0)));
         assert_eq!(of("riul levers"), None, "no case holds both");

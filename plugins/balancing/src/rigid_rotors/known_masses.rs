@@ -178,7 +178,8 @@ impl Analysis for KnownMasses {
             "bearing_second",
         ],
         keywords: "balanceamento dinâmico rotor rígido vários planos massas giratórias mancal desbalanceamento estático conjugado \
-                   quase-estático rotating masses several planes complete balance dynamic static couple bearing force camshaft pulleys",
+                   quase-estático rotating masses several planes complete balance dynamic static couple bearing force camshaft pulleys \
+                   quasi-static unbalance static unbalance couple unbalance dynamic unbalance kinds of unbalance desbalanceamento quase-estático de momento dinâmico",
         sources: &[&RIUL, &KHURMI, &NORTON, &ISO_TERMS],
         cases: include_str!("../../cases/known_masses.toml"),
     };

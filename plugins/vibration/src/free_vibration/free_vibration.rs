@@ -41,7 +41,8 @@ impl Analysis for FreeVibration {
         main: &["displacement", "natural_frequency", "damping_ratio", "maximum"],
         keywords: "transient decay underdamped overdamped critically damped undamped initial conditions envelope \
                    overshoot settling phase plane vibração livre subamortecido superamortecido crítico \
-                   sobressinal acomodação",
+                   sobressinal acomodação \
+                   critically damped system free vibration of a damped system sistema criticamente amortecido vibração livre amortecida",
         sources: &[&RAO],
         cases: include_str!("../../cases/free_vibration.toml"),
     };

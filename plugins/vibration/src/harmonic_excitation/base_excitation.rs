@@ -102,7 +102,8 @@ impl Analysis for BaseExcitation {
         summary: "Absolute and relative motion, acceleration and force of a mass under harmonic base excitation, including a wavy road.",
         main: &["amplitude", "transmissibility", "acceleration", "growth"],
         keywords: "support motion transmissibility quarter car vehicle road ground seismic excitação de base movimento do suporte \
-                   transmissibilidade veículo estrada velocidade crítica",
+                   transmissibilidade veículo estrada velocidade crítica \
+                   motion of the base response of a damped system to base motion movimento da base excitação pela base",
         sources: &[&RAO, &THOMSON],
         cases: include_str!("../../cases/base_excitation.toml"),
     };

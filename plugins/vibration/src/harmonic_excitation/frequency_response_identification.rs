@@ -166,7 +166,8 @@ impl Analysis for FrequencyResponseIdentification {
         main: &["natural_frequency", "damping_ratio", "mass", "stiffness"],
         keywords: "frf receptance sweep modal half-power bandwidth quality factor loss factor 3 dB peak suspension ensaio resposta em frequência \
                    suspensão identificação ressonância receptância \
-                   mobility accelerance nyquist circle fit modal testing uff mobilidade acelerância ajuste de círculo 06/1",
+                   mobility accelerance nyquist circle fit modal testing uff mobilidade acelerância ajuste de círculo 06/1 \
+                   sharpness of resonance half-power points agudeza da ressonância meia potência",
         sources: &[&RAO, &EWINS, &LISTS],
         cases: include_str!("../../cases/frequency_response_identification.toml"),
     };

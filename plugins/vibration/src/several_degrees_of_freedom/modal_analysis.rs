@@ -63,7 +63,8 @@ impl Analysis for ModalAnalysis {
         main: &["frequency"],
         keywords: "mdof eigenvalue eigenvector natural frequencies modes chain string matrices complex modes Rayleigh \
                    proportional damping autovalor autovetor frequências naturais modos de vibração cadeia massas \
-                   molas corda matrizes amortecimento vários graus de liberdade",
+                   molas corda matrizes amortecimento vários graus de liberdade \
+                   systems with two degrees of freedom principal coordinates modal coordinates normal modes sistemas com dois graus de liberdade coordenadas principais coordenadas modais",
         sources: &[&RAO, &EWINS],
         cases: include_str!("../../cases/modal_analysis.toml"),
     };

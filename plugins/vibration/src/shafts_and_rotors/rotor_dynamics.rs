@@ -99,7 +99,8 @@ impl Analysis for RotorDynamics {
         main: &["critical_speed", "frequency", "stability_threshold"],
         keywords: "rotor rotordynamics whirl campbell critical speed gyroscopic bearing unbalance finite element log \
                    decrement instability dinâmica de rotores velocidade crítica mancal giroscópico desbalanceamento \
-                   diagrama elementos finitos",
+                   diagrama elementos finitos \
+                   out-of-balance response unbalance response forward backward whirl resposta ao desbalanceamento",
         sources: &[&FRISWELL, &NELSON, &ZORZI],
         cases: include_str!("../../cases/rotor_dynamics.toml"),
     };

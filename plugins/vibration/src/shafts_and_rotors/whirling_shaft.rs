@@ -149,7 +149,8 @@ impl Analysis for WhirlingShaft {
         summary: "Critical speed, whirl amplitude and phase, bearing force and bending stress of an unbalanced rotor, and the speeds to avoid.",
         main: &["critical_speed", "amplitude", "bearing_force"],
         keywords: "jeffcott laval rotor critical speed whirling unbalance shaft stress run-up forbidden band velocidade \
-                   crítica rodopio turbilhonamento precessão eixo flexível rotor desbalanceado faixa proibida",
+                   crítica rodopio turbilhonamento precessão eixo flexível rotor desbalanceado faixa proibida \
+                   critical speeds of shafts whirling of shafts velocidades críticas de eixos",
         sources: &[&RAO, &SARKAR],
         cases: include_str!("../../cases/whirling_shaft.toml"),
     };

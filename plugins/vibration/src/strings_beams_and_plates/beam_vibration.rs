@@ -147,7 +147,8 @@ impl Analysis for BeamVibration {
         summary: "Frequencies, mode shapes, nodes and buckling load of a uniform beam (Euler–Bernoulli or Timoshenko) on any supports, with masses, springs, masses on springs, axial force and elastic foundation.",
         main: &["frequency"],
         keywords: "continuous beam natural frequencies mode shapes cantilever tip mass sprung mass oscillator spring-mass buckling viga frequências \
-                   naturais modos engastada biapoiada flambagem contínuo fundação elástica",
+                   naturais modos engastada biapoiada flambagem contínuo fundação elástica \
+                   lateral vibration of beams transverse vibration bending vibration vibração lateral de vigas transversal flexão",
         sources: &[&RAO, &BLEVINS, &TIMOSHENKO, &COWPER, &WITTRICK],
         cases: include_str!("../../cases/beam_vibration.toml"),
     };

@@ -83,7 +83,8 @@ impl Analysis for Equilibrium {
         topic: "Any mechanism",
         summary: "All equilibrium positions of an arbitrary plane mechanism, from its potential energy, with their stability.",
         main: &["coordinate", "stop_coordinate", "stiffness", "stop_force"],
-        keywords: "equilíbrio estabilidade energia potencial virtual work trabalho virtual stable unstable neutral mola peso potential energy springs hessian",
+        keywords: "equilíbrio estabilidade energia potencial virtual work trabalho virtual stable unstable neutral mola peso potential energy springs hessian \
+                   principle of virtual work conservative system stability of equilibrium princípio dos trabalhos virtuais equilíbrio estável instável indiferente",
         sources: &[&BEER, &HAUG],
         cases: include_str!("../../cases/equilibrium.toml"),
     };

@@ -165,7 +165,8 @@ impl Analysis for Flywheel {
         summary: "Energy fluctuation of a turning moment against a constant or varying load, and flywheel inertia for a speed fluctuation, or the speed fluctuation for an inertia.",
         main: &["inertia", "mass", "fluctuation", "energy_fluctuation"],
         keywords: "volante de inércia flutuação de energia coeficiente de flutuação de velocidade diagrama de torque \
-                   flywheel fluctuation of energy coefficient of fluctuation of speed turning moment diagram steadiness",
+                   flywheel fluctuation of energy coefficient of fluctuation of speed turning moment diagram steadiness \
+                   smoothing the input torque energy storage volante torque de entrada",
         sources: &[&KHURMI, &BEVAN],
         cases: include_str!("../../cases/flywheel.toml"),
     };

@@ -117,7 +117,8 @@ impl Analysis for SliderCrank {
         summary: "Torque on the crank or force on the slider of a slider-crank, at rest or in motion with masses, by virtual work; motion, transmission angle and reactions.",
         main: &["torque", "force", "slider_velocity", "slider_acceleration"],
         keywords: "cursor manivela biela pistão compressor motor prensa trabalho virtual torque força reações engine piston \
-                   connecting rod crank pump compressor virtual work static dynamic offset ângulo de transmissão transmission angle",
+                   connecting rod crank pump compressor virtual work static dynamic offset ângulo de transmissão transmission angle \
+                   biela-manivela cursor-manivela slider-crank kinematic analysis análise cinemática do mecanismo",
         sources: &[&RIUL, &BEER, &SHIGLEY, &NORTON],
         cases: include_str!("../../cases/slider_crank.toml"),
     };
