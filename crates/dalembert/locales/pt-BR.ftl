@@ -229,7 +229,8 @@ name-one-of-problem-an-id-or-a-file-and-problem-file-the-text-of-a-file = dê um
 requests-stand-on-standard-input-send-the-text-of-a-file-as-problem-file = a entrada padrão traz as requisições: envie o texto de um arquivo como `problem_file`
 this-line-is-no-json-object-why = esta linha não é um objeto JSON: { $why }
 this-request-is-longer-than-most-mib-send-less-in-one-line = esta requisição tem mais de { $most } MiB; envie menos em uma linha
-write-an-object-behind-solve-and-an-id-behind-show-and-schema = escreva um objeto depois de `solve`, e um id depois de `show` e de `schema`
+write-an-object-behind-solve-report-and-new-and-an-id-behind-show-and-schema = escreva um objeto depois de `solve`, de `report` e de `new`, e um id depois de `show` e de `schema`
+format-value-write-one-of-known = format = { $value }: escreva um de { $known }
 there-is-no-answer-name-did-you-mean-near = não há a resposta `{ $name }`; você quis dizer `{ $near }`?
 there-is-no-answer-name-write-one-of-known = não há a resposta `{ $name }`; escreva uma de { $known }
 print-the-working-of-this-answer-alone-the-steps-that-lead-to-it-of-one-of-several-by-its-row = Imprime só o desenvolvimento desta resposta: os passos que levam a ela; de uma entre várias, pela linha: 'frequency[2]'

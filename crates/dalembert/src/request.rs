@@ -13,8 +13,10 @@ mod inputs;
 use std::path::Path;
 
 use dalembert_core::{Entry, Language, Locale, Record, Solution, Text, UnitSetting, nearest};
-use dalembert_report::{RESULT_KEYS, WorkedProblem, json_of};
-use serde_json::{Map, Value as Json};
+use dalembert_report::{
+    Block, RESULT_KEYS, WorkedProblem, document, html, html_fragment, json_of, latex, markdown, text,
+};
+use serde_json::{Map, Value as Json, json};
 
 pub use self::inputs::NamedValue;
 pub use crate::failure::RequestError;
@@ -43,6 +45,9 @@ const KEYS: [&str; 14] = [
     "lang",
     "only",
 ];
+
+/// Width of a report as text.
+const COLUMNS: usize = 80;
 
 /// Failure of a request.
 #[derive(Clone, Debug)]
@@ -161,6 +166,41 @@ impl SolvedProblem {
         let RequestedProblem { only, locale, .. } = &self.requested;
         let wanted = |key: &str| only.as_ref().is_none_or(|only| only.iter().any(|wanted| wanted == key));
         json_of(&self.worked(), &wanted, locale)
+    }
+}
+
+/// The worked solution of a request, as a document in the `format` that it names, or its figures alone, each with title
+/// and SVG.
+///
+/// # Errors
+/// Everything in the request that is wrong. A refusal is a document too.
+pub fn reported(request: &Map<String, Json>, language: Language) -> Result<Json, RequestFailure> {
+    let mut request = request.clone();
+    let format = request.remove("format").unwrap_or_default();
+    let solved = RequestedProblem::read(&request, language)?.solve()?;
+    let locale = solved.requested.locale;
+    let document = document(&solved.worked(), &locale);
+    Ok(match format.as_str() {
+        Some("html") => html(&document, &locale).into(),
+        Some("html_fragment") => html_fragment(&document).into(),
+        Some("latex") => latex(&document).into(),
+        Some("markdown") => markdown(&document, None).into(),
+        Some("text") => text(&document, COLUMNS).into(),
+        Some("figures") => document.blocks.iter().filter_map(figure).collect(),
+        _ => {
+            let why = Text::new("format = {value}: write one of {known}").with("path", "format");
+            let known = "html, html_fragment, latex, markdown, text, figures";
+            let failure = Failure::input(why.with("value", format).with("known", known));
+            return Err(RequestFailure::of(&failure, &locale));
+        }
+    })
+}
+
+/// The figure that a block is.
+fn figure(block: &Block) -> Option<Json> {
+    match block {
+        Block::Figure(picture) => Some(json!({ "title": picture.title, "svg": picture.svg() })),
+        _ => None,
     }
 }
 

@@ -46,6 +46,29 @@ pub(crate) fn json(filter: &[String], locale: &Locale) -> Json {
     matching(filter).iter().map(|found| described(found.entry, locale)).collect()
 }
 
+/// What a search compares, for another program that searches as this one does: the texts of every analysis, folded, and
+/// the words and endings that do not count.
+pub(crate) fn index() -> Json {
+    let of = |entry: &&'static Entry| {
+        let index = Index::of(entry, &cases::cases(entry).unwrap_or_default());
+        json!({
+            "id": entry.about.id,
+            "names": index.names,
+            "keywords": index.keywords,
+            "words": index.words,
+            "inputs": index.inputs,
+            "cases": index.cases,
+        })
+    };
+    json!({
+        "analyses": catalogue().iter().map(of).collect::<Vec<_>>(),
+        "small_words": search::SMALL_WORDS,
+        "endings": search::ENDINGS,
+        "stem": search::STEM,
+        "within": search::WITHIN,
+    })
+}
+
 /// An analysis that a search leaves, and the case that the words speak of.
 struct Match {
     entry: &'static Entry,
@@ -107,6 +130,8 @@ fn described(entry: &Entry, locale: &Locale) -> Json {
     json!({
         "id": about.id,
         "family": entry.family(),
+        "family_name": search::family(entry.family()).render(locale),
+        "topic": Text::from(about.topic).render(locale),
         "title": Text::from(about.title).render(locale),
         "summary": Text::from(about.summary).render(locale),
         "sources": about.sources.iter().map(|source| source.short).collect::<Vec<_>>(),

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use dalembert_core::{Text, file};
+use dalembert_core::{Locale, Text, file};
 
 use crate::{
     arguments::New,
@@ -13,9 +13,7 @@ use crate::{
 
 /// Writes the file that a problem begins with, empty or with the inputs of a published case.
 pub(crate) fn run(new: &New, console: &Console) -> Result<ExitCode, Failure> {
-    let entry = problem::analysis(&new.id)?;
-    let case = new.case.map(|number| problem::case(entry, number)).transpose()?;
-    let text = file::template(entry, case.as_ref(), &console.locale);
+    let text = text(&new.id, new.case, &console.locale)?;
     match &new.output {
         None => print(&text)?,
         Some(path) if path.symlink_metadata().is_ok() && !new.force => {
@@ -25,4 +23,11 @@ pub(crate) fn run(new: &New, console: &Console) -> Result<ExitCode, Failure> {
         Some(path) => output::write(path, &text, new.force)?,
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// The text of the file.
+pub(crate) fn text(id: &str, case: Option<u32>, locale: &Locale) -> Result<String, Failure> {
+    let entry = problem::analysis(id)?;
+    let case = case.map(|number| problem::case(entry, number)).transpose()?;
+    Ok(file::template(entry, case.as_ref(), locale))
 }

@@ -1,8 +1,9 @@
 //! `dalembert serve --stdio`: JSON lines in and out, a request a line.
 //!
 //! `{"id": 1, "solve": {…}}` is answered by `{"id": 1, "result": {…}}`, or by `{"id": 1, "errors": [{"path", "message"}]}`
-//! where it cannot be. Other requests are `list`, with words to search for, `show` and `schema`, with an id. Whatever a line
-//! holds, the next one is read.
+//! where it cannot be. Other requests are `report`, a solve with the `format` of a document; `new`, with the id and the
+//! number of a case whose problem file is wanted; `list`, with words to search for; `show` and `schema`, with an id; and
+//! `index`, the texts that a search compares. Whatever a line holds, the next one is read.
 
 use std::{
     io::{self, BufRead, Read as _},
@@ -13,7 +14,7 @@ use dalembert_core::{Locale, Text, nearest};
 use serde_json::{Map, Value as Json, json};
 
 use crate::{
-    commands::list,
+    commands::{list, new},
     console::Console,
     failure::{Failure, errors_json},
     request::{self, RequestFailure, RequestedProblem},
@@ -24,7 +25,7 @@ use crate::{
 const LONGEST_LINE: usize = 16 << 20;
 
 /// Kinds of requests.
-const KINDS: [&str; 4] = ["solve", "list", "show", "schema"];
+const KINDS: [&str; 7] = ["solve", "report", "new", "list", "show", "schema", "index"];
 
 /// Answers requests until the input ends.
 pub(crate) fn run(console: &Console) -> Result<ExitCode, Failure> {
@@ -91,6 +92,13 @@ fn answer(request: &Map<String, Json>, locale: &Locale) -> Result<Json, Json> {
             let problem = RequestedProblem::read(problem, locale.language).map_err(errors)?;
             Ok(problem.solve().map_err(errors)?.json())
         }
+        [("report", Json::Object(problem))] => request::reported(problem, locale.language).map_err(errors),
+        [("new", Json::Object(of))] => {
+            let case = of.get("case").and_then(Json::as_u64).map(|case| case as u32);
+            let id = of.get("problem").and_then(Json::as_str).unwrap_or_default();
+            new::text(id, case, locale).map(Json::String).map_err(|failure| failure.json(locale))
+        }
+        [("index", _)] => Ok(list::index()),
         [("list", words)] => Ok(list::json(&words_of(words), locale)),
         [("show", Json::String(id))] => request::described(id, locale.language).map_err(errors),
         [("schema", Json::String(id))] => request::schema_of(id, locale.language).map_err(errors),
@@ -110,9 +118,9 @@ fn words_of(words: &Json) -> Vec<String> {
 fn misunderstood(asked: &[(&str, &Json)]) -> Text {
     let known = KINDS.join(", ");
     match asked {
-        [(kind, _)] if KINDS.contains(kind) => {
-            Text::new("write an object behind `solve`, and an id behind `show` and `schema`")
-        }
+        [(kind, _)] if KINDS.contains(kind) => Text::new(
+            "write an object behind `solve`, `report` and `new`, and an id behind `show` and `schema`",
+        ),
         [(kind, _)] => match nearest(kind, KINDS.into_iter()) {
             Some(near) => Text::new("there is no `{name}`; did you mean `{near}`?")
                 .with("name", kind)

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use dalembert_core::{
     ChildList, Entry, Field, FieldLimit, Locale, Measure, Shape, Stop, Text, Variant,
     cases::{self, Case, ComparisonRule, Seen},
-    describe,
+    describe, search,
     suggestions::{Suggestion, suggestions},
 };
 use dalembert_report::{Block, Document, NamedValue};
@@ -142,6 +142,15 @@ fn document(
     Document { title: say(about.title), blocks }
 }
 
+/// Values that a field takes, and its default.
+fn takes(field: &Field, locale: &Locale) -> String {
+    let value = describe::in_words(&field.shape, locale);
+    match describe::default_of(field) {
+        Some(default) => format!("{value}, {}", default.render(locale)),
+        None => value,
+    }
+}
+
 /// Form in which a published answer was seen, in words.
 pub(crate) fn seen_in(seen: Seen) -> &'static str {
     match seen {
@@ -188,10 +197,7 @@ impl Lister<'_> {
 
     fn fields(&mut self, fields: &'static [Field], above: &str, depth: usize) {
         for field in fields {
-            let mut value = describe::in_words(&field.shape, self.locale);
-            if let Some(default) = describe::default_of(field) {
-                value = format!("{value}, {}", default.render(self.locale));
-            }
+            let mut value = takes(field, self.locale);
             let symbol = if field.symbol.is_empty() { String::new() } else { format!(" {}", field.symbol) };
             let label = self.say(field.label);
             let path = format!("{above}{}", field.name);
@@ -242,8 +248,10 @@ fn described(
             let (how, why, computed) = match &expected.how {
                 ComparisonRule::ToTheLastPlace => ("to the last place", String::new(), None),
                 ComparisonRule::Computed => ("to the last place, and to four digits", String::new(), None),
-                ComparisonRule::Within(_, why) => ("within", why.english(), None),
-                ComparisonRule::Disputed { why, computed } => ("disputed", why.english(), Some(computed)),
+                ComparisonRule::Within(_, why) => ("within", why.render(locale), None),
+                ComparisonRule::Disputed { why, computed } => {
+                    ("disputed", why.render(locale), Some(computed))
+                }
             };
             let printed = &expected.printed;
             let held = json!({ "printed": printed, "held": how, "why": why, "ours": computed });
@@ -251,12 +259,15 @@ fn described(
         };
         json!({
             "name": case.name,
-            "source": case.source.english(),
+            "title": case.title().render(locale),
+            "source": case.source.render(locale),
             "truth": case.truth.name(),
+            "truth_name": say(case.truth.name()),
             "seen": case.seen.map(Seen::name),
+            "seen_in": case.seen.map(|seen| say(seen_in(seen))),
             "statement": case.statement.render(locale),
             "asked": case.asked,
-            "note": case.note.english(),
+            "note": case.note.render(locale),
             "expect": case.expect.iter().map(expected).collect::<Map<_, _>>(),
             "refused": case.refused,
         })
@@ -273,6 +284,9 @@ fn described(
     json!({
         "id": about.id,
         "family": entry.family(),
+        "family_name": search::family(entry.family()).render(locale),
+        "topic": say(about.topic),
+        "keywords": about.keywords,
         "title": say(about.title),
         "summary": say(about.summary),
         "inputs": fields(entry.fields(), locale, "", &mut Described::default()),
@@ -301,6 +315,7 @@ fn fields(list: &'static [Field], locale: &Locale, above: &str, described: &mut 
             "help": Text::from(field.help).render(locale),
             "symbol": field.symbol,
             "default": field.default,
+            "takes": takes(field, locale),
         });
         let shape = shape(&field.shape, locale, &format!("{above}{}", field.name), described);
         if let (Json::Object(json), Json::Object(shape)) = (&mut json, shape) {
