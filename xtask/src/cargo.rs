@@ -55,8 +55,13 @@ impl Program {
 
     /// To be run with these arguments. Words are English whatever the language of the machine.
     pub(crate) fn with(&self, arguments: &[&str]) -> Command {
+        self.in_language("en", arguments)
+    }
+
+    /// The same in a language.
+    pub(crate) fn in_language(&self, language: &str, arguments: &[&str]) -> Command {
         let mut command = Command::new(&self.0);
-        command.args(["--lang", "en"]).args(arguments);
+        command.args(["--lang", language]).args(arguments);
         command
     }
 }

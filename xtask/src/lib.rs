@@ -24,6 +24,7 @@ pub mod words;
 
 mod cargo;
 mod names;
+mod server;
 
 /// The root of the repository.
 pub fn root() -> PathBuf {

@@ -17,7 +17,7 @@ usage: cargo xtask COMMAND
                              begin an analysis: one file in the folder of its topic, its cases, its translations
   new-plugin NAME            begin a family of analyses
   words [COMMIT]             carry the translations of sentences reworded since COMMIT (HEAD) over to their new keys
-  docs [--check]             write the reference in docs/, or see that it is up to date
+  docs [--check]             write the reference, problem files and units in docs/, or see that they are up to date
   pictures [--check]         draw the pictures in docs/pictures/ from their sessions, or see that they are up to date
   pictures --sheet [--rows R --cols C] [--language L] [NAME]...
                              contact sheets in the target directory: first screen, drawing and plot of every analysis,

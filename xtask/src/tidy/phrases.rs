@@ -12,13 +12,13 @@ pub(super) const GLOSSARY: &str = "docs/glossary.md";
 /// The heading of that table: phrase, what to write instead, places, exceptions.
 const HEADING: &str = "## Words that do not come back";
 /// Documents that quote messages, or the phrases themselves.
-const QUOTING: [&str; 4] = [GLOSSARY, "docs/reference.md", "docs/refusals.md", "CHANGELOG.md"];
+const QUOTING: [&str; 3] = [GLOSSARY, "docs/refusals.md", "CHANGELOG.md"];
 
-/// First entries stand as they were written.
-const FIRST_ENTRIES: &str = "tests/first-entry/";
+/// Folders of such documents: the reference, and first entries, which stand as they were written.
+const QUOTING_FOLDERS: [&str; 2] = ["docs/reference/", "tests/first-entry/"];
 
 fn is_quoting(path: &str) -> bool {
-    QUOTING.contains(&path) || path.starts_with(FIRST_ENTRIES)
+    QUOTING.contains(&path) || QUOTING_FOLDERS.iter().any(|folder| path.starts_with(folder))
 }
 
 /// A row of the table.
