@@ -155,7 +155,7 @@ pub(crate) fn by_topic(listed: &[Json]) -> Vec<(&str, Vec<(&str, Vec<&Json>)>)> 
     families
 }
 
-/// What stands beside a key in a list of pairs, and is begun there where it is not.
+/// Value of a key in a list of pairs, begun where there is none.
 fn of_key<'p, 'k, V: Default>(pairs: &'p mut Vec<(&'k str, V)>, key: &'k str) -> &'p mut V {
     let at = pairs.iter().position(|(known, _)| *known == key).unwrap_or_else(|| {
         pairs.push((key, V::default()));

@@ -11,6 +11,7 @@ pub mod docs;
 pub mod errors;
 pub mod find;
 pub mod first_entry;
+pub mod handbook;
 pub mod new_analysis;
 pub mod new_plugin;
 pub mod parquet;

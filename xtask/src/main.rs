@@ -3,8 +3,8 @@
 use std::{env, process::ExitCode};
 
 use xtask::{
-    bench, cluster, contact_sheet, dist, docs, errors, find, first_entry, new_analysis, new_plugin, parquet,
-    pictures, python, root, soak, teaching, tidy, verify, words,
+    bench, cluster, contact_sheet, dist, docs, errors, find, first_entry, handbook, new_analysis, new_plugin,
+    parquet, pictures, python, root, soak, teaching, tidy, verify, words,
 };
 
 const USAGE: &str = "\
@@ -18,6 +18,8 @@ usage: cargo xtask COMMAND
   new-plugin NAME            begin a family of analyses
   words [COMMIT]             carry the translations of sentences reworded since COMMIT (HEAD) over to their new keys
   docs [--check]             write the reference, problem files and units in docs/, or see that they are up to date
+  handbook [--lang L]        the handbook as pages for a browser, in the target directory
+  handbook --check           and its links, problem files, search and widths examined
   pictures [--check]         draw the pictures in docs/pictures/ from their sessions, or see that they are up to date
   pictures --sheet [--rows R --cols C] [--language L] [NAME]...
                              contact sheets in the target directory: first screen, drawing and plot of every analysis,
@@ -59,6 +61,7 @@ fn main() -> ExitCode {
         ["words", commit] => words::run(&root(), commit),
         ["docs"] => docs::write(&root()),
         ["docs", "--check"] => docs::check(&root()),
+        ["handbook", words @ ..] => handbook::run(&root(), words),
         ["pictures"] => pictures::write(&root()),
         ["pictures", "--check"] => pictures::check(&root()).map(|_| ()),
         ["pictures", "--sheet", words @ ..] => contact_sheet::write(&root(), words),

@@ -58,7 +58,7 @@ impl Drop for Server {
     }
 }
 
-/// What `make` makes of each item with a server, in the order of the items.
+/// Makes something of each item with a server, in the order of the items.
 ///
 /// # Errors
 /// The first error of `make`.

@@ -469,6 +469,24 @@ fn requests_are_answered_line_by_line() {
     let wrong =
         ask(&json!({ "id": 12, "solve": { "problem": FAN, "unit": { "amplitude": 3 } } }).to_string());
     assert_eq!(wrong["errors"][0]["path"], "unit", "{wrong}");
+    let report =
+        ask(&json!({ "id": 13, "report": { "problem": FAN, "case": 1, "format": "html_fragment" } })
+            .to_string());
+    let report = report["result"].as_str().expect("a text");
+    assert!(report.starts_with("<div class=\"dalembert\">") && report.contains("19.456 mm"), "{report}");
+    let figures = ask(&json!({ "id": 14, "report": { "problem": FAN, "format": "figures" } }).to_string());
+    assert!(figures["result"][0]["svg"].as_str().is_some_and(|svg| svg.starts_with("<svg")), "{figures}");
+    let wrong = ask(&json!({ "id": 15, "report": { "problem": FAN, "format": "pdf" } }).to_string());
+    assert_eq!(wrong["errors"][0]["path"], "format", "{wrong}");
+    let file = ask(&json!({ "id": 16, "new": { "problem": FAN, "case": 1 } }).to_string());
+    let solved = ask(&json!({ "id": 17, "solve": { "problem_file": file["result"] } }).to_string());
+    assert_eq!(solved["result"]["answers"]["amplitude"]["shown"], "19.456 mm");
+    let index = ask(r#"{"id": 18, "index": true}"#);
+    let of_fan = index["result"]["analyses"].as_array().expect("a list").iter().find(|one| one["id"] == FAN);
+    assert!(
+        of_fan
+            .is_some_and(|one| one["names"].as_str().is_some_and(|names| names.contains("desbalanceamento")))
+    );
     drop(requests);
     assert_eq!(child.wait().unwrap().code(), Some(0));
 }

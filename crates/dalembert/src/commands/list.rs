@@ -46,7 +46,7 @@ pub(crate) fn json(filter: &[String], locale: &Locale) -> Json {
     matching(filter).iter().map(|found| described(found.entry, locale)).collect()
 }
 
-/// What a search compares, for another program that searches as this one does: the texts of every analysis, folded, and
+/// Texts that a search compares, for another program that searches as this one does: those of every analysis, folded, with
 /// the words and endings that do not count.
 pub(crate) fn index() -> Json {
     let of = |entry: &&'static Entry| {

@@ -1,0 +1,145 @@
+//! Words of the pages themselves, in both languages; those of analyses come from the program.
+
+/// Words of a language.
+#[derive(Debug)]
+pub(super) struct Words {
+    /// Language, as the program names it.
+    pub(super) language: &'static str,
+    /// Name of the language in itself.
+    pub(super) name: &'static str,
+    /// The documents of the project are written in it.
+    pub(super) has_documents: bool,
+    pub(super) handbook: &'static str,
+    pub(super) about: &'static str,
+    pub(super) guide: &'static str,
+    pub(super) problem_files: &'static str,
+    pub(super) units: &'static str,
+    pub(super) glossary: &'static str,
+    pub(super) theory: &'static str,
+    pub(super) search: &'static str,
+    pub(super) nothing: &'static str,
+    pub(super) inputs: &'static str,
+    pub(super) input: &'static str,
+    pub(super) symbol: &'static str,
+    pub(super) meaning: &'static str,
+    pub(super) values: &'static str,
+    pub(super) as_in: &'static str,
+    pub(super) answers: &'static str,
+    pub(super) answer: &'static str,
+    pub(super) unit: &'static str,
+    pub(super) cases: &'static str,
+    pub(super) case: &'static str,
+    pub(super) worked: &'static str,
+    pub(super) file: &'static str,
+    pub(super) printed: &'static str,
+    pub(super) computed: &'static str,
+    pub(super) verdict: &'static str,
+    pub(super) agreed: &'static str,
+    pub(super) disputed: &'static str,
+    pub(super) differing: &'static str,
+    pub(super) comparisons: &'static str,
+    pub(super) questions: &'static str,
+    pub(super) formula: &'static str,
+    pub(super) sources: &'static str,
+    pub(super) keywords: &'static str,
+    pub(super) previous: &'static str,
+    pub(super) next: &'static str,
+}
+
+impl Words {
+    /// Every language.
+    pub(super) const ALL: [&'static Words; 2] = [&ENGLISH, &PORTUGUESE];
+
+    /// The word for a verdict of the program.
+    pub(super) fn verdict_of(&self, verdict: &str) -> &'static str {
+        match verdict {
+            "agreed" => self.agreed,
+            "disputed" => self.disputed,
+            _ => self.differing,
+        }
+    }
+}
+
+const ENGLISH: Words = Words {
+    language: "en",
+    name: "English",
+    has_documents: true,
+    handbook: "Handbook of d’Alembert",
+    about: "Every analysis of the workbench with its inputs, answers and formulas, the published cases that it is \
+            compared with, and the worked solution of each.",
+    guide: "Guide",
+    problem_files: "Problem files",
+    units: "Units",
+    glossary: "Glossary",
+    theory: "Theory",
+    search: "Search titles, keywords, books, symbols",
+    nothing: "Nothing is found.",
+    inputs: "Inputs",
+    input: "Input",
+    symbol: "Symbol",
+    meaning: "Meaning",
+    values: "Values",
+    as_in: "as in",
+    answers: "Answers",
+    answer: "Answer",
+    unit: "Unit",
+    cases: "Cases",
+    case: "Case",
+    worked: "Worked solution",
+    file: "Problem file",
+    printed: "Reference",
+    computed: "Computed",
+    verdict: "Verdict",
+    agreed: "agreed",
+    disputed: "disputed",
+    differing: "differing",
+    comparisons: "Comparison with the reference values",
+    questions: "Usual questions",
+    formula: "Formula",
+    sources: "Sources",
+    keywords: "Keywords",
+    previous: "Previous case",
+    next: "Next case",
+};
+
+const PORTUGUESE: Words = Words {
+    language: "pt-BR",
+    name: "Português",
+    has_documents: false,
+    handbook: "Manual do d’Alembert",
+    about: "Todas as análises do programa com suas entradas, respostas e fórmulas, os casos publicados com os quais são \
+            comparadas e a solução desenvolvida de cada um.",
+    guide: "Guia (em inglês)",
+    problem_files: "Arquivos de problema (em inglês)",
+    units: "Unidades (em inglês)",
+    glossary: "Glossário",
+    theory: "Teoria (em inglês)",
+    search: "Procurar títulos, palavras-chave, livros, símbolos",
+    nothing: "Nada foi encontrado.",
+    inputs: "Entradas",
+    input: "Entrada",
+    symbol: "Símbolo",
+    meaning: "Significado",
+    values: "Valores",
+    as_in: "como em",
+    answers: "Respostas",
+    answer: "Resposta",
+    unit: "Unidade",
+    cases: "Casos",
+    case: "Caso",
+    worked: "Solução desenvolvida",
+    file: "Arquivo de problema",
+    printed: "Referência",
+    computed: "Calculado",
+    verdict: "Veredito",
+    agreed: "concorda",
+    disputed: "contestado",
+    differing: "difere",
+    comparisons: "Comparação com os valores de referência",
+    questions: "Perguntas usuais",
+    formula: "Fórmula",
+    sources: "Fontes",
+    keywords: "Palavras-chave",
+    previous: "Caso anterior",
+    next: "Próximo caso",
+};
