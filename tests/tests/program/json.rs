@@ -481,6 +481,14 @@ fn requests_are_answered_line_by_line() {
     let file = ask(&json!({ "id": 16, "new": { "problem": FAN, "case": 1 } }).to_string());
     let solved = ask(&json!({ "id": 17, "solve": { "problem_file": file["result"] } }).to_string());
     assert_eq!(solved["result"]["answers"]["amplitude"]["shown"], "19.456 mm");
+    // Of an exam question too, whose file holds linked problems.
+    let exam = "exam/toggle-press-with-flywheel";
+    let file = ask(&json!({ "id": 19, "new": { "problem": exam, "case": 1 } }).to_string());
+    let answers =
+        |problem: Json| ask(&json!({ "id": 20, "solve": problem }).to_string())["result"]["answers"].clone();
+    let of_file = answers(json!({ "problem_file": file["result"] }));
+    assert!(of_file.as_object().is_some_and(|answers| answers.len() > 9), "{of_file}");
+    assert_eq!(of_file, answers(json!({ "problem": exam, "case": 1 })));
     let index = ask(r#"{"id": 18, "index": true}"#);
     let of_fan = index["result"]["analyses"].as_array().expect("a list").iter().find(|one| one["id"] == FAN);
     assert!(

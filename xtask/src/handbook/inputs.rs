@@ -8,6 +8,14 @@ use super::{
 };
 use crate::docs::{array, text};
 
+/// A symbol with its index: `θ_m`.
+fn symbol(symbol: &str) -> String {
+    match symbol.split_once('_') {
+        Some((base, index)) => format!("{}<sub>{}</sub>", escaped(base), escaped(index)),
+        None => escaped(symbol),
+    }
+}
+
 /// Rows for fields: path, symbol, meaning, values.
 pub(super) fn rows(fields: &Json, words: &Words) -> Vec<Vec<String>> {
     let mut rows = Vec::new();
@@ -24,7 +32,7 @@ fn of_fields(rows: &mut Vec<Vec<String>>, fields: &Json, above: &str, words: &Wo
         } else {
             format!("{}<br><small>{}</small>", escaped(label), escaped(help))
         };
-        rows.push(vec![code(&path), escaped(text(field, "symbol")), meaning, escaped(text(field, "takes"))]);
+        rows.push(vec![code(&path), symbol(text(field, "symbol")), meaning, escaped(text(field, "takes"))]);
         inside(rows, field, &path, words);
     }
 }

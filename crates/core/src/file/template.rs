@@ -5,14 +5,17 @@
 
 use toml_edit::{DocumentMut, Value as Toml};
 
-use super::{Format, definitions, write::text_of_lines};
-use crate::{Draft, Entry, Field, Locale, Shape, Text, Variant, cases::Case, describe, gravity, table};
+use super::{Format, ProblemFile, definitions, write, write::text_of_lines};
+use crate::{
+    Draft, Entry, Field, Locale, Shape, Statement, Text, UnitSetting, Variant, cases::Case, describe,
+    gravity, table,
+};
 
 /// The longest line of a comment, in characters.
 const WIDTH: usize = 100;
 
 /// The text of a new problem file of an analysis: with empty inputs of the first alternatives, or with those of a case.
-pub fn template(entry: &Entry, case: Option<&Case>, locale: &Locale) -> String {
+pub fn template(entry: &'static Entry, case: Option<&Case>, locale: &Locale) -> String {
     let locale = &locale.at(entry.about.id);
     let mut writer = Writer { locale, text: String::new(), later: Vec::new() };
     let say = |words: &'static str| Text::from(words).render(locale);
@@ -36,6 +39,21 @@ pub fn template(entry: &Entry, case: Option<&Case>, locale: &Locale) -> String {
         }
     };
     let title = case.map_or_else(String::new, |case| case.title().render(locale));
+    if !entry.linked().is_empty() {
+        // Of linked problems each is a table with an analysis of its own; an exam question is none.
+        let problem = ProblemFile {
+            entry,
+            title,
+            statement: Statement::default(),
+            draft,
+            units: UnitSetting::Auto,
+            show: Vec::new(),
+            notes: Vec::new(),
+            files: Vec::new(),
+        };
+        writer.blank_line();
+        return writer.text + &write(&problem, "");
+    }
     writer.text += &format!(
         "format = {}\nanalysis = {}\ntitle = {}\n\n[inputs]\n",
         Format::LATEST as i64,
