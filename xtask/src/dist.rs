@@ -1,6 +1,6 @@
 //! `cargo xtask dist`: the program for people without a Rust toolchain, and the proof that it runs where they are.
 //!
-//! | file in `dist` of the target directory | content |
+//! | file in `artifacts` of the target directory | content |
 //! |---|---|
 //! | `dalembert-VERSION-ARCH-linux.tar.xz` | static program, manual pages, completions, licences |
 //! | `dalembert_VERSION_ARCH.deb` | the same as a Debian package |
@@ -50,7 +50,8 @@ pub fn run(root: &Path, words: &[&str]) -> Result<()> {
         bail!("{unknown} is no option of dist; these are: {}", OPTIONS.join(", "));
     }
     needed(&["tar", "xz", "dpkg-deb", "sha256sum"])?;
-    let folder = target(root).join("dist");
+    // Not `dist`: there the compiler keeps what the profile of that name needs.
+    let folder = target(root).join("artifacts");
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder)?;
     let program = program(root, &target(root))?;

@@ -8,6 +8,7 @@ mod state;
 
 use dalembert_core::{Locale, Plot, Series, exhibit::Mark};
 use dalembert_report::figure::axes::Axes;
+use itertools::Itertools as _;
 use ratatui::{
     buffer::Buffer,
     layout::Rect,
@@ -277,9 +278,10 @@ impl Canvas<'_> {
         }
     }
 
-    /// The name of each level at its right end; at the edge, with an arrow and its value, where it lies beyond.
+    /// The name of each level at its right end; at the edge, with an arrow and its value, where it lies beyond. Of levels of one
+    /// name the first is named.
     fn level_labels(&self, dots: &Dots, locale: &Locale, labels: &mut Labels) {
-        for level in &self.axes.plot.levels {
+        for level in self.axes.plot.levels.iter().unique_by(|level| level.label.render(locale)) {
             let Some(place) = self.axes.y.of(level.y) else { continue };
             let words = level.label.render(locale);
             let beyond = |glyph| {
@@ -328,8 +330,10 @@ impl Canvas<'_> {
         }
     }
 
+    /// The name of each band in it; of bands of one name the first that is seen is named.
     fn band_labels(&self, dots: &Dots, locale: &Locale, labels: &mut Labels) {
-        for band in &self.axes.plot.bands {
+        let seen = self.axes.plot.bands.iter().filter(|band| self.columns(band.from, band.to).is_some());
+        for band in seen.unique_by(|band| band.label.render(locale)) {
             let Some((first, last)) = self.columns(band.from, band.to) else { continue };
             let style = if band.permitted { self.look.good() } else { self.look.error() };
             let words = self.look.shortened(&band.label.render(locale), self.area.width.into());
