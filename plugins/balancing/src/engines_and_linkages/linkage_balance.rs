@@ -306,15 +306,19 @@ impl Analysis for LinkageBalance {
             again(what, [first, last], at, 1.0, &|on| on.joints[joint][0].hypot(on.joints[joint][1]));
         }
         sheet.show(|| Exhibit::Table(joint_forces(names, &before, &after)));
-        for (title, label, unit, of) in [
-            ("Shaking force", "Force", "N", size as fn(&Shaking) -> f64),
-            ("Shaking moment about the crank pivot", "Moment", "N*m", |s| s.moment),
-            ("Torque on the crank", "Torque", "N*m", |s| s.torque),
+        // What is left of forces and moments that balance is rounding, and is drawn as none.
+        let force = ROUNDING * most_of_joints(&before).max(most_of_joints(&after));
+        let moment = force * (linkage.crank + linkage.coupler);
+        for (title, label, unit, least, of) in [
+            ("Shaking force", "Force", "N", force, size as fn(&Shaking) -> f64),
+            ("Shaking moment about the crank pivot", "Moment", "N*m", moment, |s| s.moment),
+            ("Torque on the crank", "Torque", "N*m", moment, |s| s.torque),
         ] {
             sheet.show(|| {
+                let seen = |value: f64| if value.abs() <= least { 0.0 } else { value };
                 let curve = |all: &[Shaking]| {
                     let points = all.iter().chain([&all[0]]).enumerate();
-                    points.map(|(n, s)| (TAU * n as f64 / PLACES as f64, of(s))).collect::<Vec<_>>()
+                    points.map(|(n, s)| (TAU * n as f64 / PLACES as f64, seen(of(s)))).collect::<Vec<_>>()
                 };
                 Exhibit::Plot(Plot::new(
                     title,
@@ -344,11 +348,22 @@ const SLIDER_CRANK_JOINTS: [&str; 4] = [
     "Force of the guide",
 ];
 
+/// Share of the largest force in a joint below which a resultant is rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// Largest force in any joint over a turn.
+fn most_of_joints(all: &[Shaking]) -> f64 {
+    (0..4).map(|joint| largest_in(all, joint)).fold(0.0, f64::max)
+}
+
+/// Largest force in a joint over a turn.
+fn largest_in(all: &[Shaking], joint: usize) -> f64 {
+    largest(all, |s| s.joints[joint][0].hypot(s.joints[joint][1]))
+}
+
 /// The largest force in each joint over a turn.
 fn joint_forces(names: [&'static str; 4], before: &[Shaking], after: &[Shaking]) -> TableExhibit {
-    let most = |all: &[Shaking], joint: usize| {
-        Cell::Number(largest(all, |s| s.joints[joint][0].hypot(s.joints[joint][1])))
-    };
+    let most = |all: &[Shaking], joint: usize| Cell::Number(largest_in(all, joint));
     TableExhibit {
         title: "Maximum joint forces".into(),
         columns: vec![
