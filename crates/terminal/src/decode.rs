@@ -40,6 +40,8 @@ pub enum TerminalInput {
         /// Rows.
         rows: u16,
     },
+    /// The terminal has answered that it shows pictures.
+    Graphics,
     /// The screen was lost (the program was suspended): draw again.
     Redraw,
     /// Something to tell the user that no screen of the model caused: a paste cut short, a thread that panicked.

@@ -44,6 +44,10 @@ const KEEP_AFTER: Duration = Duration::from_secs(1);
 const KEEP_WHILE_TYPING: Duration = Duration::from_secs(10);
 /// Bytes a second that animations may send: on this machine, and where a line lies between.
 const ANIMATION_BYTES: (f64, f64) = (64e3, 8e3);
+/// The same for pictures in pixels: 60 kB a frame, 25 times a second.
+const PICTURE_BYTES: f64 = 1.5e6;
+/// A terminal that shows pictures says so in this time, and in the second one where they are asked for in the settings.
+const ANSWERED: (Duration, Duration) = (Duration::from_millis(20), Duration::from_secs(1));
 /// Of the time of a line that is slower still, animations take at most one part of so many.
 const ANIMATION_SHARE: u32 = 4;
 /// Interval at which the progress of a job under way is examined.
@@ -144,12 +148,16 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
         capabilities.colors = Colors::None;
     }
     let mouse = settings.mouse.unwrap_or(!is_remote());
+    let pictures =
+        !basic && capabilities.glyphs == Glyphs::Unicode && settings.pixels.unwrap_or(!is_remote());
+    let patience = if settings.pixels.is_some() { ANSWERED.1 } else { ANSWERED.0 };
     let (autosave, trouble) = if readonly { (Autosave::default(), None) } else { Autosave::open() };
     let autosave = Arc::new(autosave);
     let last_words = autosave.clone();
     let session = Session::enter(terminal::Options {
         mouse,
         plain: basic,
+        pictures: pictures.then_some(patience),
         capabilities,
         autosave: Some(Box::new(move || {
             // Nobody is left to be reported.
@@ -228,8 +236,7 @@ impl Runtime {
     fn run(&mut self, model: &mut Model, messages: &mpsc::Receiver<Msg>) -> Result<(), TerminalError> {
         // A frame is drawn only after something happened, or for an animation: an idle screen costs nothing.
         let mut stale = true;
-        let rate = if is_remote() { ANIMATION_BYTES.1 } else { ANIMATION_BYTES.0 };
-        let rate = terminal::line_rate().map_or(rate, |line| rate.min(line / f64::from(ANIMATION_SHARE)));
+        let line_rate = terminal::line_rate().map_or(f64::INFINITY, |line| line / f64::from(ANIMATION_SHARE));
         let (mut drawn, mut took) = (Instant::now(), Duration::ZERO);
         loop {
             // A key and what it leads to belong in one frame, if it can be had without waiting long.
@@ -249,15 +256,23 @@ impl Runtime {
             }
             if stale {
                 drawn = Instant::now();
-                self.session.draw(|frame| {
+                self.session.draw_pictures(|frame| {
                     model.size = (frame.area().width, frame.area().height);
-                    view(model, frame);
+                    let pictures = view(model, frame);
                     draw_caption(model, frame);
+                    pictures
                 })?;
                 stale = false;
                 took = drawn.elapsed();
             }
-            let animation = tempo(model).map(|tempo| {
+            let rate = match (is_remote(), model.look.pixels) {
+                (true, _) => ANIMATION_BYTES.1,
+                (false, None) => ANIMATION_BYTES.0,
+                (false, Some(_)) => PICTURE_BYTES,
+            };
+            let rate = rate.min(line_rate);
+            let tempo = tempo(model);
+            let animation = tempo.map(|tempo| {
                 let sending = Duration::from_secs_f64(self.session.frame_bytes() as f64 / rate);
                 drawn + tempo.max(sending).max(took * ANIMATION_SHARE)
             });
@@ -281,7 +296,12 @@ impl Runtime {
             // Keys come first: an animation waits for them.
             if inputs.is_empty() && animation.is_some_and(|animation| animation <= Instant::now()) {
                 stale = true;
-                update(model, Msg::Tick);
+                // Pictures that take longer than their frames leave some out.
+                let late = tempo.filter(|_| model.look.pixels.is_some());
+                let frames = late.map_or(1.0, |tempo| drawn.elapsed().as_secs_f64() / tempo.as_secs_f64());
+                for _ in 0..frames.clamp(1.0, 100.0) as u32 {
+                    update(model, Msg::Tick);
+                }
             }
             let percentage = if is_working { self.solver.percentage() } else { None };
             if percentage != model.progress {
@@ -308,9 +328,18 @@ impl Runtime {
                 let msg = match input {
                     TerminalInput::Key(key) => Msg::Key(key),
                     TerminalInput::Paste(text) => Msg::Paste(text),
-                    TerminalInput::Resize { columns, rows } => Msg::Resize(columns, rows),
+                    TerminalInput::Resize { columns, rows } => {
+                        // The font may have changed.
+                        model.look.pixels = model.look.pixels.and(self.session.cell());
+                        Msg::Resize(columns, rows)
+                    }
                     TerminalInput::Notice(text) => Msg::Notice(text),
                     TerminalInput::Mouse(event) => Msg::Mouse(event),
+                    TerminalInput::Graphics => {
+                        model.look.pixels = self.session.graphics().map(|graphics| graphics.cell);
+                        stale = true;
+                        continue;
+                    }
                     TerminalInput::Redraw => {
                         stale = true;
                         continue;
@@ -479,7 +508,13 @@ impl Runtime {
                             cell.set_char('.');
                         }
                     }) {
-                        Ok(()) => continue,
+                        Ok(()) => {
+                            if model.look.pixels.is_some() {
+                                // Pictures that the terminal keeps may be lost too.
+                                self.session.repaint();
+                            }
+                            continue;
+                        }
                         Err(error) => Msg::Notice(error.to_string()),
                     }
                 }

@@ -37,6 +37,8 @@ pub struct Settings {
     pub ascii: bool,
     /// True to capture mouse events; `None`: unless the session is remote.
     pub mouse: Option<bool>,
+    /// True for pictures in pixels where the terminal shows them; `None`: unless the session is remote.
+    pub pixels: Option<bool>,
     /// Marker of curves; `None`: the finest that the terminal shows.
     pub marker: Option<Marker>,
     /// The decimal mark; `None`: that of the language.
@@ -78,11 +80,12 @@ impl Fault {
 }
 
 /// The settings at the top of the file, in its order.
-const KEYS: [&str; 10] = [
+const KEYS: [&str; 11] = [
     "language",
     "theme",
     "ascii",
     "mouse",
+    "pixels",
     "marker",
     "decimal",
     "digits",
@@ -111,6 +114,7 @@ impl Default for Settings {
             theme: Theme::default(),
             ascii: false,
             mouse: None,
+            pixels: None,
             marker: None,
             decimal: None,
             digits: Style::default().digits,
@@ -190,6 +194,7 @@ impl Reader<'_> {
             "theme" => settings.theme = one_of(key, item, &Theme::ALL.map(|theme| (theme.id(), theme)))?,
             "ascii" => settings.ascii = flag(key, item)?,
             "mouse" => settings.mouse = Some(flag(key, item)?),
+            "pixels" => settings.pixels = Some(flag(key, item)?),
             "marker" => settings.marker = Some(one_of(key, item, &MARKERS)?),
             "decimal" => settings.decimal = Some(one_of(key, item, &DECIMALS)?),
             "digits" => match item.as_integer().and_then(|digits| u8::try_from(digits).ok()) {

@@ -7,6 +7,7 @@ mod json;
 mod optimise;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod pixels;
 mod replay;
 mod study;
 mod study_plans;

@@ -20,7 +20,7 @@ use dalembert_tui::{
 use ratatui::{buffer::Buffer, layout::Rect, style::Color, text::Line};
 
 const UNICODE: Appearance =
-    Appearance { ascii: false, colors: Colors::Sixteen, theme: Theme::Terminal, basic: false };
+    Appearance { ascii: false, colors: Colors::Sixteen, theme: Theme::Terminal, basic: false, pixels: None };
 const ASCII: Appearance = Appearance { ascii: true, ..UNICODE };
 const BARE: Appearance = Appearance { colors: Colors::None, ..UNICODE };
 

@@ -79,6 +79,8 @@ pub(crate) fn run(set: &Set, console: &Console) -> Result<ExitCode, Failure> {
                 PlotMarker::HalfBlock => say("half blocks"),
                 PlotMarker::Dot => say("dots"),
                 PlotMarker::Ascii => "ASCII".into(),
+                // Found by asking the terminal, which this command does not.
+                PlotMarker::Pixels { .. } => say("braille"),
             },
         ),
     ];

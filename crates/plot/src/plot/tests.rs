@@ -6,7 +6,7 @@ use super::*;
 use crate::look::Theme;
 
 const BARE: Appearance =
-    Appearance { ascii: false, colors: Colors::None, theme: Theme::Terminal, basic: false };
+    Appearance { ascii: false, colors: Colors::None, theme: Theme::Terminal, basic: false, pixels: None };
 
 /// Straight lines through the origin, the steepest last.
 fn lines(count: usize) -> Plot {
@@ -33,7 +33,7 @@ fn rows(buffer: &Buffer) -> Vec<String> {
 fn no_two_of_eight_curves_look_alike() {
     let looks = Theme::ALL.into_iter().flat_map(|theme| {
         [Colors::None, Colors::Sixteen, Colors::Indexed256, Colors::True].into_iter().flat_map(
-            move |colors| [true, false].map(|ascii| Appearance { ascii, colors, theme, basic: false }),
+            move |colors| [true, false].map(|ascii| Appearance { ascii, colors, theme, basic: false, pixels: None }),
         )
     });
     for look in looks {

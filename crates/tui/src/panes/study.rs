@@ -23,6 +23,7 @@ use crate::{
     intent::Intent,
     keys::{Action, KeyContext},
     pane::{Page, Pane, Ui, register_pane},
+    pixels::Picture,
     plot,
     problem::{OpenFile, Problem},
 };
@@ -66,18 +67,19 @@ impl Pane for Study {
     }
 
     /// Shows the curves of the answer under the cursor, or of the first, where there is room below the lines.
-    fn draw(&self, problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut Buffer) {
+    fn draw(&self, problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut Buffer) -> Vec<Picture> {
         if room.height < LEAST_CURVES || problem.is_stale() || problem.found.revealed.is_some() {
-            return;
+            return Vec::new();
         }
         let at = match self.subject(problem).map(|of| self.under_cursor(&of)) {
             Some(Cell::Answer(at)) => at,
             _ => 0,
         };
-        if let Some(plot) = problem.studied().nth(at).or_else(|| problem.studied().next()) {
-            let state = plot::PlotState { marker: ui.marker, ..plot::PlotState::default() };
-            plot::render(plot, None, &state, ui.look, ui.locale, room, buffer);
-        }
+        let Some(plot) = problem.studied().nth(at).or_else(|| problem.studied().next()) else {
+            return Vec::new();
+        };
+        let state = plot::PlotState { marker: ui.marker, ..plot::PlotState::default() };
+        plot::render(plot, None, &state, ui.look, ui.locale, room, buffer)
     }
 
     fn about(&self, problem: &Problem, ui: &Ui<'_>) -> Vec<Text> {

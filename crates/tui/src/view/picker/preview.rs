@@ -16,7 +16,7 @@ use crate::{
     glyphs::filter_untrusted,
     keys::{Action, KeyContext},
     layout,
-    look::Glyph,
+    look::{Appearance, Glyph},
     model::Model,
     pane::Page,
     picker::{Heading, Leaf, Listing, Row},
@@ -119,6 +119,8 @@ fn of_leaf(model: &Model, leaf: Leaf, listing: &Listing, area: Rect, buffer: &mu
     let sheet = sheet(model, leaf, listing, layout::inside(area));
     draw_lines(&sheet.page.lines, sheet.first, sheet.text, buffer);
     if let Some(drawing) = sheet.drawing {
+        // In cells: what is turned over by every key is not worth sending.
+        let look = &Appearance { pixels: None, ..*look };
         drawing::render(&drawing, look, &model.locale.at(listing.entry.about.id), sheet.picture, buffer);
     }
     scroll_mark(sheet.first, sheet.text.height.into(), sheet.page.lines.len(), look, area, buffer);
