@@ -102,6 +102,17 @@ impl Raster {
         }
     }
 
+    /// The ink of a pixel, and the degree to which it covers it.
+    pub fn pixel(&self, (x, y): (usize, usize)) -> Option<(Ink, u8)> {
+        self.ink_of(*self.pixels.get(y * self.width + x)?)
+    }
+
+    /// Ink of a byte of a row and the degree to which it covers the pixel.
+    pub(crate) fn ink_of(&self, pixel: u8) -> Option<(Ink, u8)> {
+        let of = pixel.checked_sub(1)?;
+        Some((self.inks.get(usize::from(of / DEGREES)).copied().unwrap_or_default(), of % DEGREES + 1))
+    }
+
     /// Erases part of a row.
     pub fn erase(&mut self, y: usize, from: usize, to: usize) {
         let (from, to) = (from.min(self.width), to.min(self.width));
@@ -125,12 +136,6 @@ impl Raster {
 
 #[cfg(feature = "pixels")]
 impl Raster {
-    /// Ink of a byte of a row and the degree to which it covers the pixel.
-    pub(crate) fn ink_of(&self, pixel: u8) -> Option<(Ink, u8)> {
-        let of = pixel.checked_sub(1)?;
-        Some((self.inks.get(usize::from(of / DEGREES)).copied().unwrap_or_default(), of % DEGREES + 1))
-    }
-
     /// The bytes of a row.
     pub(crate) fn row(&self, y: usize) -> &[u8] {
         &self.pixels[y * self.width..(y + 1) * self.width]
