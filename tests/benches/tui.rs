@@ -209,9 +209,8 @@ fn slow_line() {
 
 /// Pictures in pixels at a terminal that answers as Kitty does: keys that change what they show, a cursor, an animation.
 fn pixels() {
-    let like_kitty = |id, columns| {
-        opened(id, |launch| launch.size(50, columns).answering(Duration::ZERO, pty::KITTY))
-    };
+    let like_kitty =
+        |id, columns| opened(id, |launch| launch.size(50, columns).answering(Duration::ZERO, pty::KITTY));
     let has_picture = |pty: &Pty| pty.raw().windows(5).any(|bytes| bytes == b"a=T,q");
     for (id, keys, what) in [
         (FAN, "<down>", "key to results with a picture"),

@@ -50,10 +50,7 @@ pub struct Ink {
 
 impl From<Style> for Ink {
     fn from(style: Style) -> Self {
-        Self {
-            color: style.fg.unwrap_or(Color::Reset),
-            faint: style.add_modifier.contains(Modifier::DIM),
-        }
+        Self { color: style.fg.unwrap_or(Color::Reset), faint: style.add_modifier.contains(Modifier::DIM) }
     }
 }
 

@@ -1,13 +1,14 @@
 //! The run loop: the one place where effects happen.
 
 mod editor;
+mod pace;
 mod playing;
 mod watch;
 mod wheel;
 
 use std::{
     fs, io,
-    path::{Path, PathBuf},
+    path::PathBuf,
     process::ExitCode,
     sync::{Arc, mpsc},
     time::{Duration, Instant},
@@ -17,6 +18,7 @@ use crossterm::{Command, clipboard::CopyToClipboard};
 use dalembert_core::{Entry, Language, Text, catalogue};
 
 use self::{
+    pace::Pace,
     watch::WatchedFile,
     wheel::{is_moved, limit_wheel},
 };
@@ -42,14 +44,8 @@ const PATIENCE: Duration = Duration::from_millis(12);
 const KEEP_AFTER: Duration = Duration::from_secs(1);
 /// While a user goes on typing, so often.
 const KEEP_WHILE_TYPING: Duration = Duration::from_secs(10);
-/// Bytes a second that animations may send: on this machine, and where a line lies between.
-const ANIMATION_BYTES: (f64, f64) = (64e3, 8e3);
-/// The same for pictures in pixels: 60 kB a frame, 25 times a second.
-const PICTURE_BYTES: f64 = 1.5e6;
 /// A terminal that shows pictures says so in this time, and in the second one where they are asked for in the settings.
 const ANSWERED: (Duration, Duration) = (Duration::from_millis(20), Duration::from_secs(1));
-/// Of the time of a line that is slower still, animations take at most one part of so many.
-const ANIMATION_SHARE: u32 = 4;
 /// Interval at which the progress of a job under way is examined.
 const PROGRESS_EVERY: Duration = Duration::from_millis(250);
 /// Nothing is expected: until then the loop sleeps.
@@ -236,7 +232,7 @@ impl Runtime {
     fn run(&mut self, model: &mut Model, messages: &mpsc::Receiver<Msg>) -> Result<(), TerminalError> {
         // A frame is drawn only after something happened, or for an animation: an idle screen costs nothing.
         let mut stale = true;
-        let line_rate = terminal::line_rate().map_or(f64::INFINITY, |line| line / f64::from(ANIMATION_SHARE));
+        let pace = Pace::of_line(is_remote());
         let (mut drawn, mut took) = (Instant::now(), Duration::ZERO);
         loop {
             // A key and what it leads to belong in one frame, if it can be had without waiting long.
@@ -265,17 +261,10 @@ impl Runtime {
                 stale = false;
                 took = drawn.elapsed();
             }
-            let rate = match (is_remote(), model.look.pixels) {
-                (true, _) => ANIMATION_BYTES.1,
-                (false, None) => ANIMATION_BYTES.0,
-                (false, Some(_)) => PICTURE_BYTES,
-            };
-            let rate = rate.min(line_rate);
+            let in_pixels = model.look.pixels.is_some();
             let tempo = tempo(model);
-            let animation = tempo.map(|tempo| {
-                let sending = Duration::from_secs_f64(self.session.frame_bytes() as f64 / rate);
-                drawn + tempo.max(sending).max(took * ANIMATION_SHARE)
-            });
+            let sent = (self.session.frame_bytes(), took);
+            let animation = tempo.map(|tempo| drawn + pace.time_to_next(tempo, sent, in_pixels));
             let keep = self.noted.map(|noted| noted + KEEP_AFTER);
             let look = WatchedFile::follow(&mut self.watched, model).map(|watched| watched.next);
             // A session without anything left to do has ended now.
@@ -296,10 +285,7 @@ impl Runtime {
             // Keys come first: an animation waits for them.
             if inputs.is_empty() && animation.is_some_and(|animation| animation <= Instant::now()) {
                 stale = true;
-                // Pictures that take longer than their frames leave some out.
-                let late = tempo.filter(|_| model.look.pixels.is_some());
-                let frames = late.map_or(1.0, |tempo| drawn.elapsed().as_secs_f64() / tempo.as_secs_f64());
-                for _ in 0..frames.clamp(1.0, 100.0) as u32 {
+                for _ in 0..tempo.map_or(1, |tempo| pace::steps(tempo, drawn.elapsed(), in_pixels)) {
                     update(model, Msg::Tick);
                 }
             }
@@ -412,27 +398,28 @@ impl Runtime {
                     }
                 }
                 Effect::Save { path, text, before } => {
-                    let path = at_home(path);
+                    let path = files::at_home(path);
                     let result = files::save(&path, &text, before);
                     Msg::Saved { path, text, result }
                 }
                 Effect::Export { files, before } => {
-                    let files: Vec<_> = files.into_iter().map(|(path, text)| (at_home(path), text)).collect();
+                    let files: Vec<_> =
+                        files.into_iter().map(|(path, text)| (files::at_home(path), text)).collect();
                     let (path, result) = files::save_all(&files, before);
                     Msg::Exported { path, result }
                 }
                 Effect::SavePlan { path, text, before } => {
-                    let path = at_home(path);
+                    let path = files::at_home(path);
                     let result = files::save(&path, &text, before);
                     Msg::PlanSaved { path, text, result }
                 }
                 Effect::ReadPlan(path) => {
-                    let path = at_home(path);
+                    let path = files::at_home(path);
                     let result = files::read(&path);
                     Msg::PlanRead { path, result }
                 }
                 Effect::Open(path) => {
-                    let path = at_home(path);
+                    let path = files::at_home(path);
                     let result = files::read(&path);
                     Msg::Opened { path, result }
                 }
@@ -440,11 +427,11 @@ impl Runtime {
                     Msg::LinkedRead(problem, files::LinkedTexts::of(&path, &text))
                 }
                 Effect::List(folder) => {
-                    let names = files::list(&at_home(folder.clone()));
+                    let names = files::list(&files::at_home(folder.clone()));
                     Msg::Listed(folder, names)
                 }
                 Effect::ReadTable { field, path, columns } => {
-                    let result = files::read_table(&at_home(path), columns);
+                    let result = files::read_table(&files::at_home(path), columns);
                     Msg::TableRead { field, result }
                 }
                 Effect::Keep { problem, original, text } => {
@@ -610,12 +597,4 @@ fn teller<T>(
 
 fn not_recorded(model: &mut Model, error: &io::Error) {
     model.report_error(Text::new("recording failed: {error}").with("error", error));
-}
-
-/// `~/` at the beginning of a path is the user's home.
-fn at_home(path: PathBuf) -> PathBuf {
-    match (path.strip_prefix("~"), std::env::var_os("HOME")) {
-        (Ok(rest), Some(home)) => Path::new(&home).join(rest),
-        _ => path,
-    }
 }

@@ -128,7 +128,8 @@ fn a_picture_is_sent_when_it_changes_and_hidden_without_that() {
     pty.types("<c-c>");
     assert_eq!((pty.exit_code(), pty.leftovers()), (Some(0), vec![]));
     let last = String::from_utf8_lossy(&pty.since(before)).into_owned();
-    let (deleted, left) = (last.find("a=d,q=2,d=A").expect("deleted"), last.find("\x1b[?1049l").expect("left"));
+    let (deleted, left) =
+        (last.find("a=d,q=2,d=A").expect("deleted"), last.find("\x1b[?1049l").expect("left"));
     assert!(deleted < left);
 }
 

@@ -147,7 +147,9 @@ fn in_pixels_a_block_hides_what_lies_under_it() {
         let placed = render(&drawing(shapes), &look, &Locale::english(), area, &mut Buffer::empty(area));
         let raster = placed.picture.expect("a picture").raster;
         let motion = pixels::Ink::from(look.ink(Ink::Motion));
-        let is_line = |x: &usize| (0..raster.size().1).any(|y| raster.pixel((*x, y)).is_some_and(|(ink, _)| ink == motion));
+        let is_line = |x: &usize| {
+            (0..raster.size().1).any(|y| raster.pixel((*x, y)).is_some_and(|(ink, _)| ink == motion))
+        };
         (0..raster.size().0).filter(is_line).count() as f64
     };
     let (over, under) = (covered(vec![line.clone(), block.clone()]), covered(vec![block, line]));

@@ -62,7 +62,13 @@ impl Brush {
     }
 
     /// Covers every pixel of part of the area to a share, where nothing covers it more.
-    pub(crate) fn shade(&mut self, (from, to): (f64, f64), (top, bottom): (f64, f64), ink: Ink, share: impl Fn(usize, usize) -> f64) {
+    pub(crate) fn shade(
+        &mut self,
+        (from, to): (f64, f64),
+        (top, bottom): (f64, f64),
+        ink: Ink,
+        share: impl Fn(usize, usize) -> f64,
+    ) {
         let ink = self.raster.ink(ink);
         let (width, height) = self.raster.size();
         for y in top.max(0.0) as usize..(bottom.max(0.0) as usize).min(height) {
@@ -75,9 +81,9 @@ impl Brush {
     /// Erases what lies inside a closed line.
     pub(crate) fn hide(&mut self, corners: &[(f64, f64)]) {
         let height = self.raster.size().1;
-        let (least, most) = corners.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), at| {
-            (least.min(at.1), most.max(at.1))
-        });
+        let (least, most) = corners
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), at| (least.min(at.1), most.max(at.1)));
         for y in least.max(0.0) as usize..((most + 1.0).max(0.0) as usize).min(height) {
             let row = y as f64;
             let crossing = |pair: &[(f64, f64)]| {
@@ -127,7 +133,8 @@ impl Brush {
     /// Covers the pixels round a point by how deep inside a shape they are.
     fn fill(&mut self, (x, y): (f64, f64), radius: f64, ink: Ink, depth: impl Fn(f64, f64) -> f64) {
         let ink = self.raster.ink(ink);
-        let range = |at: f64| (at - radius - 1.0).ceil().max(0.0) as usize..=(at + radius + 1.0).max(0.0) as usize;
+        let range =
+            |at: f64| (at - radius - 1.0).ceil().max(0.0) as usize..=(at + radius + 1.0).max(0.0) as usize;
         for row in range(y) {
             for column in range(x) {
                 let share = depth(column as f64 - x, row as f64 - y) + 0.5;

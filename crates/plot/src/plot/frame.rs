@@ -98,7 +98,15 @@ impl Frame {
         let inner = Rect { y: area.y + above, height: height.saturating_sub(above + below), ..area };
         let sides = Sides { axes, inner, marker, style: locale.style };
         let Measured { canvas, gutter, up, across, ticks } = sides.measured(rows.axis > 0, rows.head > 0);
-        let mut frame = Self { canvas, up, across, words: Vec::new(), lines: Vec::new(), grid: Vec::new(), ticks: [Vec::new(), Vec::new()] };
+        let mut frame = Self {
+            canvas,
+            up,
+            across,
+            words: Vec::new(),
+            lines: Vec::new(),
+            grid: Vec::new(),
+            ticks: [Vec::new(), Vec::new()],
+        };
         for (line, y) in title.into_iter().zip(area.y..area.y + rows.title) {
             frame.words.push((area.x, y, line, look.title()));
         }

@@ -33,7 +33,9 @@ fn rows(buffer: &Buffer) -> Vec<String> {
 fn no_two_of_eight_curves_look_alike() {
     let looks = Theme::ALL.into_iter().flat_map(|theme| {
         [Colors::None, Colors::Sixteen, Colors::Indexed256, Colors::True].into_iter().flat_map(
-            move |colors| [true, false].map(|ascii| Appearance { ascii, colors, theme, basic: false, pixels: None }),
+            move |colors| {
+                [true, false].map(|ascii| Appearance { ascii, colors, theme, basic: false, pixels: None })
+            },
         )
     });
     for look in looks {
@@ -188,7 +190,14 @@ fn circles_of_equal_scales_are_round() {
             let locale = Locale::english();
             let frame = Frame::of(&axes, &state, Setting { area, marker, look: &look, locale: &locale });
             (axes.x.span, axes.y.span) = (frame.across, frame.up);
-            let canvas = Canvas { axes: &axes, area: frame.canvas, marker, look: &look, zero: false, ticks: &frame.ticks };
+            let canvas = Canvas {
+                axes: &axes,
+                area: frame.canvas,
+                marker,
+                look: &look,
+                zero: false,
+                ticks: &frame.ticks,
+            };
             let dots = Dots::new(frame.canvas, marker);
             let per_cell = dots::per_cell(marker);
             let at = |x: f64, y: f64| canvas.dot(&dots, (x, y)).unwrap();
@@ -323,7 +332,10 @@ fn middles(picture: &Picture, color: Color) -> Vec<(f64, f64)> {
 fn in_pixels_a_straight_line_is_straight_to_half_a_pixel() {
     let (pictures, buffer) = pictures(&lines(1), &PlotState::default(), (70, 24));
     let [picture] = &pictures[..] else { panic!("{} pictures", pictures.len()) };
-    assert_eq!(picture.raster.size(), (10 * usize::from(picture.area.width), 20 * usize::from(picture.area.height)));
+    assert_eq!(
+        picture.raster.size(),
+        (10 * usize::from(picture.area.width), 20 * usize::from(picture.area.height))
+    );
     // The cells under the picture hold no strokes of their own.
     let inside = picture.area.positions().map(|at| buffer[at].symbol()).collect::<String>();
     assert_eq!(inside.trim(), "");

@@ -38,7 +38,9 @@ impl Answers {
             let Some((kind, inside)) = rest.split_first() else { break };
             match kind {
                 b'[' => {
-                    let Some(end) = inside.iter().position(|byte| (0x40..=0x7E).contains(byte)) else { break };
+                    let Some(end) = inside.iter().position(|byte| (0x40..=0x7E).contains(byte)) else {
+                        break;
+                    };
                     answers.control(&inside[..end], inside[end]);
                     rest = &inside[end + 1..];
                 }
@@ -138,7 +140,10 @@ mod tests {
         assert_eq!(protocol(b"\x1b_Gi=31;OK\x1b\\\x1b[?62;4c"), Some(Protocol::Kitty));
         // xterm as a VT340, foot, and iTerm2, which knows Sixel too.
         assert_eq!(protocol(b"\x1bP>|XTerm(388)\x1b\\\x1b[?63;1;2;4;6;9;15;22c"), Some(Protocol::Sixel));
-        assert_eq!(protocol(b"\x1bP>|iTerm2 3.5.0\x1b\\\x1b[?64;1;2;4;6;17;18;21;22c"), Some(Protocol::Iterm2));
+        assert_eq!(
+            protocol(b"\x1bP>|iTerm2 3.5.0\x1b\\\x1b[?64;1;2;4;6;17;18;21;22c"),
+            Some(Protocol::Iterm2)
+        );
         // A VT100, a terminal that knows the protocol but not this medium, and one that says nothing.
         assert_eq!(protocol(b"\x1b[?1;2c"), None);
         assert_eq!(protocol(b"\x1b_Gi=31;ENOENT:no such medium\x1b\\\x1b[?62;22c"), None);

@@ -176,7 +176,8 @@ impl Display {
             }
             for (column, (new, old)) in new.chunks(across).zip(old.chunks(across)).enumerate() {
                 if new != old {
-                    dirty[(y / down).min(usize::from(area.height) - 1) * columns + column.min(columns - 1)] = true;
+                    dirty[(y / down).min(usize::from(area.height) - 1) * columns + column.min(columns - 1)] =
+                        true;
                 }
             }
         }
@@ -231,10 +232,13 @@ impl Display {
 
     /// Colour and opacity of a pixel.
     fn color(&self, raster: &Raster, pixel: u8, ground: Option<[u8; 3]>) -> ([u8; 3], u8) {
-        let Some((Ink { color, faint }, degree)) = raster.ink_of(pixel) else { return (ground.unwrap_or_default(), 0) };
+        let Some((Ink { color, faint }, degree)) = raster.ink_of(pixel) else {
+            return (ground.unwrap_or_default(), 0);
+        };
         let text = || {
             self.graphics.colors.foreground.unwrap_or_else(|| {
-                let is_light = ground.is_some_and(|ground| ground.iter().map(|part| u32::from(*part)).sum::<u32>() > 384);
+                let is_light = ground
+                    .is_some_and(|ground| ground.iter().map(|part| u32::from(*part)).sum::<u32>() > 384);
                 if is_light { [0x20; 3] } else { [0xDD; 3] }
             })
         };

@@ -86,7 +86,8 @@ fn of_sixel(sent: &str) -> BTreeMap<(usize, usize), usize> {
                     color = number.split(';').next().unwrap().parse().unwrap();
                 }
                 if letter == '!' {
-                    let (times, bits) = (number.parse::<usize>().unwrap(), letters.next().unwrap() as u8 - b'?');
+                    let (times, bits) =
+                        (number.parse::<usize>().unwrap(), letters.next().unwrap() as u8 - b'?');
                     for _ in 0..times {
                         pixels.extend((0..6).filter(|n| bits >> n & 1 == 1).map(|n| ((x, top + n), color)));
                         x += 1;
