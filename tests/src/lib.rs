@@ -1,5 +1,6 @@
 //! Helpers of the tests of the whole program: a user before the screens, and a terminal for the program itself.
 
+pub mod errors;
 pub mod person;
 pub mod pty;
 

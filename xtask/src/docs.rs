@@ -124,7 +124,7 @@ fn exam_section(exam: &Json, verdicts: &BTreeMap<(String, String), Counts>) -> S
     let mut section = format!("\n## {title}\n\n`{id}`\n");
     for case in array(&exam["cases"]) {
         let counts = verdicts.get(&(id.to_owned(), title.to_owned())).copied().unwrap_or_default();
-        section += &format!("\n{}\n\n{}: {counts}\n", text(case, "note"), text(case, "source"));
+        section += &format!("\n{}\n\n{}: {counts}\n", text(case, "statement"), text(case, "source"));
     }
     section
 }

@@ -3,8 +3,8 @@
 use std::{env, process::ExitCode};
 
 use xtask::{
-    bench, cluster, contact_sheet, docs, find, first_entry, new_analysis, new_plugin, parquet, pictures,
-    python, root, soak, tidy, verify, words,
+    bench, cluster, contact_sheet, docs, errors, find, first_entry, new_analysis, new_plugin, parquet,
+    pictures, python, root, soak, teaching, tidy, verify, words,
 };
 
 const USAGE: &str = "\
@@ -29,6 +29,9 @@ usage: cargo xtask COMMAND
   soak nets --times N        N times the points of each plot, every extreme value: path independence and invariance
   python                     the wheel of the Python module, built and installed, its tests, notebook and Dask example
   parquet                    the program built with Parquet: clippy, and tables written and read back
+  teaching                   1000 variants of 20 problems graded; files for Moodle, QTI and PrairieLearn read by them
+  teaching --platforms       the files for the platforms alone
+  errors [DIGITS]... [--log] the table of the corpus of student errors: how many causes Check names
   cluster [POINTS]           a study killed and resumed, in shards by GNU parallel and by a real Slurm: the same bytes?
   first-entry                the rate of published problems that were right at their first entry, from the history
   bench [PART]...            measure; parts: plain units solve keys tui
@@ -59,6 +62,9 @@ fn main() -> ExitCode {
         ["soak", words @ ..] => soak::run(&root(), words),
         ["python"] => python::run(&root()),
         ["parquet"] => parquet::run(&root()),
+        ["errors", words @ ..] => errors::run_corpus(&root(), words),
+        ["teaching"] => teaching::run(&root()),
+        ["teaching", "--platforms"] => teaching::platforms(&root()),
         ["cluster"] => cluster::run(&root(), 1_000_000),
         ["cluster", points] => match points.parse() {
             Ok(points) => cluster::run(&root(), points),

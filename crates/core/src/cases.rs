@@ -7,6 +7,7 @@ use crate::{
     Answer, AnswerValue, Draft, Entry, LinkedProblem, Locale, Number, Record, Refusal, Solution, SolveError,
     Stop, Text,
     file::{self, FileError, FileNotes},
+    statement::{self, Statement, words},
 };
 
 /// A problem with printed answers.
@@ -29,6 +30,8 @@ pub struct Case {
     /// Names of the answers that the statement asks for, in its order; of a problem without a statement those that are
     /// expected.
     pub asked: Vec<String>,
+    /// Ranges of the data of variants, by the paths of their inputs; empty where none is declared.
+    pub vary: Vec<(String, String)>,
     /// Inputs, as they are typed.
     pub draft: Draft,
     /// Expected answers.
@@ -149,8 +152,8 @@ pub(crate) fn exam(text: &str) -> Result<(String, Vec<LinkedProblem>), String> {
 }
 
 /// The keys of an exam question.
-const EXAM_KEYS: [&str; 9] =
-    ["format", "title", "source", "statement", "let", "problem", "given", "ask", "expect"];
+const EXAM_KEYS: [&str; 10] =
+    ["format", "title", "source", "statement", "vary", "let", "problem", "given", "ask", "expect"];
 
 /// The case of an exam question.
 fn exam_case(root: &toml_edit::Table) -> Result<Case, String> {
@@ -176,8 +179,9 @@ fn exam_case(root: &toml_edit::Table) -> Result<Case, String> {
     }
     let (source, statement) = (Text::new(text("source")?), Text::new(text("statement")?));
     let asked = expect.iter().map(|expected| expected.answer.clone()).collect();
-    let (former, seen, refused, note) = (None, None, None, statement.clone());
-    Ok(Case { name, former, source, truth, seen, note, statement, asked, draft, expect, refused })
+    let vary = statement::vary(root).map_err(|why| format!("{name}: {}", why.english()))?;
+    let (former, seen, refused, note) = (None, None, None, Text::from(""));
+    Ok(Case { name, former, source, truth, seen, note, statement, asked, vary, draft, expect, refused })
 }
 
 /// The case that a problem opens with.
@@ -189,6 +193,11 @@ impl Case {
     /// Returns true if it has this name, or had it before.
     pub fn is_named(&self, name: &str) -> bool {
         self.name == name || self.former.as_deref() == Some(name)
+    }
+
+    /// Statement of the exercise, with the answers it asks for and the ranges of its data.
+    pub fn exercise(&self) -> Statement {
+        Statement { text: self.statement.clone(), asked: self.asked.clone(), vary: self.vary.clone() }
     }
 
     /// Title for display.
@@ -271,7 +280,7 @@ impl Comparison {
 }
 
 /// The keys of a case.
-const KEYS: [&str; 15] = [
+const KEYS: [&str; 16] = [
     "name",
     "former",
     "source",
@@ -280,6 +289,7 @@ const KEYS: [&str; 15] = [
     "note",
     "statement",
     "asked",
+    "vary",
     "let",
     "inputs",
     "configuration",
@@ -342,31 +352,14 @@ fn case(entry: &Entry, table: &toml_edit::Table) -> Result<Case, String> {
         }
         _ => {}
     }
-    let asked = asked(table, &expect).map_err(|why| format!("{name}: {why}"))?;
+    let Statement { text: statement, mut asked, vary } =
+        Statement::of(table).map_err(|(_, why)| format!("{name}: {}", why.english()))?;
+    if asked.is_empty() {
+        asked = expect.iter().map(|expected| expected.answer.clone()).collect();
+    }
     let (source, note) = (Text::new(source), Text::new(text("note").unwrap_or_default()));
-    let statement = Text::new(text("statement").map_or_else(String::new, |text| words(&text)));
     let former = text("former");
-    Ok(Case { name, former, source, truth, seen, note, statement, asked, draft, expect, refused })
-}
-
-/// A text on several lines as one.
-fn words(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
-/// Names of the answers that a statement asks for, or those that are expected.
-fn asked(table: &toml_edit::Table, expect: &[Expected]) -> Result<Vec<String>, String> {
-    let Some(item) = table.get("asked") else {
-        return Ok(expect.iter().map(|expected| expected.answer.clone()).collect());
-    };
-    if !table.contains_key("statement") {
-        return Err("`asked` needs a `statement`".into());
-    }
-    let names = item.as_array().into_iter().flatten().map(|name| name.as_str().map(str::to_owned));
-    match names.collect::<Option<Vec<_>>>() {
-        Some(names) if !names.is_empty() => Ok(names),
-        _ => Err("write the answers that the statement asks for as in `asked = [\"amplitude\"]`".into()),
-    }
+    Ok(Case { name, former, source, truth, seen, note, statement, asked, vary, draft, expect, refused })
 }
 
 fn expected(answer: &str, item: &Item, truth: Truth) -> Result<Expected, String> {

@@ -1,18 +1,33 @@
-//! A user's answer beside ours: right, rounded too early, or wrong, and then which usual slip gives it.
+//! A user's answer beside ours: right, near, or wrong, and then which mistake gives it.
 //!
-//! [`compare`] is quick and says how near an answer is. [`slips`] solves the problem again with the slips that people
-//! make and says which of them gives exactly what was answered.
+//! [`compare`] is quick and says how near an answer is. [`causes`] computes what the mistakes that people make would
+//! give: edits of the worked solution, other data, other options; and says which of them, or which two together, give
+//! exactly what was answered. The number of candidates and of digits bounds what is named: a cause is only possible
+//! where a number without a cause would meet one of the candidates that are as likely in more than 2 % of all cases.
 
 mod candidates;
+mod common;
+mod inputs;
+mod mistake;
+mod problem;
+mod products;
 mod search;
+mod slip;
+mod steps;
+mod tries;
+mod words;
 mod wrong;
 
 use std::f64::consts::TAU;
 
 use dalembert_units::{self as units, Dim, Kind, Quantity};
 
-pub use self::search::slips;
-use crate::{Answer, AnswerValue, Arg, Solution, Symbol, Text, cases, printer, reading};
+pub use self::{
+    common::common_errors,
+    mistake::{Cause, Change, Mistake, Place},
+    search::{Causes, causes},
+};
+use crate::{Answer, AnswerValue, Arg, Solution, Text, cases, reading};
 
 /// Answers that are farther off than this share of ours are not right, however few their digits.
 pub const TOLERANCE: f64 = 0.005;
@@ -32,68 +47,10 @@ pub enum Verdict {
     Unread(Text),
 }
 
-/// Probable cause of a wrong answer.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Mistake {
-    /// It follows from the user's own answers of these names, which are wrong.
-    Follows(Vec<String>),
-    /// Our answer was changed at the end.
-    Answer(NumberChange),
-    /// It is the answer to another question, of this name.
-    Other(String),
-    /// An input, by its path and label, was taken otherwise.
-    Input(String, Text, NumberChange),
-    /// Two inputs were interchanged.
-    Interchanged(Box<[(String, Text); 2]>),
-    /// A step of the worked solution, by its place and symbol, came out otherwise.
-    Step(usize, Symbol, NumberChange),
-}
-
-/// Change of a number by a common mistake.
-#[derive(Clone, Debug, PartialEq)]
-pub enum NumberChange {
-    /// The other sign.
-    Sign,
-    /// So many times as large; as it is written.
-    Times(f64, &'static str),
-    /// The number was taken in another unit than it is in.
-    Unit {
-        /// The unit it is in.
-        is: String,
-        /// The unit it was taken in.
-        taken: String,
-    },
-    /// Twice or half of a length: its diameter for its radius, or the other way round.
-    Diameter,
-    /// Another acceleration of gravity, in m/s².
-    Gravity(f64),
-    /// Left out: zero.
-    LeftOut,
-    /// Square in place of the number.
-    Squared,
-    /// Square root in place of the number.
-    Rooted,
-    /// One divided by it.
-    Inverted,
-    /// An angle from another axis or in the other direction, in degrees: this minus it.
-    Complement(u16),
-    /// The sign of one of the terms inside.
-    TermSign,
-    /// One of the terms inside is missing.
-    TermLeftOut,
-    /// An inner power was omitted.
-    PowerLeftOut,
-    /// An inner root was omitted.
-    RootLeftOut,
-    /// Sine and cosine.
-    SineForCosine,
-    /// One number was divided by where it should multiply, or the other way round.
-    DividedForMultiplied,
-}
-
 /// Compares a typed answer with ours. A number alone is in the unit that ours is shown in.
 pub fn compare(answer: &Answer, typed: &str) -> Verdict {
     let Some(computed) = answer.si() else {
+        let typed = &in_signs(typed);
         return match cases::agrees(answer, typed) {
             Some(true) => Verdict::Right,
             Some(false) => Verdict::Wrong,
@@ -114,6 +71,12 @@ pub fn compare(answer: &Answer, typed: &str) -> Verdict {
         (true, false) if size > 0.0 && typed.si != 0.0 => Verdict::TooFewDigits,
         _ => Verdict::Wrong,
     }
+}
+
+/// A set as it is typed on a keyboard, with the signs that it is printed with: `>= 440 mm`.
+fn in_signs(typed: &str) -> String {
+    let typed = typed.replace(">=", "≥").replace("<=", "≤");
+    typed.replace('>', "≥").replace('<', "≤")
 }
 
 /// The user's answers beside the problem's: each with its verdict.
@@ -179,99 +142,13 @@ pub fn example(answer: &Answer) -> String {
     format!("{numbers} {}", answer.unit.pretty()).trim().to_owned()
 }
 
-impl Mistake {
-    /// Description of the probable mistake, without revealing the computed number.
-    pub fn text(&self, solution: &Solution) -> Text {
-        let label = |name: &str| match solution.answer(name) {
-            Some(answer) => answer.title(),
-            None => Text::new(name.to_owned()),
-        };
-        match self {
-            Mistake::Follows(names) => {
-                let all = names.iter().map(|name| label(name)).reduce(|all, next| {
-                    Text::new("{all}, {next}").with_text("all", all).with_text("next", next)
-                });
-                Text::new("consistent with your earlier answer to {answers} (error carried forward)")
-                    .with_text("answers", all.unwrap_or_else(|| Text::from("")))
-            }
-            Mistake::Other(name) => {
-                Text::new("this is the value of another answer: {answer}").with_text("answer", label(name))
-            }
-            Mistake::Answer(change) => of_answer(change),
-            Mistake::Input(_, input, change) => Text::new("{input}: {change}")
-                .with_text("input", input.clone())
-                .with_text("change", of_input(change)),
-            Mistake::Interchanged(pair) => {
-                let [(_, first), (_, second)] = &**pair;
-                Text::new("{first} and {second} interchanged")
-                    .with_text("first", first.clone())
-                    .with_text("second", second.clone())
-            }
-            Mistake::Step(_, symbol, change) => Text::new("computing {symbol}: {change}")
-                .with("symbol", printer::symbol(symbol))
-                .with_text("change", of_step(change)),
-        }
-    }
-}
-
-fn of_answer(change: &NumberChange) -> Text {
-    match change {
-        NumberChange::Sign => Text::new("sign error"),
-        NumberChange::Unit { taken, is } => {
-            Text::new("the number is in {taken}, not {is}").with("taken", taken).with("is", is)
-        }
-        NumberChange::Squared => Text::new("squared value: a square root was omitted"),
-        NumberChange::Rooted => Text::new("square root of the value: a square was omitted"),
-        NumberChange::Inverted => Text::new("reciprocal of the answer"),
-        NumberChange::Complement(_) => Text::new("angle measured from another axis or in the opposite sense"),
-        other => times(other),
-    }
-}
-
-fn of_input(change: &NumberChange) -> Text {
-    match change {
-        NumberChange::Sign => Text::new("sign error"),
-        NumberChange::Unit { taken, is } => {
-            Text::new("{is} used as {taken}").with("is", is).with("taken", taken)
-        }
-        NumberChange::Diameter => Text::new("diameter and radius (or a whole and its half) confused"),
-        NumberChange::Gravity(si) => Text::new("{gravity} used").with_quantity("gravity", *si, "m/s^2"),
-        NumberChange::LeftOut => Text::new("omitted"),
-        NumberChange::Complement(_) => Text::new("measured from another axis or in the opposite sense"),
-        other => times(other),
-    }
-}
-
-fn of_step(change: &NumberChange) -> Text {
-    match change {
-        NumberChange::Sign => Text::new("sign error"),
-        NumberChange::TermSign => Text::new("sign error in a term"),
-        NumberChange::TermLeftOut => Text::new("a term omitted"),
-        NumberChange::PowerLeftOut => Text::new("an exponent omitted"),
-        NumberChange::RootLeftOut => Text::new("a square root omitted"),
-        NumberChange::SineForCosine => Text::new("sine and cosine interchanged"),
-        NumberChange::DividedForMultiplied => Text::new("division and multiplication interchanged"),
-        other => times(other),
-    }
-}
-
-fn times(change: &NumberChange) -> Text {
-    match change {
-        NumberChange::Times(factor, written) if factor.abs() > 1.0 => {
-            Text::new("{factor} times too large").with("factor", written)
-        }
-        NumberChange::Times(_, written) => Text::new("{factor} times too small").with("factor", written),
-        _ => Text::new("different interpretation"),
-    }
-}
-
 impl Verdict {
     /// Message for the user.
     pub fn text(&self) -> Text {
         match self {
             Verdict::Right => Text::new("correct"),
             Verdict::RoundedEarly(off) => Text {
-                template: "close ({off} off): rounding of an intermediate result, or a small term".into(),
+                template: "{off} off: rounding, or a small term missing or with the wrong sign".into(),
                 args: vec![("off", Arg::Quantity(*off, "%"))],
             },
             Verdict::TooFewDigits => Text::new("agrees to the digits given; enter more digits to confirm"),

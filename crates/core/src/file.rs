@@ -29,15 +29,18 @@ use toml_edit::{Document, DocumentMut, Item, Table, TableLike, Value as Toml};
 use self::write::{set_text, write_item};
 pub use self::{format::Format, shorthand::ShortForm};
 use crate::{
-    Display, Draft, Entry, Field, FieldError, LinkedProblem, Shape, Text, UnitSetting, describe, draft,
-    find_analysis, path, path::Segment, registry, table,
+    Display, Draft, Entry, Field, FieldError, LinkedProblem, Shape, Statement, Text, UnitSetting, describe,
+    draft, find_analysis, path, path::Segment, registry, table,
 };
 
 /// The keys a problem file may have at the top.
-const KEYS: [&str; 11] = [
+const KEYS: [&str; 14] = [
     "format",
     "analysis",
     "title",
+    "statement",
+    "asked",
+    "vary",
     "units",
     "let",
     "inputs",
@@ -55,6 +58,8 @@ pub struct ProblemFile {
     pub entry: &'static Entry,
     /// Title given by the user; may be empty.
     pub title: String,
+    /// Statement of the exercise that the problem is.
+    pub statement: Statement,
     /// Texts of the inputs.
     pub draft: Draft,
     /// Units of everything that is shown.
@@ -142,11 +147,15 @@ fn parse_open(text: &str, links: &mut linked::Links<'_, '_>) -> Result<ProblemFi
     let (entry, draft) = problem_of(root, main, &mut show, links, &mut reading);
     let FileNotes { mut errors, mut notes, .. } = reading;
     let title = text_at(root, "title", &mut errors).unwrap_or_default();
+    let statement = Statement::of(root).unwrap_or_else(|(key, why)| {
+        errors.push(FileError { why, span: span(root, key) });
+        Statement::default()
+    });
     let units = units_of(root, &mut errors)
         .unwrap_or_else(|| format::left_out_units(format, &draft, &entry.shape(), &mut notes));
     let files = if links.open.is_empty() { std::mem::take(&mut links.files) } else { Vec::new() };
     notes.extend(files.iter().map(LinkedFile::note));
-    let problem = ProblemFile { entry, title, draft, units, show, notes, files };
+    let problem = ProblemFile { entry, title, statement, draft, units, show, notes, files };
     if errors.is_empty() { Ok(problem) } else { Err(errors) }
 }
 

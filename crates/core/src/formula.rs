@@ -14,14 +14,14 @@ mod parse;
 
 use std::ops::Range;
 
-use dalembert_units::{Quantity, Unit};
+use dalembert_units::{Dim, Quantity, Unit};
 
 pub use self::names::normalised;
 pub(crate) use self::{
     evaluate::{Operand, evaluate, unit_of},
     names::{missing, nearest_names},
 };
-use crate::Text;
+use crate::{Plain, Stop, Text};
 
 /// A formula that could be read; its names are still to be looked up.
 #[derive(Clone, Debug, PartialEq)]
@@ -100,6 +100,22 @@ pub(crate) struct FormulaError {
     pub(crate) why: Text,
     /// The bytes of the formula that are wrong, where they are known.
     pub(crate) span: Option<Range<usize>>,
+}
+
+/// The value of a formula over pure numbers, the named ones given by `names`.
+///
+/// # Errors
+/// What is wrong with the formula, a name without a value, a result that is not finite.
+pub fn value_of_numbers(text: &str, names: &dyn Fn(&str) -> Option<f64>) -> Result<f64, Text> {
+    let stop = Stop::new();
+    let sheet = Plain::<f64>::new(&stop);
+    let scope = |name: &str| Ok(names(name).map(|x| Operand::Number(x, Dim::NONE)));
+    let root = parse::parse(text, &|name| names(name).is_some()).map_err(|error| error.why)?;
+    let formula = Formula { root, text: text.to_owned() };
+    match evaluate(&formula, &scope, &|_| Vec::new(), &sheet).map_err(|error| error.why)? {
+        Operand::Number(x, _) => Ok(x),
+        _ => Err("the formula is no single number".into()),
+    }
 }
 
 impl Function {

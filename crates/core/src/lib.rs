@@ -23,6 +23,7 @@ mod field;
 pub mod file;
 mod formula;
 pub mod gravity;
+pub mod hints;
 mod input;
 mod intern;
 mod kept;
@@ -41,6 +42,7 @@ mod sheet;
 pub mod sketch;
 mod solution;
 mod source;
+mod statement;
 pub mod study;
 pub mod suggestions;
 pub mod table;
@@ -73,7 +75,7 @@ pub use crate::{
         Level, Mark, Over, Plot, Point, Point3, Scale, Scene, Series, Shape3, TableExhibit, Viewpoint3,
     },
     field::{ChildList, Field, FieldLimit, Fields, Measure, Shape, Variant},
-    formula::normalised,
+    formula::{normalised, value_of_numbers},
     input::{FieldError, Inputs, Lift, MeasuredQuantity, Reference},
     linked::LinkedProblem,
     path::{is_within, nearest},
@@ -82,9 +84,11 @@ pub use crate::{
     sheet::{Sheet, Term, VectorTerm},
     sketch::Sketch,
     solution::{
-        Answer, AnswerValue, Check, Display, Name, ProblemSteps, Sides, Solution, Step, problem_heading,
+        Answer, AnswerValue, Check, CommonError, Display, Name, ProblemSteps, Sides, Solution, Step,
+        problem_heading,
     },
     source::{Cite, Source},
+    statement::Statement,
     text::{Arg, Language, Locale, Messages, Text},
     trace::{Number, Symbol, Trace},
     unit_system::{ShownUnits, UnitSetting},

@@ -7,37 +7,105 @@ use crate::{
     trace::{Id, Number, Op},
 };
 
-/// The numbers of the trace with those of `set` in place of its own, and with another operation at one node. What a
-/// numerical method found stays as it is.
-pub(crate) fn reevaluate(solution: &Solution, set: &[(Id, Number)], op: Option<(Id, &Op)>) -> Vec<Number> {
-    let nodes = &solution.trace.nodes;
-    let mut numbers: Vec<Number> = nodes.iter().map(|node| node.number).collect();
-    let first = set.iter().map(|(id, _)| *id).chain(op.map(|(id, _)| id)).min();
-    for at in first.map_or(nodes.len(), |first| first as usize)..nodes.len() {
-        let here = set.iter().find(|(id, _)| *id as usize == at);
-        numbers[at] = match (here, op) {
-            (Some((_, number)), _) => *number,
-            (None, Some((id, other))) if id as usize == at => evaluated(solution, other, at, &numbers),
-            _ => evaluated(solution, &nodes[at].op, at, &numbers),
-        };
-    }
-    numbers
+/// Another computation of one number of a trace. The last operation takes the place of that of the node; those before it
+/// are new nodes behind the trace, numbered on from [`Edit::first_new`].
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Edit {
+    /// The node whose number is computed otherwise.
+    pub(crate) at: Id,
+    /// Operations, each with the number that it has if it is a literal.
+    pub(crate) ops: Vec<(Op, Number)>,
 }
 
-/// The nodes that a number was made from, its own among them, through the steps before.
-pub(crate) fn ancestors(solution: &Solution, of: Id) -> Vec<Id> {
-    let mut seen = vec![false; solution.trace.nodes.len()];
-    let mut open = vec![of];
-    while let Some(id) = open.pop() {
-        if std::mem::replace(&mut seen[id as usize], true) {
-            continue;
-        }
-        open.extend(solution.trace.operands(id));
-        if let Op::Step(step) = solution.trace.node(id).op {
-            open.extend(solution.steps[step].formula);
-        }
+/// Reads the part of a trace that some numbers were made from again and again, each time with other edits.
+pub(crate) struct Reevaluation<'s> {
+    solution: &'s Solution,
+    /// The nodes that the wanted numbers were made from, in their order.
+    order: Vec<Id>,
+    numbers: Vec<Number>,
+}
+
+impl Edit {
+    /// Number of the first new node of an edit.
+    pub(crate) fn first_new(solution: &Solution) -> Id {
+        solution.trace.nodes.len() as Id
     }
-    (0..).zip(seen).filter_map(|(id, seen)| seen.then_some(id)).collect()
+
+    /// Another operation on nodes of the trace.
+    pub(crate) fn op(at: Id, op: Op) -> Self {
+        Self { at, ops: vec![(op, NONE)] }
+    }
+
+    /// Another number.
+    pub(crate) fn number(at: Id, number: Number) -> Self {
+        Self { at, ops: vec![(Op::Literal, number)] }
+    }
+
+    /// The number of the node, and a literal, put together by an operation.
+    pub(crate) fn with_literal(
+        solution: &Solution,
+        at: Id,
+        literal: f64,
+        op: impl FnOnce(Id, Id) -> Op,
+    ) -> Self {
+        let first = Self::first_new(solution);
+        let own = (solution.trace.node(at).op.clone(), solution.trace.node(at).number);
+        let ops = vec![own, (Op::Literal, Number::Scalar(literal)), (op(first, first + 1), NONE)];
+        Self { at, ops }
+    }
+
+    /// An operation on the number of the node.
+    pub(crate) fn then(solution: &Solution, at: Id, op: impl FnOnce(Id) -> Op) -> Self {
+        let node = solution.trace.node(at);
+        let ops = vec![(node.op.clone(), node.number), (op(Self::first_new(solution)), NONE)];
+        Self { at, ops }
+    }
+}
+
+/// The number of an operation that is yet to be computed.
+const NONE: Number = Number::Scalar(f64::NAN);
+
+impl<'s> Reevaluation<'s> {
+    /// Ready to read what these numbers were made from.
+    pub(crate) fn new(solution: &'s Solution, of: &[Id]) -> Self {
+        let mut order: Vec<Id> = of.iter().flat_map(|id| solution.ancestors(*id)).collect();
+        order.sort_unstable();
+        order.dedup();
+        let numbers = solution.trace.nodes.iter().map(|node| node.number).collect();
+        Self { solution, order, numbers }
+    }
+
+    /// True if a number was used on the way to the wanted ones.
+    pub(crate) fn uses(&self, id: Id) -> bool {
+        self.order.binary_search(&id).is_ok()
+    }
+
+    /// The number of a node with these edits. What a numerical method found stays as it is.
+    pub(crate) fn with(&mut self, edits: &[&Edit], wanted: &[Option<Id>]) -> Vec<Number> {
+        let count = self.solution.trace.nodes.len();
+        let first = edits.iter().map(|edit| edit.at).min().unwrap_or(Id::MAX);
+        let begin = self.order.partition_point(|id| *id < first);
+        for at in begin..self.order.len() {
+            let id = self.order[at] as usize;
+            self.numbers[id] = match edits.iter().find(|edit| edit.at as usize == id) {
+                None => evaluated(self.solution, &self.solution.trace.nodes[id].op, id, &self.numbers),
+                Some(edit) => {
+                    self.numbers.truncate(count);
+                    for (op, number) in &edit.ops {
+                        self.numbers.push(*number);
+                        let at = self.numbers.len() - 1;
+                        self.numbers[at] = evaluated(self.solution, op, at, &self.numbers);
+                    }
+                    self.numbers[self.numbers.len() - 1]
+                }
+            };
+        }
+        let found = wanted.iter().map(|id| id.map_or(NONE, |id| self.numbers[id as usize])).collect();
+        for id in &self.order[begin..] {
+            self.numbers[*id as usize] = self.solution.trace.node(*id).number;
+        }
+        found
+    }
 }
 
 fn evaluated(solution: &Solution, op: &Op, at: usize, numbers: &[Number]) -> Number {

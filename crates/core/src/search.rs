@@ -70,6 +70,12 @@ pub fn find(indices: &[&Index], filter: &str) -> Vec<Found> {
     if found.is_empty() { ranked(scattered(indices, &folded(filter.trim()))) } else { found }
 }
 
+/// Returns true if a text has every word of a filter, in upper or lower case and with accents or without.
+pub fn has_words(text: &str, filter: &str) -> bool {
+    let text = folded(text);
+    folded(filter).split_whitespace().all(|word| place(&text, word) == 4)
+}
+
 fn ranked<S: Ord + Copy>(mut found: Vec<(S, Found)>) -> Vec<Found> {
     found.sort_by_key(|(score, found)| (Reverse(*score), found.place));
     found.into_iter().map(|(_, found)| found).collect()

@@ -4,6 +4,7 @@ use dalembert_units::Unit;
 
 use crate::{
     Entry, Record, Refusal, SolveError, Stop, Text,
+    definitions::Tolerance,
     vary::{self, Perturbed, VariedInput},
 };
 
@@ -11,6 +12,9 @@ use crate::{
 const STEP: f64 = 1e-4;
 /// One-sided changes that differ by so much of the larger one are a kink.
 const KINK: f64 = 0.3;
+
+/// The tolerance of an input that none is given for, in its [steps](VariedInput::step).
+pub const USUAL: f64 = 1.0;
 
 /// Sensitivity of one answer to all inputs.
 #[derive(Clone, Debug)]
@@ -89,6 +93,17 @@ pub fn sensitivity(
     }
     let spread = together(&mut again, value, &influences, stop)?;
     Ok(Sensitivity { answer: answer.to_owned(), value, influences, spread })
+}
+
+/// The tolerances that the inputs and definitions of a problem are written with, in SI, by their paths.
+pub fn tolerances(record: &Record) -> Vec<(String, f64)> {
+    let Some(plan) = &record.plan else { return Vec::new() };
+    let inputs = vary::inputs(record);
+    let of = |tolerance: &Tolerance| {
+        let input = inputs.iter().find(|input| input.path == tolerance.name)?;
+        Some((input.path.clone(), tolerance.width.at(input.si)))
+    };
+    plan.tolerances().iter().filter_map(of).collect()
 }
 
 /// The tolerance of an input among those that were given.

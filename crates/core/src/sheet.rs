@@ -3,7 +3,9 @@
 //! A [`Term`] is a number that remembers how it was found. The formula that is shown is the one that was
 //! evaluated, and its dimensions are followed as it is evaluated.
 
+mod common_errors;
 mod early;
+mod holding;
 mod term;
 mod vect;
 
@@ -16,8 +18,8 @@ use nalgebra::Vector3;
 
 pub use self::{term::Term, vect::VectorTerm};
 use crate::{
-    Answer, Check, Exhibit, Locale, Name, ProblemSteps, Reason, Refusal, Sides, Solution, Step, Stop, Symbol,
-    Text, Value, Worksheet, derive_support,
+    Answer, CommonError, Exhibit, Locale, Name, ProblemSteps, Reason, Refusal, Sides, Solution, Step, Stop,
+    Symbol, Text, Value, Worksheet, derive_support,
     intern::intern,
     path::is_within,
     printer,
@@ -41,6 +43,8 @@ pub struct Sheet<'a> {
     lifted: RefCell<HashMap<String, Id>>,
     /// Steps that stand before the solution they are of: it goes on with them where it comes to them.
     early: RefCell<Vec<usize>>,
+    /// Common errors of steps that are yet to be written.
+    common_errors: RefCell<Vec<(Symbol, CommonError)>>,
     /// The step whose result is written down with a relative error of [`PERTURBATION`].
     perturbed: Option<usize>,
 }
@@ -62,6 +66,7 @@ impl<'a> Sheet<'a> {
             stop,
             lifted: RefCell::default(),
             early: RefCell::default(),
+            common_errors: RefCell::default(),
             perturbed: None,
         }
     }
@@ -166,6 +171,7 @@ impl<'a> Sheet<'a> {
         let result = self.push_rounded(number, unit.dim, Op::Step(step), rounded);
         let step = Step { symbol, unit, formula, result, why: why.reason, cite: why.cite };
         self.solution.borrow_mut().steps.push(step);
+        self.settle_common_errors(symbol);
         result
     }
 
@@ -201,41 +207,6 @@ impl<'a> Sheet<'a> {
 
     fn give(&self, answer: Answer) {
         self.solution.borrow_mut().answers.push(answer);
-    }
-
-    /// Holds a difference to zero beside `scale`, of numbers that rounding alone lets differ by `error`.
-    fn hold(&self, what: Text, difference: f64, scale: f64, error: f64, sides: Sides) {
-        let relative = |x: f64| if x == 0.0 { 0.0 } else { x / scale };
-        let residual = relative(difference);
-        let limit = AGREEMENT.max(relative(WAYS * error));
-        let passed = residual <= limit;
-        self.solution.borrow_mut().checks.push(Check { what, residual, limit, passed, sides });
-    }
-
-    fn hold_together(&self, what: Text, left: Term<'_>, right: Term<'_>, scale: f64) {
-        if let (Term::Node(_, a), Term::Node(_, b)) = (left, right) {
-            self.same_dim(a, b);
-        }
-        let error = self.error_between(left.node(), right.node());
-        let sides = Sides::of(left.node(), right.node());
-        self.hold(what, (left.value() - right.value()).abs(), scale, error, sides);
-    }
-
-    fn hold_to_zero(&self, what: Text, residual: Term<'_>, scale: f64, error: f64) {
-        let error = error.abs() + self.error_between(residual.node(), None);
-        let sides = residual.node().map_or(Sides::Plain, Sides::Residual);
-        self.hold(what, residual.value().abs(), scale.abs(), error, sides);
-    }
-
-    /// Rounding error of a number, as it is carried along.
-    pub(crate) fn error(&self, id: Id) -> f64 {
-        self.solution.borrow().trace.node(id).error
-    }
-
-    /// Rounding error of the difference of two computations. Of a number from a numerical method, which has no trace,
-    /// no more is expected than of the other way: both know their inputs to the last place.
-    fn error_between(&self, left: Option<Id>, right: Option<Id>) -> f64 {
-        [left, right].into_iter().flatten().map(|id| self.error(id)).sum()
     }
 }
 
@@ -320,6 +291,15 @@ impl<'s> Worksheet for &'s Sheet<'s> {
             self,
             self.write_numerical(symbol.into(), unit, Number::Vector(si.into()), how.into()),
         )
+    }
+
+    fn common_error(
+        self,
+        symbol: impl Into<Symbol>,
+        what: impl Into<Text>,
+        wrong: impl FnOnce() -> Term<'s>,
+    ) {
+        self.note_common_error(symbol.into(), what.into(), wrong());
     }
 
     fn check(self, what: impl Into<Text>, left: Term<'s>, right: Term<'s>) {

@@ -13,7 +13,6 @@ use crate::{
     Cite, Determined, Exhibit, Locale, ShownUnits, Text,
     path::is_within,
     reading,
-    reevaluate::ancestors,
     trace::{Id, Number, Op, Symbol, Trace},
 };
 
@@ -26,6 +25,8 @@ pub struct Solution {
     pub steps: Vec<Step>,
     /// Steps of each of several problems or configurations; empty where there is one problem alone.
     pub problems: Vec<ProblemSteps>,
+    /// Errors that people commonly make in steps, as the analysis knows them.
+    pub common_errors: Vec<CommonError>,
     /// Plots, tables and drawings.
     pub exhibits: Vec<Exhibit>,
     /// Independent ways to the same numbers, and how near they came.
@@ -129,6 +130,17 @@ pub struct Step {
     pub cite: Option<Cite>,
 }
 
+/// Error that people commonly make in a step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CommonError {
+    /// Place of the step in the solution.
+    pub step: usize,
+    /// The node of the wrong number.
+    pub formula: Id,
+    /// Name of the error, in words.
+    pub what: Text,
+}
+
 /// Two ways to the same number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
@@ -215,6 +227,26 @@ impl Solution {
         self.answers.iter().filter(is_limit).collect()
     }
 
+    /// The numbers that a number was computed from directly; of a step, the one that its formula gives.
+    pub fn operands(&self, id: Id) -> Vec<Id> {
+        match self.trace.node(id).op {
+            Op::Step(step) => self.steps[step].formula.into_iter().collect(),
+            _ => self.trace.operands(id),
+        }
+    }
+
+    /// The numbers that a number was made from, its own among them, through the steps before, ascending.
+    pub fn ancestors(&self, of: Id) -> Vec<Id> {
+        let mut seen = vec![false; self.trace.nodes.len()];
+        let mut open = vec![of];
+        while let Some(id) = open.pop() {
+            if !std::mem::replace(&mut seen[id as usize], true) {
+                open.extend(self.operands(id));
+            }
+        }
+        (0..).zip(seen).filter_map(|(id, seen)| seen.then_some(id)).collect()
+    }
+
     /// Of the answers of these names, those that no other of them was made from: in them are all the others.
     pub fn last_of<'n>(&self, names: &[&'n str]) -> Vec<&'n str> {
         let id = |name: &str| match self.answer(name)?.value {
@@ -224,7 +256,7 @@ impl Solution {
         let made: Vec<Vec<Id>> = names
             .iter()
             .filter_map(|name| id(name))
-            .map(|made| ancestors(self, made).into_iter().filter(|from| *from != made).collect())
+            .map(|made| self.ancestors(made).into_iter().filter(|from| *from != made).collect())
             .collect();
         let is_last = |name: &str| id(name).is_none_or(|id| made.iter().all(|from| !from.contains(&id)));
         names.iter().copied().filter(|name| is_last(name)).collect()
@@ -234,7 +266,7 @@ impl Solution {
     /// method, which may depend on any. Nothing is solved for this, so a condition on the input is not seen.
     pub fn may_change(&self, answer: &Answer, input: &str) -> bool {
         let AnswerValue::Number(_, id) = answer.value else { return true };
-        ancestors(self, id).into_iter().any(|id| match &self.trace.node(id).op {
+        self.ancestors(id).into_iter().any(|id| match &self.trace.node(id).op {
             Op::Given { path, .. } => is_within(input, path),
             Op::Step(step) => self.steps[*step].formula.is_none(),
             _ => false,

@@ -30,7 +30,7 @@ use crate::{
     intern::intern,
     linked, reading,
     tolerances::Corners,
-    vary::{self, VariedInput},
+    vary::{self, VariedInput, WIDE},
 };
 
 /// Unknown inputs of a problem as they were found.
@@ -285,21 +285,12 @@ fn variable(
     }
     let own = input.measure.own_unit();
     let around = start.unwrap_or_else(|| own.si(1.0));
-    let [from, to] = if input.is_angle() {
-        [-std::f64::consts::PI, std::f64::consts::PI]
-    } else {
-        let ends = [around / WIDE, around * WIDE];
-        [ends[0].min(ends[1]), ends[0].max(ends[1])]
-    };
-    let range = input.permitted([from, to]);
+    let range = input.range_around(around);
     if range[0] < range[1] {
         return Ok(Variable::new(range, start));
     }
     Err(fault(&unknown.name, "write a range to search, as in ? 1 kg .. 100 kg"))
 }
-
-/// Factor of a range that was assumed, to both sides.
-const WIDE: f64 = 1000.0;
 
 /// A range that was assumed, a thousand times wider, where nothing was found in it.
 fn wider(variable: &Variable, unknown: &Unknown, input: &VariedInput) -> Option<Variable> {

@@ -9,12 +9,15 @@ use crate::{
     gravity,
     intern::intern,
     kept,
-    path::{Segment, segments, step},
+    path::{Segment, nearest, segments, step},
     reading,
 };
 
 /// The share of an input that its influence is shown for.
 const PERCENT: f64 = 0.01;
+
+/// Factor of a range that was assumed, to both sides.
+pub(crate) const WIDE: f64 = 1000.0;
 
 /// A number among the inputs: a quantity, or one component of a vector.
 #[derive(Clone, Debug)]
@@ -67,6 +70,19 @@ impl InputLimits {
             Some((row, at))
         })
     }
+}
+
+/// Error of a name that is no path of these inputs: the nearest path, or all of them.
+pub fn unknown_number(inputs: &[VariedInput], name: &str) -> Text {
+    let paths = || inputs.iter().map(|input| input.path.as_str());
+    let why = match nearest(name, paths()) {
+        Some(near) => {
+            Text::new("`{name}` is not a number among the inputs; did you mean `{near}`?").with("near", near)
+        }
+        None => Text::new("`{name}` is not a number among the inputs: {known}")
+            .with("known", paths().collect::<Vec<_>>().join(", ")),
+    };
+    why.with("name", name)
 }
 
 /// Every number among the inputs, in the order of the form. Whole numbers and tables are none; gravity is one.
@@ -251,6 +267,16 @@ impl VariedInput {
             FieldLimit::None | FieldLimit::Excluding(_) => to,
         };
         [low, high]
+    }
+
+    /// The range that is searched where none is given, in SI: from 1/1000 to 1000 times a value, within the limits of the
+    /// input; of an angle a whole turn.
+    pub fn range_around(&self, si: f64) -> [f64; 2] {
+        if self.is_angle() {
+            return self.permitted([-std::f64::consts::PI, std::f64::consts::PI]);
+        }
+        let ends = [si / WIDE, si * WIDE];
+        self.permitted([ends[0].min(ends[1]), ends[0].max(ends[1])])
     }
 
     /// Returns true if a value, in SI, is within the limits of the input.

@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 
 use crate::{
     Answer, AnswerValue, Check, ProblemSteps, Sides, Solution,
-    reevaluate::ancestors,
     trace::{Id, Op},
 };
 
@@ -18,7 +17,7 @@ impl Solution {
             AnswerValue::Number(_, id) => Some(id),
             _ => None,
         });
-        let nodes: BTreeSet<Id> = numbers.flat_map(|id| ancestors(self, id)).collect();
+        let nodes: BTreeSet<Id> = numbers.flat_map(|id| self.ancestors(id)).collect();
         let needed = |id: &Id| match self.trace.node(*id).op {
             Op::Step(step) => Some(step),
             _ => None,
@@ -49,6 +48,7 @@ impl Solution {
             answers,
             steps: kept.iter().map(|step| self.steps[*step].clone()).collect(),
             problems: self.problems.iter().map(of_problem).filter(|of| !of.steps.is_empty()).collect(),
+            common_errors: Vec::new(),
             exhibits: Vec::new(),
             checks: self.checks.iter().filter(is_of_these).cloned().collect(),
             warnings: self.warnings.clone(),

@@ -74,6 +74,14 @@ pub trait Worksheet: Copy {
         si: Vector3<f64>,
         how: impl Into<Reason>,
     ) -> Self::Vec;
+    /// Records a common error: what people compute in place of the next step of this symbol, and its name in words. It is
+    /// searched for when an answer is wrong.
+    fn common_error(
+        self,
+        symbol: impl Into<Symbol>,
+        what: impl Into<Text>,
+        wrong: impl FnOnce() -> Self::Num,
+    );
     /// Holds two ways to the same number together, to within 10⁻⁹ of the larger; where digits are lost by cancellation on
     /// the way, to within what rounding leaves of them.
     fn check(self, what: impl Into<Text>, left: Self::Num, right: Self::Num);
@@ -337,6 +345,8 @@ impl<N: PlainNumber> Worksheet for &Plain<'_, N> {
     ) -> N::Vector {
         N::Vector::from_components(si.x.into(), si.y.into(), si.z.into())
     }
+    #[inline]
+    fn common_error(self, _: impl Into<Symbol>, _: impl Into<Text>, _: impl FnOnce() -> N) {}
     #[inline]
     fn check(self, _: impl Into<Text>, _: N, _: N) {}
     #[inline]

@@ -160,7 +160,6 @@ write-a-changed-input-and-its-value-as-in-configuration-weighted-mass-m-2-kg = e
 solve-the-same-problem-with-an-input-changed-beside-it-weighted-mass-m-2-kg = Resolve ao lado o mesmo problema com um dado alterado: 'carregado.mass=m + 2 kg'
 
 ## Find
-find-the-values-of-an-input-with-which-an-answer-is-a-wanted-one = Obter os valores de um dado com os quais um resultado é o desejado
 take-the-other-inputs-of-this-published-case-counted-from-1-default-case-1 = Usar os outros dados deste caso publicado, contado a partir de 1; padrão: caso 1
 the-input-to-find-mass-masses-2-radius = O dado a obter: mass, masses[2].radius
 the-answer-or-question-and-the-value-that-it-is-to-have-natural-frequency-8-2-hz = O resultado ou a pergunta, e o valor que deve ter: 'natural_frequency=8.2 Hz'
@@ -236,3 +235,86 @@ there-is-no-answer-name-write-one-of-known = não há a resposta `{ $name }`; es
 print-the-working-of-this-answer-alone-the-steps-that-lead-to-it-of-one-of-several-by-its-row = Imprime só o desenvolvimento desta resposta: os passos que levam a ela; de uma entre várias, pela linha: 'frequency[2]'
 balance-a-rotor-in-the-field-step-by-step = Balancear um rotor em campo, passo a passo
 job-file-an-existing-job-is-continued-a-new-one-is-begun-under-this-name = Arquivo do trabalho: um existente é continuado, um novo começa com este nome
+## Variants and grading
+write-variants-of-an-exercise-with-other-data-their-keys-and-files-for-learning-platforms = Gravar variantes de um exercício com outros dados, seus gabaritos e arquivos para plataformas de ensino
+grade-the-answers-of-a-class = Avaliar as respostas de uma turma
+vary-this-published-case-counted-from-1-default-case-1 = Variar este caso publicado, contado a partir de 1; padrão: caso 1
+seed-of-the-data-the-same-seed-gives-the-same-variants = Semente dos dados: a mesma semente dá as mesmas variantes
+number-of-variants = Número de variantes
+one-variant-for-the-student-of-this-id-which-is-the-seed = Uma variante para o estudante desta identificação, que é a semente
+tolerance-of-the-answers-a-share-of-their-values = Tolerância das respostas: uma fração de seus valores
+output-format = Formato da saída
+write-to-this-folder-a-sheet-and-a-worked-key-for-each-variant-the-key-and-its-csv-or-the-files-of-a = Gravar nesta pasta: um enunciado e um gabarito resolvido para cada variante, o gabarito e seu CSV, ou os arquivos de uma plataforma de ensino
+overwrite-existing-files = Sobrescrever arquivos existentes
+answers-in-csv-columns-of-students-answer-and-value-reads-the-standard-input = Respostas em CSV: colunas de estudantes, answer e value; - lê a entrada padrão
+the-id-of-an-analysis-or-a-problem-file = A identificação de uma análise, ou um arquivo de problema
+grade-answers-to-this-published-case-counted-from-1-default-case-1 = Avaliar respostas a este caso publicado, contado a partir de 1; padrão: caso 1
+column-of-ids-whose-students-have-variants-of-their-own-as-written-by-dalembert-variants-student = Coluna de identificações cujos estudantes têm variantes próprias, como gravadas por `dalembert variants --student`
+credit-of-outcomes-in-place-of-right-1-rounded-early-0-9-few-digits-0-5-carried-forward-0-8-sign-or = Crédito dos resultados no lugar de right=1, rounded-early=0.9, few-digits=0.5, carried-forward=0.8, sign-or-unit=0.5
+the-longest-search-for-the-causes-of-the-wrong-answers-of-one-student-in-seconds = A busca mais longa das causas das respostas erradas de um estudante, em segundos
+variants-variants-files-files-in-folder = { $variants } variantes, { $files } arquivos em { $folder }
+tolerance-text-write-a-share-from-above-0-to-20-as-in-tolerance-0-5 = --tolerance { $text }: escreva uma fração acima de 0 e até 20 %, como em --tolerance '0.5 %'
+student-student-why = estudante { $student }: { $why }
+this-format-is-a-folder-of-files-name-the-folder-with-out = este formato é uma pasta de arquivos; indique a pasta com --out
+folder-cannot-be-made-why = { $folder } não pode ser criada: { $why }
+weights-why = --weights { $why }
+file-why = { $file }: { $why }
+
+# Check of a user's own answers.
+likely-cause = Causa provável:
+possible-causes = Causas possíveis:
+correct-value = correto: { $value }
+written-write-an-answer-and-its-value-as-in-amplitude-19-5-mm = `{ $written }`: escreva uma resposta e o seu valor, como em `amplitude=19.5 mm`
+there-is-no-answer-name-the-answers-are-known = não há resposta `{ $name }`; as respostas são { $known }
+the-value-of-name-is-missing-as-in-name-example = falta o valor de `{ $name }`, como em `{ $name }={ $example }`
+check-your-own-answers-and-find-the-likeliest-cause-of-a-wrong-one = Conferir as suas respostas e encontrar a causa mais provável de uma errada
+your-answers-with-their-units-a-number-alone-is-in-the-unit-of-the-answer-amplitude-19-5-mm = As suas respostas, com unidades; um número sozinho está na unidade da resposta: 'amplitude=19.5 mm'
+take-the-inputs-of-this-published-case-counted-from-1-default-case-1 = Usar os dados deste caso publicado, contado a partir de 1; padrão: caso 1
+change-an-input-mass-40-kg = Mudar um dado: mass="40 kg"
+print-what-is-correct-too = Mostrar também o que está correto
+
+# Sensitivity, and the values of an input within a limit.
+find-the-values-of-an-input-with-which-an-answer-is-a-wanted-one-or-within-a-limit = Encontrar os valores de um dado com os quais um resultado é o desejado, ou respeita um limite
+rank-the-inputs-by-their-effect-on-an-answer-and-combine-their-tolerances = Ordenar os dados pelo efeito sobre um resultado e combinar as suas tolerâncias
+the-answer-or-question-and-the-value-or-the-limit-that-it-is-to-have-natural-frequency-8-2-hz = O resultado ou pergunta, e o valor ou o limite que deve ter: 'natural_frequency=8.2 Hz', 'amplitude<=2 mm'
+the-same-as-input = O mesmo que INPUT
+the-same-as-answer-value = O mesmo que ANSWER=VALUE
+change-another-input-mass-40-kg = Mudar outro dado: mass="40 kg"
+the-answer-default-the-main-one = O resultado; padrão: o principal
+change-an-input-its-tolerance-may-stand-behind-it-mass-40-kg-5 = Mudar um dado; a sua tolerância pode vir atrás dele: mass='40 kg ± 5 %'
+tolerance-of-an-input-to-either-side-in-place-of-that-of-the-problem-mass-2-length-0-5-mm = Tolerância de um dado, para cada lado, no lugar da do problema: mass='2 %', length='0.5 mm'
+number-of-samples-of-the-monte-carlo-simulation = Número de amostras da simulação de Monte Carlo
+tolerance-text-why = --tolerance { $text }: { $why }
+write-an-input-and-its-tolerance-as-in-tolerance-mass-2 = escreva um dado e a sua tolerância, como em --tolerance mass='2 %'
+elasticity = Elasticidade
+derivative = Derivada
+tolerance = ± tolerância
+at-its-lower-end = no limite inferior
+at-its-upper-end = no limite superior
+worst-case-at-the-ends-of-the-tolerances-least-to-most = pior caso nos limites das tolerâncias: { $least } a { $most }
+root-of-the-sum-of-squares-value-likely = raiz da soma dos quadrados: { $value } ± { $likely }
+monte-carlo-95-of-the-answers-from-from-to-to-mean-mean-samples-samples-seed-seed-normal-inputs-95 = Monte Carlo: 95 % dos resultados de { $from } a { $to }, média { $mean } ({ $samples } amostras, semente { $seed }; dados normais, 95 % dentro das tolerâncias)
+no-tolerance-is-given-1-is-taken-for-every-input-1-for-an-angle-write-tolerance-path-value-for-your = nenhuma tolerância é dada: adota-se 1 % para cada dado, 1° para um ângulo; escreva --tolerance CAMINHO=VALOR para as suas
+input-asymmetric-effect = { $input }: efeito assimétrico
+input-no-answer-on-one-side-why = { $input }: sem resultado de um lado: { $why }
+count-of-samples-samples-have-no-answer = { $count } de { $samples } amostras não têm resultado
+warning-monte-carlo-and-root-of-the-sum-of-squares-differ-by-percent-of-the-latter-more-than-limit = aviso: Monte Carlo e a raiz da soma dos quadrados diferem em { $percent } % desta, mais de { $limit } %: dentro destas tolerâncias o resultado não é linear
+certified-by-interval-arithmetic-for-the-formulas-of-this-solution-the-same-formulas-were-seen-at = certificado por aritmética intervalar para as fórmulas desta solução; as mesmas fórmulas foram vistas em { $points } pontos da faixa
+not-certified-why-points-points-of-the-range-were-examined = não certificado: { $why }; { $points } pontos da faixa foram examinados
+undecided-from-from-to-to = não decidido: de { $from } a { $to }
+undecided-in-all-percent-of-the-range = não decidido ao todo: { $percent } % da faixa
+text-why = { $text }: { $why }
+option-text-why = { $option } { $text }: { $why }
+the-range-from-from-to-to-of-path-is-empty-write-from-and-to-in-ascending-order = a faixa de { $from } a { $to } de `{ $path }` é vazia: escreva --from e --to em ordem crescente
+a-value-is-missing-write-one-in-unit-as-in-1-5-unit = falta um valor; escreva um em { $unit }, como em 1.5 { $unit }
+unknown-for-answer-relation-value-from-from-to-to = { $unknown } para { $answer } { $relation } { $value }, de { $from } a { $to }:
+the-answer-does-not-depend-on-this-input = o resultado não depende deste dado
+not-a-constraint-every-value-of-the-range-meets-it-the-answer-lies-between-least-at-at-least-and-most = não é restrição: todo valor da faixa a satisfaz; o resultado fica entre { $least } (em { $at_least }) e { $most } (em { $at_most })
+impossible-no-value-of-the-range-meets-it-the-answer-lies-between-least-at-at-least-and-most-at-at = impossível: nenhum valor da faixa a satisfaz; o resultado fica entre { $least } (em { $at_least }) e { $most } (em { $at_most })
+impossible-there-is-no-answer-in-the-whole-range = impossível: não há resultado em toda a faixa
+from-to-to-lower-upper = { $from } a { $to } ({ $lower }; { $upper })
+limit-reached = limite atingido
+beyond-it-no-answer-why = além disso não há resultado: { $why }
+beyond-it-no-answer = além disso não há resultado
+beyond-it-undecided = além disso não decidido
+no-value-of-the-range-is-known-to-meet-it-values-that-may-are-in-what-is-undecided = de nenhum valor da faixa se sabe que a satisfaz; valores que talvez o façam estão no que não está decidido

@@ -1,10 +1,17 @@
 //! Arguments and options of the command line.
 
+mod answers;
+mod teaching;
+
 use std::path::PathBuf;
 
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use dalembert_core::{Language, Locale, Text};
 
+pub(crate) use self::{
+    answers::{Find, Optimise, Sensitivity, TableFormat},
+    teaching::{Grade, GradeFormat, Variants, VariantsFormat},
+};
 use crate::completion;
 
 /// A machine-dynamics workbench: pick a problem, edit its inputs in any units, see the worked solution.
@@ -51,14 +58,22 @@ pub(crate) enum Command {
     New(New),
     /// Solve a problem and print its worked solution
     Solve(Solve),
-    /// Find the values of an input with which an answer is a wanted one
+    /// Check your own answers, and find the likeliest cause of a wrong one
+    Check(Check),
+    /// Find the values of an input with which an answer is a wanted one, or within a limit
     Find(Find),
+    /// Rank the inputs by their effect on an answer, and combine their tolerances
+    Sensitivity(Sensitivity),
     /// Choose inputs so that an answer is as small or as large as possible under limits
     Optimise(Optimise),
     /// Solve a problem at many values of its inputs: grids, samples, statistics
     Study(Study),
     /// Check all published answers
     Verify(Verify),
+    /// Write variants of an exercise with other data, their keys, and files for learning platforms
+    Variants(Variants),
+    /// Grade the answers of a class
+    Grade(Grade),
     /// Print the JSON Schema of a problem file, for an editor, or of results
     Schema(Schema),
     /// Answer requests of another program
@@ -84,6 +99,9 @@ pub(crate) struct Field {
     /// Job file: an existing job is continued, a new one is begun under this name
     #[arg(value_name = "FILE")]
     pub(crate) file: Option<PathBuf>,
+    /// Record the session to a new file, for `dalembert replay`
+    #[arg(long, value_name = "FILE")]
+    pub(crate) record: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]
@@ -185,70 +203,25 @@ pub(crate) struct Solve {
 }
 
 #[derive(Debug, Args)]
-pub(crate) struct Find {
+pub(crate) struct Check {
     /// The id of an analysis, or a problem file; - reads the standard input
     #[arg(value_name = "ID|FILE|-", add = completion::problems())]
     pub(crate) problem: String,
-    /// Take the other inputs of this published case, counted from 1; default: case 1
+    /// Your answers, with their units; a number alone is in the unit of the answer: 'amplitude=19.5 mm'
+    #[arg(value_name = "ANSWER=VALUE", required = true, add = completion::answers("="))]
+    pub(crate) answers: Vec<String>,
+    /// Take the inputs of this published case, counted from 1; default: case 1
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) case: Option<u32>,
-    /// The input to find: mass, masses[2].radius
-    #[arg(long, value_name = "PATH", add = completion::numbers(""))]
-    pub(crate) input: String,
-    /// The answer or question, and the value that it is to have: 'natural_frequency=8.2 Hz'
-    #[arg(long, value_name = "ANSWER=VALUE", add = completion::answers("="))]
-    pub(crate) answer: String,
-    /// Least value of the range to search; default: 1/1000 to 1000 times the value of case 1
-    #[arg(long, value_name = "VALUE", requires = "to", allow_hyphen_values = true)]
-    pub(crate) from: Option<String>,
-    /// Largest value of the range to search
-    #[arg(long, value_name = "VALUE", requires = "from", allow_hyphen_values = true)]
-    pub(crate) to: Option<String>,
+    /// Change an input: mass="40 kg"
+    #[arg(long, value_name = "PATH=VALUE", add = completion::settings())]
+    pub(crate) set: Vec<String>,
+    /// Print what is correct too
+    #[arg(long)]
+    pub(crate) reveal: bool,
     /// Print JSON
     #[arg(long)]
     pub(crate) json: bool,
-    /// Number of significant digits
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
-    pub(crate) digits: Option<u8>,
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct Optimise {
-    /// The id of an analysis, or a problem file; - reads the standard input
-    #[arg(value_name = "ID|FILE|-", add = completion::problems())]
-    pub(crate) problem: String,
-    /// Take the other inputs of this published case, counted from 1; default: case 1
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
-    pub(crate) case: Option<u32>,
-    /// Change an input; with a tolerance, the worst case counts: mass='40 kg ± 5 %'
-    #[arg(long, value_name = "PATH=VALUE", add = completion::settings())]
-    pub(crate) set: Vec<String>,
-    /// An input to choose, in a range or from a list: stiffness='20 kN/m .. 80 kN/m', mass='2 kg; 3 kg; 5 kg'
-    #[arg(long, value_name = "PATH=VALUES", add = completion::numbers("="))]
-    pub(crate) vary: Vec<String>,
-    /// Ask a question over inputs, answers and steps, which may be minimised or limited: 'price=2*m'
-    #[arg(long, value_name = "NAME[=FORMULA]")]
-    pub(crate) ask: Vec<String>,
-    /// The answer or question to be made as small as possible; of two of these the Pareto front is found
-    #[arg(long, value_name = "ANSWER", add = completion::answers(""))]
-    pub(crate) minimise: Vec<String>,
-    /// The answer or question to be made as large as possible
-    #[arg(long, value_name = "ANSWER", add = completion::answers(""))]
-    pub(crate) maximise: Vec<String>,
-    /// A limit that is to be kept: 'amplitude < 0.2 mm'
-    #[arg(long, value_name = "ANSWER<VALUE")]
-    pub(crate) limit: Vec<String>,
-    #[command(flatten)]
-    pub(crate) form: OutputForm,
-    /// Write to a new file: the problem with the optimum (.toml), or the worked solution by the extension
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<PathBuf>,
-    /// Overwrite an existing file
-    #[arg(long, requires = "output")]
-    pub(crate) force: bool,
-    /// Number of significant digits
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
-    pub(crate) digits: Option<u8>,
 }
 
 #[derive(Debug, Args)]

@@ -24,7 +24,7 @@ use dalembert_core::{Locale, Text};
 use dalembert_tui::settings::{self, Settings};
 
 use crate::{
-    arguments::{Arguments, Command, Format},
+    arguments::{Arguments, Command, Format, GradeFormat, TableFormat},
     console::{Console, print_json},
     failure::Failure,
 };
@@ -75,14 +75,17 @@ fn prints_json(command: &Command) -> bool {
         Command::Solve(solve) => {
             commands::solve::format(&solve.form, solve.output.as_deref()) == Format::Json
         }
+        Command::Check(check) => check.json,
         Command::Find(find) => find.json,
         Command::Optimise(optimise) => {
             commands::solve::format(&optimise.form, optimise.output.as_deref()) == Format::Json
         }
+        Command::Sensitivity(sensitivity) => sensitivity.format == TableFormat::Json,
         Command::List(list) => list.json,
         Command::Show(show) => show.json,
         Command::Study(study) => study.json,
         Command::Verify(verify) => verify.json,
+        Command::Grade(grade) => grade.format == GradeFormat::Json,
         _ => false,
     }
 }
@@ -117,10 +120,14 @@ fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, F
         Some(Command::Show(show)) => commands::show::run(show, console),
         Some(Command::New(new)) => commands::new::run(new, console),
         Some(Command::Solve(solve)) => commands::solve::run(solve, console),
+        Some(Command::Check(check)) => commands::check::run(check, console),
         Some(Command::Find(find)) => commands::find::run(find, console),
         Some(Command::Optimise(optimise)) => commands::optimise::run(optimise, console),
+        Some(Command::Sensitivity(sensitivity)) => commands::sensitivity::run(sensitivity, console),
         Some(Command::Study(study)) => commands::study::run(study, console),
         Some(Command::Verify(verify)) => commands::verify::run(verify, console),
+        Some(Command::Variants(variants)) => commands::variants::run(variants, console),
+        Some(Command::Grade(grade)) => commands::grade::run(grade, console),
         Some(Command::Schema(schema)) => commands::schema::run(schema, console),
         Some(Command::Serve(_)) => commands::serve::run(console),
         Some(Command::Field(field)) => commands::field::run(field, arguments, set, console),

@@ -8,7 +8,7 @@ use std::{
 };
 
 use dalembert_core::{
-    Draft, Entry, FieldError, Record, Shape, Text, UnitSetting,
+    Draft, Entry, FieldError, Record, Shape, Statement, Text, UnitSetting,
     cases::{self, Case},
     file, find, is_within,
 };
@@ -37,6 +37,8 @@ pub(crate) struct LoadedProblem {
     pub(crate) source: Text,
     /// Remarks.
     pub(crate) note: Text,
+    /// Statement of the exercise that it is; empty once inputs are changed.
+    pub(crate) statement: Statement,
     /// Notes on the reading of the inputs where the inputs do not show it.
     pub(crate) notes: Vec<Text>,
     /// Texts of the inputs.
@@ -56,6 +58,7 @@ impl LoadedProblem {
             entry: self.entry,
             case: &self.name,
             source: &self.source,
+            statement: &self.statement.text,
             note: &self.note,
             notes: &self.notes,
             draft: &self.draft,
@@ -206,6 +209,7 @@ fn of_analysis(
             entry,
             name: published.as_ref().map_or_else(none, Case::title),
             source: published.as_ref().map_or_else(none, |case| case.source.clone()),
+            statement: published.as_ref().map(Case::exercise).unwrap_or_default(),
             note: published.map_or_else(none, |case| case.note),
             notes: reported(notes, "warning: {words}", console),
             draft,
@@ -311,6 +315,7 @@ pub(crate) fn of_file(
             name: Text::verbatim(problem.title),
             source: Text::from(""),
             note: Text::from(""),
+            statement: problem.statement,
             notes: {
                 let bare = bare.iter().map(|err| named(err, &draft, &shape)).collect();
                 let mut notes = reported(problem.notes, "note: {words}", console);
@@ -431,9 +436,12 @@ fn from_file(draft: &Draft, shape: &Shape, path: &str, value: &str) -> Result<Op
     }
 }
 
-/// An error with the value that was typed.
+/// An error with the value that was typed. Of a table nothing is printed: it may be the content of a file.
 fn named(err: &FieldError, draft: &Draft, shape: &Shape) -> Text {
-    let value = typed(draft, shape, &err.path);
+    let mut value = typed(draft, shape, &err.path);
+    if value.contains('\n') {
+        value.clear();
+    }
     let text =
         if value.is_empty() { Text::new("{path}: {why}") } else { Text::new("{path} = {value}: {why}") };
     text.with("path", &err.path).with("value", short(&value)).with_text("why", err.why.clone())

@@ -10,7 +10,7 @@ use std::{
     },
 };
 
-use dalembert_core::{Entry, Record, Refusal, Solution, SolveError, Stop, Text};
+use dalembert_core::{Entry, FieldError, Record, Refusal, Solution, SolveError, Stop, Text};
 
 use crate::failure::Failure;
 
@@ -25,11 +25,20 @@ pub(crate) fn solve(entry: &'static Entry, record: &Record) -> Result<SolveOutco
         Err(SolveError::Refused(Refusal::Stopped)) => {
             Err(Failure::Fault(format!("{} was stopped", entry.about.id)))
         }
-        Err(SolveError::Fields(errors)) => {
-            let why = |err: &dalembert_core::FieldError| {
-                Text::new("{path}: {why}").with("path", &err.path).with_text("why", err.why.clone())
+        Err(error) => Err(failure(error)),
+    }
+}
+
+/// Failure of a command whose problem has no solution.
+pub(crate) fn failure(error: SolveError) -> Failure {
+    match error {
+        SolveError::Refused(Refusal::NoAnswer(why)) => Failure::Refused(why),
+        SolveError::Refused(Refusal::Stopped) => Failure::Fault(error.to_string()),
+        SolveError::Fields(errors) => {
+            let why = |error: FieldError| {
+                Text::new("{path}: {why}").with("path", error.path).with_text("why", error.why)
             };
-            Err(Failure::Input(errors.iter().map(why).collect()))
+            Failure::Input(errors.into_iter().map(why).collect())
         }
     }
 }

@@ -11,6 +11,7 @@
 //! | quadrature, derivatives | [`quadrature`], [`gauss_legendre`], [`differentiation`] |
 //! | special functions | [`elementary`], [`elliptic`], [`bessel`] |
 //! | sets of numbers | [`intervals`] |
+//! | interval arithmetic, proven signs | [`enclosure`], [`signs`] |
 //! | random numbers, points that fill a cube | [`random`], [`sampling`] |
 //! | probability distributions | [`distribution`] |
 //! | formulas for several samples at once | [`simd`] |
@@ -34,6 +35,7 @@ pub mod differentiation;
 pub mod distribution;
 pub mod elementary;
 pub mod elliptic;
+pub mod enclosure;
 pub mod extremes;
 pub mod fourier;
 pub mod gauss_legendre;
@@ -48,6 +50,7 @@ pub mod quadrature;
 pub mod random;
 pub mod roots;
 pub mod sampling;
+pub mod signs;
 pub mod simd;
 
 mod real;

@@ -21,11 +21,12 @@ pub const RESULTS_FORMAT: u32 = 1;
 pub const RESULTS_SCHEMA: &str = include_str!("json/results.schema.json");
 
 /// The keys of a result, in their order.
-pub const RESULT_KEYS: [&str; 17] = [
+pub const RESULT_KEYS: [&str; 18] = [
     "format",
     "program",
     "analysis",
     "case",
+    "statement",
     "units",
     "notes",
     "inputs",
@@ -67,6 +68,7 @@ fn part(key: &str, worked: &WorkedProblem<'_>, locale: &Locale) -> Json {
         "program" => concat!("dalembert ", env!("CARGO_PKG_VERSION")).into(),
         "analysis" => worked.entry.about.id.into(),
         "case" => worked.case.english().into(),
+        "statement" => worked.statement.render(locale).into(),
         "units" => worked.shown_units().map(|units| units.system.key()).into(),
         "notes" => steps::words(worked.notes, locale),
         "inputs" => given(worked, locale).into(),

@@ -24,6 +24,8 @@ pub struct WorkedProblem<'a> {
     pub case: &'a Text,
     /// Publication of the case; may be empty.
     pub source: &'a Text,
+    /// Statement of the exercise that the problem is; may be empty.
+    pub statement: &'a Text,
     /// Remarks; may be empty.
     pub note: &'a Text,
     /// Notes on the reading of the inputs where the inputs do not show it.
@@ -64,9 +66,10 @@ fn written(worked: &WorkedProblem<'_>, locale: &Locale, with_figures: bool) -> D
     let locale = &locale.at(about.id);
     let say = |words: &'static str| Text::from(words).render(locale);
     let mut blocks = vec![Block::Paragraph(say(about.summary))];
-    let [case, source, note] = [worked.case, worked.source, worked.note].map(|text| text.render(locale));
+    let texts = [worked.case, worked.source, worked.statement, worked.note];
+    let [case, source, statement, note] = texts.map(|text| text.render(locale));
     let case = [case, source].into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(" — ");
-    blocks.extend([case, note].into_iter().filter(|text| !text.is_empty()).map(Block::Paragraph));
+    blocks.extend([case, statement, note].into_iter().filter(|text| !text.is_empty()).map(Block::Paragraph));
     if let Some(units) = worked.shown_units() {
         blocks.push(Block::Paragraph(units.line().render(locale)));
     }

@@ -21,3 +21,12 @@ input-value-why = { $input } = { $value }: { $why }
 ## Planos em arquivos
 this-is-a-problem-file-not-a-study-plan-which-names-its-problem-problem-fan-toml = este é um arquivo de problema, não um plano de estudo, que nomeia o seu problema: problem = "fan.toml"
 line-line-why = linha { $line }: { $why }
+
+## Values of an input within a limit
+the-answers-of-the-scan-are-not-those-of-the-formulas-at-the-compared-points = os resultados da varredura não são os das fórmulas nos pontos comparados
+the-worked-solution-has-no-answer-where-the-plain-reading-has-one = a solução resolvida não tem resultado onde a leitura simples tem um
+the-answer-is-not-computed-by-formulas-alone = o resultado não é calculado só por fórmulas
+the-formulas-of-the-answer-are-too-long-to-be-enclosed = as fórmulas do resultado são longas demais para a aritmética intervalar
+the-enclosure-of-the-formulas-is-not-that-of-the-answer = o intervalo das fórmulas não contém o resultado
+a-number-in-the-formulas-changes-with-the-input-a-numerical-method-found-it-or-code-outside-of-the = um número nas fórmulas muda com o dado: foi achado por um método numérico, ou por código fora das fórmulas
+the-formulas-of-the-answer-change-too-often-over-the-range = as fórmulas do resultado mudam vezes demais na faixa

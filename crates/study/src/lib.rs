@@ -6,11 +6,13 @@
 //! | [`workers`] | solves the points on several threads and hands them on in their order |
 //! | [`table`] | writes rows as CSV and reads them back, to the last bit |
 //! | [`output`] | writes a table or a shard of it, goes on with one that was broken off, merges shards |
+//! | [`ranges`] | finds the values of an input with which an answer is within a limit, and proves them |
 //! | [`slurm`] | has the shards solved by a cluster |
 //! | [`points`] | solves points that are given as arrays |
 //! | [`data`] | reads files that a plan names |
 //! | [`parquet`] | reads and writes Parquet, where the program is built with it |
 //! | [`plans`] | reads and writes plans |
+//! | [`spread`] | draws inputs within their tolerances, for the spread of an answer |
 //!
 //! A table is the same to the last byte on any number of threads, broken off and resumed or not, and merged from any
 //! number of shards: a row is a function of its number alone, and the statistics are taken from the rows in their order.
@@ -20,7 +22,9 @@ pub mod output;
 pub mod parquet;
 pub mod plans;
 pub mod points;
+pub mod ranges;
 pub mod slurm;
+pub mod spread;
 pub mod table;
 pub mod workers;
 

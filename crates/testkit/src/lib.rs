@@ -23,6 +23,7 @@ pub mod alternatives;
 pub mod catalogue;
 pub mod coverage;
 mod evaluator;
+pub mod exercises;
 pub mod exhibits;
 pub mod extremes;
 pub mod inputs;

@@ -34,6 +34,7 @@ pub fn worked_out(entry: &'static Entry, locale: &Locale) -> Document {
         entry,
         case: &case.title(),
         source: &case.source,
+        statement: &case.statement,
         note: &case.note,
         notes: &[],
         draft: &case.draft,

@@ -202,7 +202,13 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
         let path_of_file = file.as_ref().and_then(|path| std::path::absolute(path).ok());
         let open = analysis.map(|entry| entry.about.id.to_owned());
         let open = open.or(path_of_file.map(|path| path.display().to_string()));
-        match Recorder::begin(path, world.session.size(), language, &look, open.as_deref()) {
+        let open = open.map(|open| format!("open {open}"));
+        let field = model.field.as_ref().map(|job| match job {
+            Some(job) => format!("field {}", job.display()),
+            None => "field".to_owned(),
+        });
+        let first: Vec<String> = open.into_iter().chain(field).collect();
+        match Recorder::begin(path, world.session.size(), language, &look, &first) {
             Ok(recorder) => world.recorder = Some(recorder),
             Err(error) => not_recorded(&mut model, &error),
         }

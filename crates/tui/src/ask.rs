@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 use dalembert_core::{
     Answer, Entry, Record, Refusal, Solution, SolveError, Stop,
-    check::{self, Mistake},
+    check::{self, Causes},
     sensitivity,
     study::StudyPlan,
 };
@@ -18,7 +18,7 @@ pub use study::{StudyProgress, StudyResult};
 #[derive(Clone, Debug)]
 pub enum Question {
     /// Search for the mistakes that give these answers.
-    Slips {
+    Causes {
         /// The analysis.
         entry: &'static Entry,
         /// Inputs.
@@ -68,30 +68,30 @@ pub enum Question {
 /// The answer to a [`Question`].
 #[derive(Clone, Debug)]
 pub enum Reply {
-    /// For each wrong answer the slips that give it.
-    Slips(Vec<(String, Vec<Mistake>)>),
+    /// For each wrong answer the causes that give it.
+    Causes {
+        /// Causes that were found.
+        found: Causes,
+        /// True if the search has come to its end.
+        is_whole: bool,
+    },
     /// Influence of each input.
     Sensitivity(Result<sensitivity::Sensitivity, SolveError>),
     /// Result of a study, of all its points or of those that are solved so far; of a search.
     Study(Box<Result<StudyResult, SolveError>>),
 }
 
-/// The tolerance of an input that none is typed for, in its steps.
-pub const USUAL: f64 = 1.0;
-
 impl Question {
     /// The answer; `None` when it was stopped. What is found before the end is reported.
     pub fn answer(&self, stop: &Stop, report: &dyn Fn(Reply)) -> Option<Reply> {
         match self {
-            Question::Slips { entry, record, solution, typed } => {
-                match check::slips(entry, record, solution, typed, stop) {
-                    Ok(slips) => Some(Reply::Slips(slips)),
-                    Err(Refusal::Stopped) => None,
-                    Err(Refusal::NoAnswer(_)) => Some(Reply::Slips(Vec::new())),
-                }
+            Question::Causes { entry, record, solution, typed } => {
+                let mut so_far = |found| report(Reply::Causes { found, is_whole: false });
+                let found = check::causes(entry, record, solution, typed, stop, Some(&mut so_far));
+                stop.check().is_ok().then_some(Reply::Causes { found, is_whole: true })
             }
             Question::Sensitivity { entry, record, answer, tolerances } => {
-                let tolerances = (tolerances.as_slice(), USUAL);
+                let tolerances = (tolerances.as_slice(), sensitivity::USUAL);
                 unless_stopped(sensitivity::sensitivity(entry, record, answer, tolerances, stop))
                     .map(Reply::Sensitivity)
             }
@@ -111,7 +111,11 @@ impl Question {
 impl Reply {
     /// Returns true if more is to come.
     pub fn is_partial(&self) -> bool {
-        matches!(self, Reply::Study(found) if found.as_ref().as_ref().is_ok_and(|found| found.progress.is_some()))
+        match self {
+            Reply::Causes { is_whole, .. } => !is_whole,
+            Reply::Study(found) => found.as_ref().as_ref().is_ok_and(|found| found.progress.is_some()),
+            Reply::Sensitivity(_) => false,
+        }
     }
 }
 

@@ -16,6 +16,15 @@ use crate::{
     text_entry::TextEntry,
 };
 
+/// State of the statement above the form.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct StatementState {
+    /// True if its heading alone is seen.
+    pub is_folded: bool,
+    /// The first line that is seen.
+    pub first: usize,
+}
+
 /// A problem on the screen.
 #[derive(Debug)]
 pub struct Bench {
@@ -31,6 +40,8 @@ pub struct Bench {
     pub focus: Focus,
     /// True if that has the whole screen.
     pub expanded: bool,
+    /// True if the next of its pictures stands beside it then.
+    pub beside: bool,
     /// The marker that curves are drawn with.
     pub marker: Marker,
     /// The cell of the shown pane that is being typed in.
@@ -39,6 +50,8 @@ pub struct Bench {
     pub turned_to: String,
     /// The number of the job that a pane waits for, and which.
     pub pending: Option<(u64, Tab)>,
+    /// State of the statement above the form.
+    pub statement: StatementState,
     /// Field mode, while the problem is worked on in it.
     pub field: Option<FieldMode>,
 }
@@ -54,10 +67,12 @@ impl Bench {
             tab: Tab::default(),
             focus: Focus::Form,
             expanded: false,
+            beside: false,
             marker,
             edit: None,
             turned_to: String::new(),
             pending: None,
+            statement: StatementState::default(),
             field: None,
         }
     }
@@ -75,6 +90,11 @@ impl Bench {
     /// The pane that is shown.
     pub fn shown(&self) -> &dyn Pane {
         self.pane(self.tab)
+    }
+
+    /// True if what was found is not to be seen: the user solves by hand, or the shown pane asks for it.
+    pub fn is_covered(&self) -> bool {
+        self.problem.found.revealed.is_some() || self.shown().covers_results(&self.problem)
     }
 
     /// The tab of a name.

@@ -8,6 +8,7 @@ mod autosave;
 mod memory;
 mod process;
 mod save;
+mod table;
 
 #[cfg(test)]
 mod tests;
@@ -23,8 +24,9 @@ use std::{
 pub use autosave::{Autosave, Crashed, autosave_path};
 pub use memory::{Memory, recall, remember, remembered_path, sets, sets_path};
 pub use save::{Before, remove_leftovers, save, save_all};
+pub use table::{holds_data, read_table};
 
-use dalembert_core::{Field, Locale, Text, file, uff};
+use dalembert_core::{Locale, Text, file};
 
 use crate::glyphs::filter_untrusted;
 
@@ -306,39 +308,6 @@ fn opened(path: &Path, bytes: Vec<u8>) -> Result<Opened, FileError> {
     })?;
     let text = text.strip_prefix('\u{FEFF}').map(str::to_owned).unwrap_or(text);
     Ok(Opened { text, fingerprint, linked: LinkedTexts::default() })
-}
-
-/// Reads the text of a table from a file: of a universal file (dataset 58, in text or binary) the first function that
-/// fits the columns, of any other file its text. `measured.uff#2` is the second function of `measured.uff`.
-pub fn read_table(path: &Path, columns: &'static [Field]) -> Result<String, FileError> {
-    let (path, which) = numbered(path);
-    let bytes = read_bytes(&path).map_err(|error| match error {
-        FileError::TooLarge(path) => FileError::TooLargeForTable(path),
-        error => error,
-    })?;
-    if bytes.iter().all(u8::is_ascii_whitespace) {
-        return Err(FileError::NoTable { path, why: "the file is empty".into() });
-    }
-    if !uff::is_universal(&bytes) {
-        return read(&path).map(|opened| opened.text);
-    }
-    uff::table(&bytes, columns, which).map_err(|err| FileError::NoTable { path, why: err.0 })
-}
-
-/// Returns true if a file has the extension of measured data.
-pub fn holds_data(path: &Path) -> bool {
-    const ENDINGS: [&str; 4] = ["csv", "tsv", "uff", "unv"];
-    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-    ENDINGS.iter().any(|known| ending.eq_ignore_ascii_case(known))
-}
-
-/// A path with the number behind its `#`; a file whose name ends so is itself.
-fn numbered(path: &Path) -> (PathBuf, Option<usize>) {
-    let split = path.to_str().filter(|_| !path.exists()).and_then(|text| text.rsplit_once('#'));
-    match split.and_then(|(name, which)| Some((name, which.parse().ok()?))) {
-        Some((name, which)) => (PathBuf::from(name), Some(which)),
-        None => (path.to_owned(), None),
-    }
 }
 
 /// Contents of a folder, in the order of names; folders end in `/`. Nothing where it cannot be read.

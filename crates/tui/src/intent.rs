@@ -87,6 +87,8 @@ pub enum Intent {
 
     /// A case of an analysis is opened.
     OpenCase(&'static Entry, usize),
+    /// A case of an analysis is opened as an exercise: with its statement, and with its results covered.
+    OpenExercise(&'static Entry, usize),
     /// A blank problem of an analysis is opened.
     OpenBlank(&'static Entry),
     /// A problem is opened beside the others.

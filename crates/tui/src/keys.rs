@@ -121,6 +121,10 @@ pub enum Action {
     Configure,
     /// The usual questions of the problem, to choose from.
     UsualQuestions,
+    /// The next hint on the answer.
+    NextHint,
+    /// The statement of the exercise: read on, collapsed, expanded.
+    Statement,
     /// A blank problem of the analysis.
     Blank,
     /// Makes the input unknown.
@@ -374,7 +378,8 @@ impl Key {
 }
 
 /// Returns true for Alt with a key of one byte. A terminal writes Alt as an escape before the key: where Alt with it means
-/// nothing, these were two keys that arrived together, as Esc and `:` do over a slow line.
+/// nothing, neither as a key nor in a line of text, these were two keys that arrived together, as Esc and `:` do over a
+/// slow line.
 pub fn is_escape_and(key: KeyEvent) -> bool {
     key.modifiers.contains(KeyModifiers::ALT)
         && matches!(key.code, KeyCode::Char(_) | KeyCode::Enter | KeyCode::Tab | KeyCode::Backspace)

@@ -19,9 +19,14 @@ pub enum Focus {
     Pane,
 }
 
+/// Returns true if a screen has a line of help above the footer.
+pub fn has_help(area: Rect) -> bool {
+    area.height >= ROOMY
+}
+
 /// The parts of a screen: title, body, help, footer.
 pub fn frame(area: Rect) -> [Rect; 4] {
-    let roomy = u16::from(area.height >= ROOMY);
+    let roomy = u16::from(has_help(area));
     let footer = u16::from(area.height >= 4);
     Layout::vertical([
         Constraint::Length(u16::from(area.height >= 2)),

@@ -332,6 +332,7 @@ impl Model {
             focused: bench.focus == Focus::Pane && bench.tab == tab,
             edit: None,
             waits: bench.waits(tab),
+            covered: bench.is_covered(),
             area,
             scroll: bench.scroll[tab.0],
         }

@@ -68,6 +68,7 @@ pub struct Page {
 
 /// The surroundings of a pane: the user's look, language and keys, and where the pane is seen.
 #[derive(Clone, Copy, Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a state of its own")]
 pub struct Ui<'a> {
     /// Colours and pictograms.
     pub look: &'a Appearance,
@@ -85,6 +86,8 @@ pub struct Ui<'a> {
     pub edit: Option<&'a TextEntry>,
     /// True if it waits for what takes time.
     pub waits: bool,
+    /// True if pictures must not show what is to be found.
+    pub covered: bool,
     /// The inside of the pane.
     pub area: Rect,
     /// The first line that it shows.
@@ -124,7 +127,7 @@ pub trait Pane: Any + Debug {
     }
 
     /// True if it asks for what the results would give away beside it.
-    fn covers_results(&self) -> bool {
+    fn covers_results(&self, _problem: &Problem) -> bool {
         false
     }
 

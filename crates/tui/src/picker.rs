@@ -19,6 +19,8 @@ use crate::{
     solver::CheckedCase,
 };
 
+/// Heading of field balancing.
+const FIELD: &str = "Field balancing, step by step";
 /// Topics are open from the start in a list of so few analyses.
 const FEW: usize = 12;
 
@@ -72,6 +74,13 @@ pub struct Leaf {
     pub listing: usize,
     /// The case that it means; `None` is the first, and whatever is open already.
     pub case: Option<usize>,
+}
+
+impl Leaf {
+    /// True if it is an exercise of a list.
+    pub fn is_exercise(self) -> bool {
+        matches!(self.under, Some(Heading::Set(_))) && self.case.is_some()
+    }
 }
 
 /// Heading of a group of rows.
@@ -157,7 +166,8 @@ impl Picker {
             *found = (filter.to_owned(), search::find(&indices, filter));
         }
         let leaf = |found: &Found| Leaf { under: None, listing: found.place, case: found.case };
-        found.1.iter().map(|found| Row::Leaf(leaf(found))).collect()
+        let field = of.leads_to_field(filter).then_some(Row::Heading(Heading::Field));
+        field.into_iter().chain(found.1.iter().map(|found| Row::Leaf(leaf(found)))).collect()
     }
 
     /// The chosen row.
@@ -226,6 +236,17 @@ impl<'m> Contents<'m> {
             }
         }
         headings
+    }
+
+    /// True if a filter has the words of the heading of field balancing, in either language, and not only `balancing`.
+    fn leads_to_field(self, filter: &str) -> bool {
+        let is_known = self.place(ANALYSIS).is_some();
+        is_known
+            && [Locale::default(), Locale::portuguese()].iter().any(|locale| {
+                let name = Text::from(FIELD).render(locale);
+                let balancing = search::family("balancing").render(locale);
+                search::has_words(&name, filter) && !search::has_words(&balancing, filter)
+            })
     }
 
     /// The headings under a heading.
@@ -320,7 +341,7 @@ impl<'m> Contents<'m> {
             Heading::Pinned => Text::from("Pinned analyses").render(self.locale),
             Heading::Recent => Text::from("Recent analyses").render(self.locale),
             Heading::Exercises => Text::from("Exercise lists").render(self.locale),
-            Heading::Field => Text::from("Field balancing, step by step").render(self.locale),
+            Heading::Field => Text::from(FIELD).render(self.locale),
             Heading::Set(set) => {
                 self.sets.get(set).map_or_else(String::new, |set| set.title(self.locale.language).to_owned())
             }

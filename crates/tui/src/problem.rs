@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use dalembert_core::{
     Axis, Draft, Entry, Exhibit, FieldError, LinkedProblem, Plot, ProblemSteps, Record, Solution, SolveError,
-    TableExhibit, Text, UnitSetting,
+    Statement, TableExhibit, Text, UnitSetting,
     cases::Case,
     draft,
+    exams::FAMILY,
     file::{self, LinkedFile},
     linked,
     vary::{self, VariedInput},
@@ -68,6 +69,8 @@ pub struct Document {
     pub title: String,
     /// The published case that its inputs began as.
     pub origin: Option<Case>,
+    /// True if it was opened as an exercise of a list.
+    pub is_exercise: bool,
     /// Units of everything that is shown.
     pub units: UnitSetting,
     /// Display of answers: `(answer, unit and digits)`.
@@ -144,6 +147,7 @@ impl Problem {
                 saved: (title.clone(), entry, draft.clone()),
                 title,
                 origin: None,
+                is_exercise: false,
                 units: UnitSetting::default(),
                 show: Vec::new(),
                 show_changed: false,
@@ -260,6 +264,8 @@ impl Problem {
         file::ProblemFile {
             entry: self.entry(),
             title,
+            // It stands in the text that is written over.
+            statement: Statement::default(),
             draft: draft.clone(),
             units: self.document.units,
             show: self.document.show.clone(),
@@ -307,6 +313,26 @@ impl Problem {
             }
             Some(_) => Text::from("own data"),
             None => Text::from(""),
+        }
+    }
+
+    /// The published case that the inputs are, unchanged.
+    pub fn published(&self) -> Option<&Case> {
+        self.document.origin.as_ref().filter(|case| case.draft == self.inputs.form.draft)
+    }
+
+    /// Statement of the exercise or the exam question that the problem is; `None` once an input was changed.
+    pub fn statement(&self) -> Option<&Text> {
+        let is_one = self.document.is_exercise || self.entry().family() == FAMILY;
+        let case = self.published().filter(|_| is_one)?;
+        Some(&case.statement).filter(|statement| !statement.is_empty())
+    }
+
+    /// Names of the answers that the statement asks for; empty without one.
+    pub fn asked(&self) -> &[String] {
+        match self.published() {
+            Some(case) if self.statement().is_some() => &case.asked,
+            _ => &[],
         }
     }
 

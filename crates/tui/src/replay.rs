@@ -18,6 +18,7 @@
 //! | `language en` or `pt-BR` | the language of the interface |
 //! | `look colour`, `plain` or `ascii` | sixteen colours, none, or nothing outside ASCII |
 //! | `open ID` or `FILE` | begins on an analysis, or on a problem file beside the session |
+//! | `field` or `field FILE` | begins in field mode on that file, or on a blank job, which may have a name |
 //! | `type KEYS` | keys, as [`keys_of`] reads them |
 //! | `paste "TEXT"` | a text, with `\n`, `\t`, `\"` and `\\` |
 //! | `resize COLUMNSxROWS` | the window has another size |
@@ -35,7 +36,7 @@ mod recorder;
 mod svg;
 mod tour;
 
-use std::{fmt, time::Duration};
+use std::{fmt, path::PathBuf, time::Duration};
 
 use dalembert_core::{Language, Text};
 use ratatui::crossterm::event::{KeyCode, KeyEvent};
@@ -43,7 +44,7 @@ use ratatui::crossterm::event::{KeyCode, KeyEvent};
 pub use headless::{Picture, ReplayFailure, ReplayResult, play, to_open};
 pub use tour::tour;
 
-pub(crate) use caption::draw as draw_caption;
+pub(crate) use caption::{above as above_caption, draw as draw_caption};
 pub(crate) use player::Player;
 pub(crate) use recorder::Recorder;
 
@@ -65,6 +66,8 @@ pub struct Replay {
     pub look: Capabilities,
     /// An analysis or a problem file to begin with.
     pub open: Option<String>,
+    /// Field mode to begin with, and the file that a blank job is to be saved in.
+    pub field: Option<Option<PathBuf>>,
     /// Actions, each with its line number.
     pub acts: Vec<(usize, Act)>,
 }
@@ -104,7 +107,7 @@ pub struct Unreadable {
 }
 
 /// Message for a line with an unknown command.
-const UNKNOWN: &str = "unknown command `{word}`: write screen, language, look, open, type, paste, resize, tab, wait, pause, caption, picture or expect";
+const UNKNOWN: &str = "unknown command `{word}`: write screen, language, look, open, field, type, paste, resize, tab, wait, pause, caption, picture or expect";
 
 /// The looks, by their names.
 const LOOKS: [(&str, Capabilities); 3] = [
@@ -139,6 +142,7 @@ impl Replay {
             language: Language::English,
             look: LOOKS[0].1,
             open: None,
+            field: None,
             acts: Vec::new(),
         };
         for (at, line) in text.lines().enumerate() {
@@ -155,7 +159,7 @@ impl Replay {
         let rest = rest.trim_start();
         let quoting = |template: &'static str, word: &str| Text::new(template).with("word", word);
         let act = match word {
-            "screen" | "language" | "look" | "open" if !self.acts.is_empty() => {
+            "screen" | "language" | "look" | "open" | "field" if !self.acts.is_empty() => {
                 return Err(quoting("`{word}` must come before the first action", word));
             }
             "screen" => {
@@ -180,6 +184,10 @@ impl Replay {
             "open" if rest.is_empty() => return Err("write the id of an analysis or a file".into()),
             "open" => {
                 self.open = Some(rest.to_owned());
+                return Ok(());
+            }
+            "field" => {
+                self.field = Some(Some(PathBuf::from(rest)).filter(|_| !rest.is_empty()));
                 return Ok(());
             }
             "type" => Act::Type(

@@ -126,7 +126,8 @@ fn carry_out(model: &mut Model, intents: Vec<Intent>) -> Vec<Effect> {
             Intent::Ask => cells::ask(model),
             Intent::Await(work) => cells::begin_job(model, work),
             Intent::Mark(marker) => pane::mark(model, marker),
-            Intent::OpenCase(entry, case) => open_case(model, entry, case),
+            Intent::OpenCase(entry, case) => open_case(model, entry, case, false),
+            Intent::OpenExercise(entry, case) => open_case(model, entry, case, true),
             Intent::OpenBlank(entry) => open_blank(model, entry),
             Intent::Open(problem) => problems::open(model, *problem),
             Intent::Replace(problem) => problems::replace(model, *problem),
@@ -228,7 +229,7 @@ fn press(model: &mut Model, key: KeyEvent) -> Vec<Intent> {
     match model.keys.action(place, key) {
         Some(action @ Action::Nudge(_)) if place == KeyContext::Form => form::nudge(model, key, action),
         Some(action) => act(model, place, action),
-        None if keys::is_escape_and(key) && !place.is_text() => {
+        None if keys::is_escape_and(key) && !(place.is_text() && request(key).is_some()) => {
             let second = KeyEvent { modifiers: key.modifiers.difference(KeyModifiers::ALT), ..key };
             vec![Intent::Key(KeyCode::Esc.into()), Intent::Key(second)]
         }
@@ -327,13 +328,15 @@ fn with_shown<T>(
     model.with_pane(tab, area, does)
 }
 
-/// Opens a case of an analysis beside what is open.
-fn open_case(model: &Model, entry: &'static Entry, case: usize) -> Vec<Intent> {
+/// Opens a case of an analysis beside what is open; as an exercise its results are covered.
+fn open_case(model: &Model, entry: &'static Entry, case: usize, is_exercise: bool) -> Vec<Intent> {
     let cases = model.cases_of(entry);
     let origin = cases.get(case).map(|checked| checked.case.clone());
     let draft = origin.as_ref().map_or_else(|| Draft::blank(&entry.shape()), |case| case.draft.clone());
     let mut problem = Problem::new(entry, String::new(), draft, cases);
     (problem.case, problem.document.origin) = (case, origin);
+    problem.document.is_exercise = is_exercise;
+    problem.found.revealed = is_exercise.then_some(0);
     vec![Intent::Open(Box::new(problem))]
 }
 

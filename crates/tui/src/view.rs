@@ -25,6 +25,7 @@ use tui_input::Input;
 
 use self::arrangement::{Arrangement, PlacedPane};
 pub(crate) use self::{
+    arrangement::has_room_for_next,
     help::longest_scroll as longest_scroll_of_help,
     target::{HitTarget, spot},
 };
@@ -37,6 +38,7 @@ use crate::{
     model::Model,
     pane::{Content, Page, Tab, Ui},
     pixels::Picture,
+    replay::above_caption,
     text::{draw_lines, width},
 };
 
@@ -69,7 +71,7 @@ const LEAST: (u16, u16) = (16, 4);
 
 /// Draws everything; the pictures in pixels come back. Where something lies over one of them, all are drawn in cells.
 pub fn view(model: &Model, frame: &mut Frame<'_>) -> Vec<Picture> {
-    let area = frame.area();
+    let area = above_caption(model, frame.area());
     let buffer = frame.buffer_mut();
     if area.is_empty() {
         return Vec::new();
@@ -78,17 +80,11 @@ pub fn view(model: &Model, frame: &mut Frame<'_>) -> Vec<Picture> {
         buffer.set_stringn(area.x, area.y, "dalembert", area.width.into(), model.look.title());
         return Vec::new();
     }
-    let mut look = model.look;
-    // What is said about a session that is played lies over its screens.
-    if model.caption.is_some() || model.playback.is_some() {
-        look.pixels = None;
-    }
-    let (mut cursor, mut pictures) = draw_screen(model, &look, area, buffer);
+    let (mut cursor, mut pictures) = draw_screen(model, &model.look, area, buffer);
     if let Some(dialog) = &model.dialog {
-        if is_covered(model, dialog, &pictures, buffer) {
+        if is_covered(model, dialog, &pictures, area) {
             buffer.reset();
-            look.pixels = None;
-            pictures = draw_screen(model, &look, area, buffer).1;
+            pictures = draw_screen(model, &Appearance { pixels: None, ..model.look }, area, buffer).1;
         }
         cursor = dialog::draw(model, dialog, area, buffer);
     }
@@ -136,15 +132,15 @@ fn draw_screen(
 }
 
 /// True if a dialog lies over a cell of a picture.
-fn is_covered(model: &Model, dialog: &Dialog, pictures: &[Picture], buffer: &Buffer) -> bool {
+fn is_covered(model: &Model, dialog: &Dialog, pictures: &[Picture], screen: Rect) -> bool {
     if pictures.is_empty() {
         return false;
     }
     // A sign that nothing draws, but for what holds no text.
     const EMPTY: &str = "\u{E000}";
-    let mut under = Buffer::empty(buffer.area);
+    let mut under = Buffer::empty(screen);
     under.content.iter_mut().for_each(|cell| _ = cell.set_symbol(EMPTY));
-    dialog::draw(model, dialog, buffer.area, &mut under);
+    dialog::draw(model, dialog, screen, &mut under);
     pictures.iter().any(|picture| picture.area.positions().any(|at| under[at].symbol() != EMPTY))
 }
 
@@ -199,9 +195,14 @@ pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
     bench.pane(tab).page(&bench.problem, &surroundings(model, bench, tab, Rect::ZERO), width)
 }
 
+/// The screen, without the caption of a session that is played.
+pub(crate) fn screen_of(model: &Model) -> Rect {
+    above_caption(model, Rect::new(0, 0, model.size.0, model.size.1))
+}
+
 /// The parts of the screen of a problem.
 pub(crate) fn areas_of(model: &Model, bench: &Bench, focus: Focus) -> Areas {
-    areas_in(Rect::new(0, 0, model.size.0, model.size.1), model, bench, focus)
+    areas_in(screen_of(model), model, bench, focus)
 }
 
 fn areas_in(screen: Rect, model: &Model, bench: &Bench, focus: Focus) -> Areas {
@@ -252,6 +253,13 @@ pub(crate) fn area_of_pane(model: &Model, tab: Tab) -> Option<Rect> {
     let seen = |focus| areas_of(model, bench, focus).area_of(tab);
     let area = if tab == bench.tab { seen(Focus::Pane) } else { seen(bench.focus).or(seen(Focus::Pane)) };
     area.map(layout::inside)
+}
+
+/// Rows of the text of the statement that are seen, and all; where the form is not seen, as if it had the keys.
+pub(crate) fn seen_of_statement(model: &Model) -> Option<(usize, usize)> {
+    let bench = model.shown_bench()?;
+    let area = |focus| areas_of(model, bench, focus).form;
+    form::seen_of_statement(model, bench, area(bench.focus).or_else(|| area(Focus::Form))?)
 }
 
 /// True if a pane of the problem is on the screen.

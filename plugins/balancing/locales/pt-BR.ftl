@@ -398,9 +398,9 @@ radius-of-the-counterweight = Raio do contrapeso
 reciprocating-mass = Massa alternativa
 rotating-mass-and-the-fraction-of-the-reciprocating-mass-at-the-crank-pin = Massa rotativa e a fração da massa alternativa, no moente
 rotating-mass-at-the-crank-pin = Massa rotativa no moente
-shaking-couple = Conjugado de trepidação
+shaking-couple = Binário de trepidação
 shaking-moment = Momento de trepidação
-shaking-couple-over-a-turn = Conjugado de trepidação em uma volta
+shaking-couple-over-a-turn = Binário de trepidação em uma volta
 shaking-moment-over-a-revolution = Momento de trepidação em uma volta
 shaking-force-over-a-turn = Força de trepidação em uma volta
 shaking-force-over-a-revolution = Força de trepidação em uma volta
@@ -952,7 +952,7 @@ weight-of-a-cylinder-of-that-depth = massa de um cilindro dessa profundidade
 weights-in-two-planes-at-the-same-radius = Massas em dois planos, no mesmo raio
 angle-of-the-couple-component-in-the-first-vector = Ângulo da componente de binário no primeiro vetor
 component-of-the-vector = Componente do vetor
-couple-part = Parcela de conjugado
+couple-part = Parcela de binário
 couple-component = Componente de binário
 couple-component-half-the-difference-of-the-vectors-shown-for-the-first-opposite-in-the-second = Componente de binário: metade da diferença dos vetores; dada para o primeiro, oposta no segundo
 first-bearing = Primeiro mancal
@@ -1142,12 +1142,12 @@ equal-corrections-in-three-planes = Correções iguais em três planos
 a-force-in-the-middle-of-three-planes-is-shared-equally-3-kg-mm-opposite-to-9-kg-mm = uma força no meio de três planos é repartida igualmente: 3 kg·mm opostos a 9 kg·mm
 a-force-at-the-end-of-three-planes = Força no extremo de três planos
 u-k-u-3-z-k-z-u-z-z-s-5-6-1-3-and-1-6-of-6-kg-mm = U_k = −U/3 − (z_k − z̄) U (z − z̄)/S: 5/6, 1/3 e −1/6 de 6 kg·mm
-one-plane-cannot-balance-a-couple = Um só plano não equilibra um conjugado
+one-plane-cannot-balance-a-couple = Um só plano não equilibra um binário
 two-equal-masses-half-a-turn-apart-400-mm-from-each-other = duas massas iguais defasadas de meia volta, a 400 mm uma da outra
-static-and-couple-parts-of-two-unbalances = Parcelas estática e de conjugado de dois desbalanceamentos
+static-and-couple-parts-of-two-unbalances = Parcelas estática e de binário de dois desbalanceamentos
 the-vectors-100-30-and-80-200-in-two-planes-their-mean-and-half-difference = os vetores 100 ∠30° e 80 ∠200° em dois planos, sua média e semidiferença
 the-planes-are-those-of-the-masses-so-that-the-equivalent-unbalances-are-the-masses-themselves = Os planos são os das massas, de modo que os desbalanceamentos equivalentes são as próprias massas.
-a-couple-and-the-weight-on-two-bearings = Um conjugado e o peso sobre dois mancais
+a-couple-and-the-weight-on-two-bearings = Um binário e o peso sobre dois mancais
 n-1-kg-at-10-mm-in-both-planes-half-a-turn-apart-0-4-m-c-4-g-m-over-a-span-of-0-5-m-and-half-of-10-kg = 1 kg a 10 mm nos dois planos, com defasagem de meia volta, 0,4 m: C = 4 g·m² · ω², sobre um vão de 0,5 m; e a metade de 10 kg
 a-triangle-of-forces = Triângulo de forças
 n-3-4-5-triangle-3-and-4-kg-at-90-to-each-other-are-balanced-by-5-kg-at-180-53-13 = triângulo 3-4-5: 3 e 4 kg defasados de 90° são equilibrados por 5 kg a 180° + 53,13°
@@ -1246,9 +1246,9 @@ khurmi-gupta-theory-of-machines-ch-22 = Khurmi & Gupta, Theory of Machines, cap.
 the-counterweight-follows-from-the-closed-form-the-primary-force-is-a-vector-of-m-r-that-turns-with = O contrapeso resulta da forma fechada: a força primária é um vetor de m r ω² que gira com a manivela.
 v-twin-at-right-angles-cranks-upright = Bicilíndrico em V com ângulo reto, manivelas na vertical
 m-r-along-the-crank-the-secondary-force-of-a-90-v-is-purely-transverse-and-vanishes-here = m r ω² ao longo da manivela; a força secundária de um V a 90° é puramente transversal e aqui se anula.
-inline-five-primary-couple = Cinco cilindros em linha: conjugado primário
+inline-five-primary-couple = Cinco cilindros em linha: binário primário
 standard-coefficients-of-engine-balance-the-primary-couple-over-m-r-and-the-pitch = coeficientes usuais de balanceamento de motores; o binário primário dividido por m r ω² e pela distância entre cilindros
-inline-five-secondary-couple = Cinco cilindros em linha: conjugado secundário
+inline-five-secondary-couple = Cinco cilindros em linha: binário secundário
 standard-coefficients-of-engine-balance-the-secondary-couple-over-m-r-and-the-pitch = coeficientes usuais de balanceamento de motores; o binário secundário dividido por m r ω² λ e pela distância entre cilindros
 boxer-with-two-cylinders = Boxer de dois cilindros
 opposed-pistons-on-opposed-cranks-only-couples-m-r-times-the-distance = pistões opostos em manivelas opostas: só binários, m r ω² vezes a distância
@@ -1333,7 +1333,7 @@ two-equal-weights-opposite-to-each-other = duas massas iguais, opostas entre si
 accelerations-at-two-bearings = Acelerações em dois mancais
 readings-of-two-bearings = Leituras de dois mancais
 half-the-sum-and-half-the-difference-of-100-m-at-30-and-80-m-at-200 = a metade da soma e a metade da diferença de 100 µm a 30° e 80 µm a 200°
-weights-that-form-a-pure-couple = Massas que formam um conjugado puro
+weights-that-form-a-pure-couple = Massas que formam um binário puro
 equal-weights-half-a-turn-apart = massas iguais defasadas de meia volta
 weights-at-a-right-angle = Massas em ângulo reto
 n-3-g-at-0-and-3-g-at-90-both-components-are-3-2-g = 3 g a 0° e 3 g a 90°: as duas componentes são 3/√2 g
@@ -1363,7 +1363,7 @@ u-4-w-n-in-ounce-inches-pounds-and-revolutions-per-minute-4-16-in-2-60-s = U = 4
 two-measured-unbalances-judged-at-the-bearings = Dois desbalanceamentos medidos, julgados nos mancais
 rotor-of-80-kg-at-1800-rpm-700-g-mm-20-and-900-g-mm-250-in-planes-between-the-bearings = rotor de 80 kg a 1800 rpm, 700 g·mm ∠20° e 900 g·mm ∠250° em planos entre os mancais
 the-second-method-reverses-the-corrections-in-the-planes-of-the-bearings = O segundo método inverte as correções nos planos dos mancais.
-a-static-unbalance-and-a-couple-at-the-bearings = Desbalanceamento estático e conjugado nos mancais
+a-static-unbalance-and-a-couple-at-the-bearings = Desbalanceamento estático e binário nos mancais
 n-6-g-mm-in-the-middle-gives-3-at-each-bearing-the-couple-of-400-g-mm-over-100-mm-adds-4-a-quarter-of = 6 g·mm no meio dão 3 em cada mancal; o binário de 400 g·mm² sobre 100 mm acrescenta 4, um quarto de volta à frente: 5
 both-planes-are-out-of-tolerance-2-5-g-mm-are-permitted-in-each = Os dois planos estão fora da tolerância: admitem-se 2,5 g·mm em cada um.
 a-centre-of-mass-near-a-bearing = Centro de massa perto de um mancal
@@ -1382,7 +1382,7 @@ the-printed-numbers-belong-to-a-65-mm-with-the-25-mm-of-the-statement-w-b-21-70-
 the-printed-numbers-belong-to-a-65-mm-with-the-25-mm-of-the-statement-b-346-28 = Os números impressos correspondem a a₂ = 65 mm; com os 25 mm do enunciado θ_B = 346,28°.
 the-printed-numbers-belong-to-a-65-mm-with-the-25-mm-of-the-statement-w-a-55-31-n = Os números impressos correspondem a a₂ = 65 mm; com os 25 mm do enunciado W_A = 55,31 N.
 the-printed-numbers-belong-to-a-65-mm-with-the-25-mm-of-the-statement-a-318-34 = Os números impressos correspondem a a₂ = 65 mm; com os 25 mm do enunciado θ_A = 318,34°.
-a-couple-of-two-equal-masses = Conjugado de duas massas iguais
+a-couple-of-two-equal-masses = Binário de duas massas iguais
 two-equal-masses-half-a-turn-apart-at-the-ends-of-a-shaft-corrected-in-the-same-planes = duas massas iguais defasadas de meia volta nas extremidades de um eixo, corrigidas nos mesmos planos
 each-correction-is-opposite-to-the-mass-in-its-plane-if-drilled-it-is-at-the-mass = Cada correção é oposta à massa no seu plano. Feita por furação, fica na posição da massa.
 both-corrections-in-one-plane = As duas correções em um só plano
@@ -1562,3 +1562,26 @@ w-v-v-s-with-w-20-g-at-70-and-12-g-at-250-slow-roll-vectors-6-m-at-15-and-9-m-at
 the-rotor-and-its-tolerance-planes = O rotor e os seus planos de tolerância
 the-engine-from-the-side = O motor visto de lado
 the-engine-along-its-shaft = O motor visto ao longo do eixo
+
+# Statements of exercises.
+a-rotor-carries-two-masses-9-kg-at-a-radius-of-30-mm-and-an-angle-of-60-in-a-plane-20-mm-from-the = Um rotor tem duas massas: 9 kg no raio de 30 mm e ângulo de 60°, em um plano a 20 mm do plano de correção A, e 6 kg no raio de 50 mm e 210°, em um plano a 65 mm de A (ou seja, 25 mm antes do plano de correção B). Os planos A e B distam 90 mm. Em cada um deles acrescenta-se um peso no raio de 20 mm. Determine os dois pesos e seus ângulos para g = 10 m/s².
+two-masses-unbalance-a-rotor-one-of-9-kg-at-a-radius-of-30-mm-and-60-in-a-plane-20-mm-from-the = Duas massas desbalanceiam um rotor: uma de 9 kg no raio de 30 mm e 60°, em um plano a 20 mm do plano de correção A, e outra de 6 kg no raio de 50 mm e 210°, em um plano a 25 mm de A. O plano de correção B está a 90 mm de A, e as correções são pesos acrescentados no raio de 20 mm. Determine o peso e o ângulo de cada uma para g = 10 m/s².
+two-masses-on-a-rotor-lie-in-one-plane-1-2-kg-at-a-radius-of-1-135-m-and-an-angle-of-113-4-and-1-8-kg = Duas massas em um rotor estão no mesmo plano: 1,2 kg no raio de 1,135 m e ângulo de 113,4°, e 1,8 kg em 0,822 m e 48,8°. Determine o produto de massa e raio a acrescentar para balanceá-las, e seu ângulo.
+a-disc-carries-0-5-kg-at-a-radius-of-50-mm-and-0-and-another-0-5-kg-at-60-mm-and-150-it-is-to-be = Um disco tem 0,5 kg no raio de 50 mm a 0°, e outros 0,5 kg em 60 mm a 150°. Ele deve ser balanceado acrescentando uma massa de 0,1 kg no mesmo plano. Determine o raio e o ângulo em que essa massa é fixada.
+two-weights-in-one-plane-unbalance-a-disc-30-n-at-a-radius-of-100-mm-and-0-and-40-n-at-a-radius-of = Dois pesos no mesmo plano desbalanceiam um disco: 30 N no raio de 100 mm a 0° e 40 N no raio de 100 mm a 90°. Material deve ser retirado por furação no raio de 100 mm. Adote g = 10 m/s². Determine a massa a retirar e seu ângulo, e a força rotativa antes do balanceamento a 10 rad/s.
+a-disc-carries-a-mass-of-3-kg-at-0-and-one-of-4-kg-at-90-both-at-a-radius-of-100-mm-a-third-mass-at = Um disco tem uma massa de 3 kg a 0° e outra de 4 kg a 90°, ambas no raio de 100 mm. Uma terceira massa no mesmo raio, 100 mm, deve balanceá-las estaticamente. Determine essa massa e seu ângulo.
+a-single-mass-of-200-lb-turns-at-a-radius-of-9-in-at-an-angle-of-0-and-10-in-to-the-right-of-the = Uma única massa de 200 lb gira no raio de 9 in, no ângulo de 0° e 10 in à direita do primeiro plano de balanceamento. O segundo plano está 50 in à direita do primeiro. As correções são acrescentadas no raio de 15 in. Determine a massa em cada plano.
+three-pulleys-on-a-shaft-balance-each-other-statically-their-unbalances-are-48-kg-at-15-mm-56-kg-at = Três polias em um eixo balanceiam-se estaticamente. Seus desbalanceamentos são 48 kg a 15 mm, 56 kg a 15 mm e 20 kg a 12,5 mm; elas estão a −0,45 m, 0,9 m e 2,25 m do primeiro mancal, e o segundo mancal está a 1,8 m do primeiro. O desbalanceamento da segunda polia está a 0°. O eixo gira a 300 rpm. Determine o ângulo do primeiro desbalanceamento, o momento que resta e a carga rotativa no primeiro mancal.
+two-equal-masses-of-0-1-kg-at-a-radius-of-80-mm-lie-in-the-correction-planes-a-and-b-400-mm-apart-the = Duas massas iguais de 0,1 kg no raio de 80 mm estão nos planos de correção A e B, distantes 400 mm: a de A a 30°, a de B a 210°. O rotor é corrigido por furação. No plano A retiram-se 0,2 kg; no plano B os furos estão no raio de 100 mm. Determine o raio no plano A, a massa retirada no plano B e o momento rotativo antes do balanceamento a 3000 rpm (pesos com g = 9,81 m/s²).
+a-correction-of-12-5-g-is-wanted-at-37-but-the-rotor-has-holes-at-30-and-60-only-at-the-same-radius = Deseja-se uma correção de 12,5 g a 37°, mas o rotor só tem furos a 30° e 60°, no mesmo raio. Determine as massas nos dois furos.
+at-one-speed-the-vibration-at-the-two-bearings-of-a-symmetric-rotor-is-100-m-at-30-and-80-m-at-200 = Em uma mesma rotação, a vibração nos dois mancais de um rotor simétrico é de 100 µm a 30° e de 80 µm a 200°. Determine a parte estática da vibração (igual nos dois mancais) e a parte de momento (oposta neles), cada uma com seu ângulo.
+a-balancing-run-asks-for-3-g-at-0-in-the-first-plane-and-3-g-at-90-in-the-second-split-these-weights = Uma corrida de balanceamento pede 3 g a 0° no primeiro plano e 3 g a 90° no segundo. Decomponha esses pesos em um par estático e um par de momento, e dê o valor e o ângulo de cada um.
+a-turbine-rotor-of-3600-kg-runs-at-3000-rpm-its-balance-quality-grade-is-g-2-5-of-iso-21940-2-5-mm-s = O rotor de uma turbina tem 3600 kg e gira a 3000 rpm; sua qualidade de balanceamento é G 2,5 da ISO 21940 (2,5 mm/s). Seus mancais distam 2400 mm e o centro de massa está a 1500 mm do primeiro. Determine o desbalanceamento específico admissível, o desbalanceamento residual admissível e a parte em cada mancal.
+a-rotor-of-1-kg-runs-at-3000-rpm-in-two-bearings-100-mm-apart-its-centre-of-mass-is-only-10-mm-from = Um rotor de 1 kg gira a 3000 rpm em dois mancais distantes 100 mm; seu centro de massa está a apenas 10 mm do primeiro. O deslocamento admissível do centro de massa é de 10 µm. Determine o desbalanceamento residual admissível e as partes dos dois mancais com os limites da ISO 21940 para rotores entre mancais.
+a-grinding-wheel-is-balanced-in-place-in-one-plane-in-the-first-run-the-vibration-is-4-mil-with-a = Um rebolo é balanceado no local, em um plano. Na primeira corrida, a vibração é de 4 mil com fase de 45°. Com um peso de teste de 4 oz a −20°, ela é de 8 mil a 145°. O peso de teste é retirado. A fase é lida como avanço, e pesos e fases são contados no mesmo sentido. Determine o peso de correção e seu ângulo.
+a-fan-is-balanced-with-amplitudes-alone-without-a-trial-weight-the-amplitude-is-10-mil-with-a-trial = Um ventilador é balanceado apenas com amplitudes. Sem peso de teste, a amplitude é de 10 mil. Com um peso de teste de 50 g, ela é de 7,0 mil a 0°, 12,0 mil a 120° e 18,0 mil a 240°. Determine o peso de correção e seu ângulo (mínimos quadrados).
+a-locomotive-has-two-inside-cylinders-whose-lines-of-stroke-are-0-7-m-apart-the-planes-of-its-wheels = Uma locomotiva tem dois cilindros internos com linhas de curso distantes 0,7 m; os planos das rodas distam 1,4 m, e as manivelas têm raio de 0,3 m e estão em ângulo reto. Cada cilindro tem 210 kg de massas alternativas e 130 kg de massas rotativas. Toda a massa rotativa e a fração 0,67 da alternativa são balanceadas por massas no raio de 0,64 m nas rodas, que giram a 300 rpm. Determine a massa de balanceamento da primeira roda e seu ângulo a partir da primeira manivela, o golpe de martelo, a variação da força de tração e o momento de balanço lateral.
+in-a-two-cylinder-locomotive-each-cylinder-has-300-kg-of-reciprocating-parts-and-a-crank-of-0-3-m-the = Em uma locomotiva de dois cilindros, cada cilindro tem 300 kg de massas alternativas e manivela de 0,3 m; as manivelas estão em ângulo reto. As linhas dos cilindros distam 0,65 m e os planos das rodas 1,55 m; as rodas têm 1,8 m de diâmetro. A 96,5 km/h, o golpe de martelo de uma roda pode ser de 46 kN. Determine a fração das massas alternativas que pode ser balanceada, a variação da força de tração e o momento de balanço lateral.
+a-vertical-engine-with-1-cylinder-and-a-stroke-of-180-mm-has-120-kg-of-reciprocating-and-70-kg-of = Um motor vertical de 1 cilindro e curso de 180 mm tem 120 kg de massas alternativas e 70 kg de massas rotativas. Um contrapeso no raio de 150 mm balanceia toda a massa rotativa e a fração 2/3 da alternativa. Determine o contrapeso e a força primária não balanceada a 250 rpm com a manivela a 30° do ponto morto.
+an-engine-has-4-cylinders-in-line-150-mm-from-each-to-the-next-with-cranks-of-60-mm-at-0-180-90-and = Um motor tem 4 cilindros em linha, a 150 mm um do outro, com manivelas de 60 mm a 0°, 180°, 90° e 270°. As bielas têm 240 mm e cada cilindro tem massas alternativas de 1,5 kg. Determine o maior momento primário e o maior momento secundário a 1800 rpm.
+a-v-engine-has-2-banks-at-90-with-1-cylinder-each-on-one-crank-of-75-mm-the-connecting-rods-are-300 = Um motor em V tem 2 bancadas a 90° com 1 cilindro cada uma, sobre uma mesma manivela de 75 mm. As bielas têm 300 mm, e cada cilindro tem massas alternativas de 11,5 kg; o motor gira a 500 rpm. Um contrapeso no raio de 75 mm balanceia a fração 0,5 das massas alternativas dos dois cilindros. Com uma única manivela, o passo de 100 mm não influi. Determine o contrapeso e a maior força secundária.

@@ -7,6 +7,16 @@ use dalembert_virtual_work as _;
 
 dalembert_core::exercises!("../sets/lists-06-08.toml");
 dalembert_core::exercises!("../sets/unit-ii.toml");
+dalembert_core::exercises!("../sets/virtual-work-in-statics.toml");
+dalembert_core::exercises!("../sets/linkages.toml");
+dalembert_core::exercises!("../sets/engines-cams-and-gears.toml");
+dalembert_core::exercises!("../sets/balancing-of-rotors.toml");
+dalembert_core::exercises!("../sets/balancing-of-engines.toml");
+dalembert_core::exercises!("../sets/gyroscopes-and-vehicles.toml");
+dalembert_core::exercises!("../sets/bodies-in-space.toml");
+dalembert_core::exercises!("../sets/free-vibration.toml");
+dalembert_core::exercises!("../sets/forced-vibration.toml");
+dalembert_core::exercises!("../sets/several-degrees-of-freedom.toml");
 
 dalembert_core::exams!("../exams":
     "absorber-for-an-unknown-machine",

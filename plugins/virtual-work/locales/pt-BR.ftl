@@ -1099,7 +1099,7 @@ its-virtual-variation-per-2-s-s-2-b-d-sin = Sua variação virtual por δθ: 2 s
 derivative-of-that-change = Derivada dessa variação
 derivative-of-the-spring-length-at-0 = Derivada do comprimento da mola em θ = 0
 extension-of-the-spring-times-its-virtual-change-per-unit-the-couple-of-the-spring-is-k-u = Alongamento da mola vezes sua variação virtual por unidade de δθ: o binário da mola é k u′
-couple-that-holds-the-arm = Conjugado que mantém o braço
+couple-that-holds-the-arm = Binário que mantém o braço
 equilibrant-couple-on-the-arm = Binário equilibrante no braço
 equilibrant-couple-on-the-arm-in-the-sense-of-t-plus-the-virtual-work-of-spring-and-load-is-zero = Binário equilibrante no braço, no sentido de θ: a soma de T δθ com os trabalhos virtuais da mola e da carga é nula
 load-whose-virtual-work-balances-that-of-the-spring = Carga cujo trabalho virtual equilibra o da mola
@@ -1856,10 +1856,10 @@ beer-johnston-vector-mechanics-for-engineers-statics-9th-ed-problem-10-1 = Beer 
 moving-a-by-y-moves-c-by-2-y-d-by-y-e-and-g-by-y-2-arms-that-give-these-ratios = Deslocar A de δy desloca C de 2 δy, D de δy, E e G de δy/2. Braços que dão estas razões.
 the-two-levers-with-the-loads-of-the-later-edition = As duas alavancas com as cargas da edição posterior
 beer-johnston-vector-mechanics-for-engineers-statics-10th-and-11th-ed-problem-10-1 = Beer & Johnston, Vector Mechanics for Engineers: Statics, 10ª e 11ª ed., problema 10.1
-couple-on-one-lever-force-on-another-force-at-g = Conjugado em uma alavanca, força em outra: força em G
+couple-on-one-lever-force-on-another-force-at-g = Binário em uma alavanca, força em outra: força em G
 beer-johnston-vector-mechanics-for-engineers-statics-8th-ed-problem-10-1-of-two-levers-abc-and-defg = Beer & Johnston, Vector Mechanics for Engineers: Statics, 8ª ed., problema 10.1 com duas alavancas ABC e DEFG
 abc-drives-defg-with-125-mm-on-375-mm-so-that-defg-rotates-one-third-as-much-g-is-100-2-mm-from-the = ABC aciona DEFG com 125 mm sobre 375 mm, de modo que DEFG gira um terço disso; G está a 100√2 mm do pivô, a 45° da linha da força vertical.
-couple-on-one-lever-force-on-another-couple-on-defg = Conjugado em uma alavanca, força em outra: conjugado em DEFG
+couple-on-one-lever-force-on-another-couple-on-defg = Binário em uma alavanca, força em outra: binário em DEFG
 beer-johnston-vector-mechanics-for-engineers-statics-8th-ed-problem-10-3-of-two-levers-abc-and-defg = Beer & Johnston, Vector Mechanics for Engineers: Statics, 8ª ed., problema 10.3 com duas alavancas ABC e DEFG
 single-lever = Uma só alavanca
 f-a-p-b = F a = P b
@@ -1875,16 +1875,16 @@ with-the-exact-motion-whose-work-is-that-of-the-pressures-903-kpa-1-ln-3-3-28-kp
 inertia-torque-of-a-high-speed-engine-over-a-turn = Torque de inércia de um motor de alta rotação ao longo de uma volta
 kinetic-energy-of-piston-and-rod-the-torque-is-de-d-and-has-no-mean = energia cinética do pistão e da biela: o torque é −dE/dθ e não tem média
 crank-40-mm-rod-140-mm-3000-rpm-the-extremes-are-symmetrical-about-the-dead-centre = Manivela de 40 mm, biela de 140 mm, 3000 rpm. Os extremos são simétricos em relação ao ponto morto.
-engine-held-by-a-couple-crank-at-30 = Motor mantido por um conjugado, manivela a 30°
+engine-held-by-a-couple-crank-at-30 = Motor mantido por um binário, manivela a 30°
 beer-johnston-vector-mechanics-for-engineers-statics-12th-ed-prob-10-21 = Beer & Johnston, Vector Mechanics for Engineers: Statics, 12ª ed., probl. 10.21
 crank-50-mm-rod-200-mm-4-kn-on-the-piston-the-couple-on-the-crank-balances-the-turning-moment = Manivela de 50 mm, biela de 200 mm, 4 kN no pistão; o binário na manivela equilibra o torque.
-engine-held-by-a-couple-crank-at-150 = Motor mantido por um conjugado, manivela a 150°
-force-on-the-piston-for-a-couple-on-the-crank-at-60 = Força no pistão para um conjugado na manivela, a 60°
+engine-held-by-a-couple-crank-at-150 = Motor mantido por um binário, manivela a 150°
+force-on-the-piston-for-a-couple-on-the-crank-at-60 = Força no pistão para um binário na manivela, a 60°
 beer-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-20 = Beer & Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.20
-force-on-the-piston-for-a-couple-on-the-crank-at-120 = Força no pistão para um conjugado na manivela, a 120°
-couple-for-a-thousand-pounds-on-the-piston-crank-at-30 = Conjugado para mil libras no pistão, manivela a 30°
+force-on-the-piston-for-a-couple-on-the-crank-at-120 = Força no pistão para um binário na manivela, a 120°
+couple-for-a-thousand-pounds-on-the-piston-crank-at-30 = Binário para mil libras no pistão, manivela a 30°
 after-beer-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-19-m-p-r-sin-cos = baseado em Beer & Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.19; M = P r sen(θ + φ)/cos φ
-couple-for-a-thousand-pounds-on-the-piston-crank-at-150 = Conjugado para mil libras no pistão, manivela a 150°
+couple-for-a-thousand-pounds-on-the-piston-crank-at-150 = Binário para mil libras no pistão, manivela a 150°
 force-on-the-slider-for-a-load-at-the-crank-pin = Força no cursor para uma carga no pino da manivela
 the-200-n-at-the-pin-between-crank-and-rod-exert-a-moment-of-200-n-0-6-m-cos-45-on-the-crank-the = Os 200 N no pino entre manivela e biela exercem na manivela o momento 200 N × 0,6 m × cos 45°; a força no cursor deve produzir esse torque.
 velocity-and-acceleration-of-a-piston = Velocidade e aceleração de um pistão
@@ -2320,18 +2320,18 @@ crank-at-30-steady-20-rad-s-rod-of-3-kg-with-its-centre-of-mass-in-the-middle-sl
 horizontal-force-that-holds-a-loaded-linkage = Força horizontal que mantém um mecanismo carregado
 weightless-bars-of-0-6-m-and-0-7-m-at-45-200-n-downwards-at-their-common-pin-the-force-is-drawn = Barras sem peso de 0,6 m e 0,7 m a 45°, 200 N para baixo no pino comum. A força é desenhada em direção ao pino fixo: aqui é negativa. Os 114 N impressos são calculados com comprimentos arredondados.
 the-book-computes-with-lengths-of-three-digits = o livro calcula com comprimentos de três algarismos
-couple-on-the-crank-of-an-engine-at-30 = Conjugado na manivela de um motor a 30°
+couple-on-the-crank-of-an-engine-at-30 = Binário na manivela de um motor a 30°
 f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-12th-ed-prob-10-21-a = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 12ª ed., probl. 10.21 (a)
 n-4-kn-on-the-piston-toward-the-bearing-the-equilibrant-couple-is-clockwise-negative-here = 4 kN no pistão em direção ao mancal. O binário equilibrante é horário: aqui é negativo.
-couple-on-the-crank-of-an-engine-at-150 = Conjugado na manivela de um motor a 150°
+couple-on-the-crank-of-an-engine-at-150 = Binário na manivela de um motor a 150°
 f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-12th-ed-prob-10-21-b = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 12ª ed., probl. 10.21 (b)
-force-on-a-piston-from-the-couple-at-60 = Força em um pistão a partir do conjugado, a 60°
+force-on-a-piston-from-the-couple-at-60 = Força em um pistão a partir do binário, a 60°
 f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-20-a = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.20 (a)
-force-on-a-piston-from-the-couple-at-120 = Força em um pistão a partir do conjugado, a 120°
+force-on-a-piston-from-the-couple-at-120 = Força em um pistão a partir do binário, a 120°
 f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-20-b = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.20 (b)
-couple-for-1-kip-on-the-piston-at-30 = Conjugado para 1 kip no pistão, a 30°
+couple-for-1-kip-on-the-piston-at-30 = Binário para 1 kip no pistão, a 30°
 f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-19-a-no-printed-answer = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.19 (a): sem resposta impressa disponível; T = F r (sen θ + tan φ cos θ)
-couple-for-1-kip-on-the-piston-at-150 = Conjugado para 1 kip no pistão, a 150°
+couple-for-1-kip-on-the-piston-at-150 = Binário para 1 kip no pistão, a 150°
 f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-19-b-no-printed-answer = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.19 (b): sem resposta impressa disponível; T = F r (sen θ + tan φ cos θ)
 engine-with-a-massive-rod-at-314-rad-s = Motor com biela com massa a 314 rad/s
 dynamics-of-machines-turkish-lecture-notes-example-9-the-answers-are-known-from-a-program-that-quotes = Dinâmica das máquinas, notas de aula em turco, exemplo 9 (as respostas são conhecidas por um programa que as cita)
@@ -2370,7 +2370,7 @@ mass-on-the-disc-for-60 = Massa no disco para 60°
 m-k-a-g-b-sin = m = k a² θ/(g b sen θ)
 tilted-arm-held-by-hand = Braço inclinado segurado com a mão
 t-k-a-m-g-b-sin = T = k a² (θ − θ₀) − m g b sen(θ + φ₀)
-hanging-arm-under-a-couple = Braço pendente sob um conjugado
+hanging-arm-under-a-couple = Braço pendente sob um binário
 m-w-l-sin-k = M = W l sen θ + K θ
 lamp-arm-with-zero-free-length-springs = Braço de luminária com molas de comprimento livre nulo
 v-w-l-cos-k-b-d-2-b-d-cos-2-is-constant-for-k-b-d-w-l = V = W l cos θ + k (b² + d² − 2 b d cos θ)/2 é constante para k b d = W l
@@ -2423,10 +2423,10 @@ virtual-displacements-in-place-of-velocities-when-a-goes-down-by-1-c-goes-down-b
 two-levers-joined-by-a-link-other-loads = Duas alavancas unidas por uma ligação, outras cargas
 beer-johnston-statics-10th-11th-ed-problem-10-1 = Beer & Johnston, Statics, 10ª/11ª ed., problema 10.1
 the-same-levers-with-80-60-20-and-40-n = As mesmas alavancas com 80, 60, 20 e 40 N.
-couple-and-force-on-coupled-links-force-at-g = Conjugado e força em alavancas acopladas, força em G
+couple-and-force-on-coupled-links-force-at-g = Binário e força em alavancas acopladas, força em G
 beer-johnston-statics-8th-ed-problem-10-1 = Beer & Johnston, Statics, 8ª ed., problema 10.1
 link-abc-rotates-three-times-as-fast-as-defg-375-mm-125-mm-and-in-the-sense-opposite-to-its-couple-e = O elo ABC gira três vezes mais depressa que DEFG (375 mm : 125 mm) e no sentido contrário ao do seu binário. E está a 250 mm de D; G está a 100√2 mm de D, a 45°, e por isso se desloca 100 mm na vertical para um radiano.
-couple-and-force-on-coupled-links-couple-on-defg = Conjugado e força em alavancas acopladas, conjugado em DEFG
+couple-and-force-on-coupled-links-couple-on-defg = Binário e força em alavancas acopladas, binário em DEFG
 beer-johnston-statics-8th-ed-problem-10-3 = Beer & Johnston, Statics, 8ª ed., problema 10.3
 the-same-links-held-by-a-couple-on-defg = Os mesmos elos, mantidos por um binário em DEFG.
 pinion-a-25-teeth-drives-the-wheel-b-90-whose-annulus-c-83-turns-planets-about-a-fixed-sun-e-31-the = O pinhão A (25 dentes) aciona a engrenagem B (90), cuja coroa interna C (83) gira planetas em torno de uma solar fixa E (31). O braço gira a −(25/90)·83/(83 + 31) da velocidade do pinhão.
@@ -2450,7 +2450,7 @@ remaining-stroke-of-the-ram-until-the-links-are-collinear-l-1-cos-l-1-cos-with-1
 with-these-angles-it-can-also-be-assembled-on-another-side-give-the-position-of-names-or-check-in-the = com estes ângulos a montagem também é possível do outro lado: informe a posição de { $names }, ou verifique no desenho se este é o lado desejado
 a-disc-accelerates-as-one-and-a-half-times-its-mass = Um disco acelera como uma vez e meia a sua massa
 i-m-r-2-t-3-2-m-a-u-at-90-with-l-2-r-u-r-a-r-friction-m-a-2 = I = m R²/2: T = 3/2 m a u a 90° com l = √2 r, u = −r, a = r ω²; atrito −m a/2
-two-geared-links-a-couple-on-the-second = Duas barras engrenadas, um conjugado na segunda
+two-geared-links-a-couple-on-the-second = Duas barras engrenadas, um binário na segunda
 t-t-m-g-v-i-0 = T₁ ω₁ + T₂ ω₂ − m g v − I α ω₂ = 0
 slider-behind-its-driving-pin = Cursor atrás do seu pino de acionamento
 x-p-x-l-p-y-with-p-on-the-rocker-of-the-closed-loop-t-f-dx-d = x = P_x − √(l² − P_y²) com P no balancim da cadeia fechada; T = −F dx/dθ
@@ -2643,7 +2643,7 @@ ab-for-two-pins-ab-bc-and-ca-for-three-without-them-the-distances-are-those-of-t
 coordinate-at-rest-on-the-stop = Coordenada em repouso no batente
 distances-of-the-pins = Distâncias dos pinos
 force-of-the-stop = Força do batente
-force-or-couple-of-name-by-virtual-work-q-c-v-q-dv-dm-dc-dm = Força ou conjugado de { $name }, pelo trabalho virtual: Q δc = δV, Q = (dV/dm)/(dc/dm)
+force-or-couple-of-name-by-virtual-work-q-c-v-q-dv-dm-dc-dm = Força ou binário de { $name }, pelo trabalho virtual: Q δc = δV, Q = (dV/dm)/(dc/dm)
 pins = Pinos
 points-through-which-the-body-goes-at-each-it-is-pinned-to-the-ground-or-to-the-other-bodies-that = Pontos por onde passa o corpo: em cada um ele é articulado ao solo ou aos outros corpos que têm o ponto entre seus pinos. A origem de seus eixos é o primeiro pino, e x aponta para o segundo.
 selects-the-side-on-which-a-linkage-is-assembled-the-joints-correct-the-value-the-positions-of-two = Escolhe o lado em que o mecanismo é montado; as juntas corrigem o valor. As posições de dois pinos o substituem.
@@ -2681,7 +2681,7 @@ contact-of-a-point-with-a-straight-edge-to-the-left-of-it = Contato de um ponto 
 contour-radius-against-the-angle-in-the-axes-of-the-cam-over-one-revolution = Contorno: raio em função do ângulo nos eixos do came, em uma volta
 cord-or-strap-largest-distance-between-two-points = Corda ou correia: maior distância entre dois pontos
 cords-buffers-and-contacts-that-limit-the-motion-found-over-a-range-of-a-single-coordinate = Cordas, batentes e contatos que limitam o movimento; procurados em um intervalo de uma única coordenada.
-couple-of-the-stop-m-w-l-2-cos = Conjugado do batente M = W (L/2) cos θ
+couple-of-the-stop-m-w-l-2-cos = Binário do batente M = W (L/2) cos θ
 crank-of-15-mm-about-o-fixed-pivot-b-bars-j-k-c-f-and-the-triangles-bce-and-dfg-of-the-walking = Manivela de 15 mm em torno de O, pivô fixo B; barras j, k, c, f e os triângulos BCE e DFG do mecanismo andante, com os comprimentos que T. Jansen publicou. As posições de A a G são um esboço. No pé G atuam 20 N para cima e 3 N contra o movimento.
 direction-from-the-centre-of-the-driver-to-that-of-the-wheel-in-the-axes-of-the-carrier = Direção do centro da motora ao da roda, nos eixos de quem as leva
 direction-of-the-edge-in-the-axes-of-its-body = Direção da borda, nos eixos de seu corpo
@@ -3466,3 +3466,46 @@ hoist-held-by-the-losses-of-its-gears = Guincho sustentado pelas perdas das engr
 m-g-r-g-15-7-n-m-18-n-m-m-g-r-g-24-5-n-m-neither-up-nor-down = η m g r/G = 15,7 N·m < 18 N·m < m g r/(η G) = 24,5 N·m: nem sobe nem desce
 lift-of-the-follower-over-the-angle-of-the-cam = Elevação do seguidor sobre o ângulo do came
 the-flywheel-and-its-shaft = O volante e o seu eixo
+
+# Statements of exercises.
+the-motion-of-a-slider-crank-mechanism-is-given-by-vectors-x-y-to-be-taken-as-they-are-the-crank-2-is = O movimento de um mecanismo biela-manivela é dado por vetores (x; y), que devem ser tomados como estão. A manivela 2 está a 30° e gira a 20 rad/s; a biela 3 está a −22°. A biela tem 3 kg e 0,1 kg·m² em relação ao seu centro de massa, velocidade angular de −50 rad/s, aceleração angular de −800 rad/s², e seu centro de massa tem velocidade de (300; 200) m/s e aceleração de (900; −600) m/s². O cursor 4 tem 2 kg, velocidade de (−500; 0) m/s e aceleração de (900; 0) m/s². Uma força de (5000; 0) N atua no cursor; a gravidade é (0; −10) m/s². Pela potência virtual com as cargas de inércia de d'Alembert, determine as potências da força no cursor, da força de inércia da biela e do seu binário de inércia, e o torque motor na manivela.
+two-levers-are-joined-by-a-link-when-the-lever-is-turned-so-that-its-point-c-goes-down-at-2-m-s-point = Duas alavancas são unidas por uma barra. Quando se giram as alavancas de modo que o ponto C desça a 2 m/s, o ponto A desce a 1 m/s, D a 1 m/s, E e G a 0,5 m/s. As cargas são 100 N para baixo em A, 60 N para baixo em D, 50 N para baixo em E e 40 N para cima em G; os pesos são desprezados. Pelo princípio dos trabalhos virtuais, determine a força vertical em C, positiva para cima, que mantém as alavancas em equilíbrio.
+two-equal-uniform-ladders-each-4-m-long-with-a-weight-of-200-n-are-hinged-together-at-the-top-and = Duas escadas iguais e homogêneas, cada uma com 4 m de comprimento e peso de 200 N, são articuladas no topo e apoiam-se em um piso liso. Cada uma forma 30° com a vertical. Determine a força horizontal que deve segurar cada pé.
+a-step-ladder-is-made-of-two-equal-uniform-halves-of-4-m-and-200-n-each-hinged-at-the-top-on-a-smooth = Uma escada dupla é formada por duas metades iguais e homogêneas de 4 m e 200 N cada uma, articuladas no topo, sobre um piso liso. Uma corda horizontal une as metades na fração 0,75 do comprimento, contada a partir da articulação. Com cada metade a 30° da vertical, determine a tração na corda.
+a-uniform-bar-of-10-kg-and-1-5-m-is-pinned-at-one-end-a-cord-runs-from-the-bar-1-5-m-from-the-pin = Uma barra homogênea de 10 kg e 1,5 m está articulada em uma extremidade. Um cabo vai da barra, a 1,5 m da articulação, até uma pequena polia 1,2 m acima da articulação, na mesma vertical, e sustenta uma massa pendurada. Determine essa massa para o equilíbrio com a barra inclinada 20° acima da horizontal.
+a-uniform-ladder-of-5-m-and-20-kg-leans-against-a-smooth-wall-and-stands-on-a-smooth-floor-at-an = Uma escada homogênea de 5 m e 20 kg apoia-se em uma parede lisa e em um piso liso, com ângulo de 30° em relação à parede. Não há outra carga (g = 9,81 m/s²). Determine a força horizontal no pé, dirigida para a parede, que a mantém em equilíbrio.
+three-uniform-bars-each-2-ft-long-and-weighing-60-lbf-are-pinned-one-below-the-other-and-hang-from-a = Três barras homogêneas, cada uma com 2 ft e peso de 60 lbf, são articuladas uma abaixo da outra e pendem de um pino fixo. Uma força horizontal de 90 lbf puxa a extremidade livre da terceira. Determine os ângulos das barras com a vertical no equilíbrio, começando no pino fixo.
+in-a-roberval-balance-two-parallel-beams-0-15-m-apart-have-a-left-arm-of-0-1-m-and-a-right-arm-of-0-5 = Em uma balança de Roberval, duas travessas paralelas, distantes 0,15 m, têm braço esquerdo de 0,1 m e braço direito de 0,5 m; os pratos permanecem nivelados. Uma massa de 10 kg está no prato esquerdo, e as travessas estão inclinadas 5°. Determine a massa no prato direito que mantém a balança em repouso nessa posição.
+on-a-single-lever-a-hand-presses-with-30-n-at-an-arm-of-250-mm-the-load-is-on-the-other-side-of-the = Em uma alavanca simples, a mão aplica 30 N com braço de 250 mm. A carga está do outro lado do ponto de apoio, com braço de 50 mm. Determine a força na carga e a vantagem mecânica.
+the-ram-of-an-arbor-press-is-a-rack-driven-by-a-pinion-of-30-mm-pitch-radius-a-force-of-200-n-acts-on = O martelo de uma prensa manual é uma cremalheira acionada por um pinhão de 30 mm de raio primitivo. Uma força de 200 N atua na alavanca, perpendicular a ela, a 450 mm do eixo do pinhão. O atrito é desprezado. Determine a força do martelo e a vantagem mecânica.
+a-rack-press-of-80-efficiency-has-a-handle-of-0-5-m-a-gear-reduction-of-3-and-a-pinion-of-module-4-mm = Uma prensa de cremalheira com rendimento de 80 % tem alavanca de 0,5 m, redução por engrenagens de 3 e pinhão de módulo 4 mm com 20 dentes sobre a cremalheira. O martelo deve comprimir com 12 kN. Determine a força na alavanca e a vantagem mecânica com as perdas.
+the-two-links-of-a-toggle-press-are-250-mm-long-each-the-link-at-the-fixed-pin-makes-10-with-the-line = As duas hastes de uma prensa de joelho têm 250 mm cada uma. A haste do pino fixo forma 10° com a linha de empuxo, e uma força de 500 N atua no joelho, perpendicular a essa linha. O atrito é desprezado. Determine o empuxo do martelo e a força na haste do pino fixo.
+a-toggle-press-has-a-link-of-200-mm-at-the-fixed-pin-and-a-link-of-400-mm-at-the-ram-with-the-first = Uma prensa de joelho tem uma haste de 200 mm no pino fixo e uma de 400 mm no martelo. Com a primeira a 30° da linha de empuxo, o martelo deve comprimir com 1 kN. Determine a força no joelho, perpendicular à linha de empuxo, e a força na haste do martelo.
+a-crate-of-1000-kg-weight-1000-9-81-n-stands-on-a-lift-table-with-two-equal-scissor-frames-side-by = Uma caixa de 1000 kg (peso 1000·9,81 N) está sobre uma mesa elevadora com duas armações iguais lado a lado (2 armações de 1 estágio), cada uma com seu cilindro hidráulico. As barras têm 1,4 m e formam 60° com a horizontal. O cilindro vai de um ponto do solo 3,2 m à direita do pé fixo até a barra que sobe para a direita no primeiro estágio, a 0,7 m ao longo dela. O peso das barras e da mesa é desprezado. Determine a força de cada cilindro.
+a-screw-jack-with-a-single-square-thread-of-30-mm-mean-diameter-and-6-mm-lead-lifts-a-load-of-10-kn = Um macaco de parafuso com rosca quadrada de uma entrada, 30 mm de diâmetro médio e avanço de 6 mm levanta uma carga de 10 kN. O coeficiente de atrito da rosca é 0,12. O colar de escora tem diâmetro médio de 40 mm e coeficiente 0,1. Determine o torque para levantar a carga, o torque para baixá-la e o rendimento ao levantar.
+a-car-jack-is-a-rhombus-of-four-links-of-150-mm-each-at-30-from-the-horizontal-drawn-together-by-a = Um macaco de automóvel é um losango de quatro hastes de 150 mm, cada uma a 30° da horizontal, fechado por um parafuso horizontal. O parafuso de rosca trapezoidal tem uma entrada, diâmetro médio de 11 mm, avanço de 3 mm, meio ângulo do filete de 15° e coeficiente de atrito 0,15. Para uma carga de 4 kN, determine a força axial no parafuso e o torque que levanta a carga.
+two-equal-uniform-bars-ab-and-bc-of-1-m-and-10-kg-each-are-hinged-at-the-knee-b-which-hangs-below-a = Duas barras iguais e homogêneas AB e BC, de 1 m e 10 kg cada uma, são articuladas no joelho B, que fica abaixo. A é um pino fixo, e C desliza em uma guia horizontal lisa que passa por A. Não há força em B (g = 9,81 m/s²). Determine a força horizontal em C que mantém as barras a 45° da horizontal.
+a-mass-of-10-kg-sits-on-an-arm-of-300-mm-fixed-to-a-disc-and-is-straight-above-the-axis-of-the-disc = Uma massa de 10 kg está em um braço de 300 mm fixo a um disco, e fica exatamente acima do eixo do disco quando a mola está sem deformação. Um cabo enrolado no disco no raio de 80 mm vai até uma mola de 4 kN/m. O disco pode girar de 0° a 180° (g = 9,81 m/s²). Determine o ângulo do braço com a posição vertical no equilíbrio estável, e a segunda derivada da energia potencial na posição vertical.
+a-horizontal-lever-of-10-in-is-clamped-to-a-torsion-shaft-of-150-lbf-ft-rad-which-is-free-of-torque = Uma alavanca horizontal de 10 in está presa a um eixo de torção de 150 lbf·ft/rad, sem torque nessa posição. Uma carga vertical de 400 lbf atua em sua extremidade. Determine o ângulo com a horizontal, entre 0° e 90°, em que a alavanca fica em equilíbrio.
+in-a-crank-and-slotted-lever-mechanism-the-crank-is-100-mm-long-and-its-pivot-is-300-mm-above-that-of = Em um mecanismo de manivela e alavanca ranhurada, a manivela tem 100 mm e seu pivô está 300 mm acima do pivô da alavanca, que tem 600 mm. Com a manivela a 90°, apontando para longe do pivô da alavanca, uma força de −200 N atua na extremidade da alavanca, perpendicular a ela e positiva no sentido anti-horário. As massas são desprezadas. Determine o torque na manivela, a razão dos tempos dos dois cursos e o ângulo que a alavanca percorre.
+the-crank-of-a-small-steam-engine-is-50-mm-long-and-turns-about-the-origin-its-cylinder-swings-about = A manivela de uma pequena máquina a vapor tem 50 mm e gira em torno da origem; seu cilindro oscila em torno de um pino fixo em (−200; 0) mm. O vapor tem pressão de 8 bar em um cilindro de 60 mm de diâmetro. Com a manivela a 90° e massas desprezadas, determine a força do cilindro, a distância do seu pino ao pino da manivela e o torque na manivela.
+the-crank-of-a-scotch-yoke-is-80-mm-long-and-stands-at-150-from-the-line-of-the-yoke-a-torque-of-12-n = A manivela de um mecanismo de jugo escocês tem 80 mm e está a 150° da linha do jugo. Um torque de 12 N·m atua na manivela, positivo no sentido anti-horário; massas e atrito são desprezados. Determine a força no jugo, segundo x, que mantém o mecanismo em equilíbrio.
+a-scotch-yoke-of-4-kg-is-driven-by-a-crank-of-80-mm-that-turns-at-30-rad-s-and-is-at-30-from-the-line = Um jugo escocês de 4 kg é acionado por uma manivela de 80 mm que gira a 30 rad/s e está a 30° da linha do jugo. Uma força de −300 N atua no jugo segundo sua linha; o mecanismo está em um plano horizontal. Determine a posição, a velocidade e a aceleração do jugo e o torque na manivela.
+an-engine-has-a-crank-of-50-mm-and-a-connecting-rod-of-200-mm-with-the-crank-at-30-from-the-line-of = Um motor tem manivela de 50 mm e biela de 200 mm. Com a manivela a 30° da linha de curso, uma força de −4 kN atua no pistão, em direção ao virabrequim. Pesos e atrito são desprezados. Determine o momento na manivela que a mantém em equilíbrio.
+two-bars-of-0-6-m-and-0-7-m-form-a-slider-crank-the-first-makes-45-with-the-horizontal-guide-and-a = Duas barras de 0,6 m e 0,7 m formam um mecanismo biela-manivela. A primeira forma 45° com a guia horizontal, e uma carga de (0; −200) N atua na articulação entre elas. Não há torque na primeira barra, e os pesos são desprezados. Determine a posição do cursor em relação ao pino fixo e a força horizontal nele.
+a-crank-rocker-has-a-crank-of-40-mm-a-coupler-of-120-mm-a-rocker-of-80-mm-and-a-frame-of-100-mm-its = Um mecanismo de quatro barras manivela-balancim tem manivela de 40 mm, acoplador de 120 mm, balancim de 80 mm e base de 100 mm; a montagem é aberta (não cruzada). Um torque de 10 N·m atua na manivela, que está a 60°. Os pesos são desprezados. Determine os ângulos do acoplador e do balancim e o torque no balancim no equilíbrio.
+the-crank-of-a-four-bar-linkage-is-300-mm-long-and-turns-at-100-rpm-counter-clockwise-coupler-and = A manivela de um mecanismo de quatro barras tem 300 mm e gira a 100 rpm no sentido anti-horário. Acoplador e balancim têm 360 mm cada um, e a base tem 600 mm. Com a manivela a 60° e a montagem aberta, determine a velocidade angular do acoplador.
+the-gas-in-an-engine-at-rest-presses-on-the-piston-with-4-kn-the-crank-is-50-mm-and-the-connecting = O gás em um motor parado empurra o pistão com 4 kN. A manivela tem 50 mm e a biela 200 mm; massas e atrito são desprezados. Determine o momento motor no virabrequim com a manivela 30° depois do ponto morto.
+a-couple-of-75-lbf-ft-acts-on-the-crank-of-a-mechanism-with-a-crank-of-2-5-in-and-a-connecting-rod-of = Um momento de 75 lbf·ft atua na manivela de um mecanismo com manivela de 2,5 in e biela de 10 in. Massas e atrito são desprezados. Determine a força no pistão que mantém a manivela em equilíbrio a 60° do ponto morto.
+an-engine-runs-at-450-rpm-its-crank-is-150-mm-long-and-its-connecting-rod-600-mm-with-the-crank-60 = Um motor gira a 450 rpm. A manivela tem 150 mm e a biela 600 mm. Com a manivela 60° depois do ponto morto, determine a velocidade e a aceleração do pistão pelos dois primeiros termos da série, e a velocidade e a aceleração angulares da biela pela mesma aproximação.
+a-petrol-engine-has-a-bore-of-80-mm-a-crank-of-50-mm-a-connecting-rod-of-200-mm-and-reciprocating = Um motor a gasolina tem cilindro de 80 mm de diâmetro, manivela de 50 mm, biela de 200 mm e massas alternativas de 1 kg. A 1800 rpm, com a manivela 33° depois do ponto morto no tempo de expansão, a pressão manométrica sobre o pistão é de 0,7 MPa; atrás dele está a atmosfera (101,325 kPa). Tome a aceleração do pistão por dois termos. Determine a força resultante na direção do curso, a força na biela, a força na parede do cilindro e a rotação acima da qual o pino do pistão é carregado no outro sentido.
+in-an-epicyclic-train-the-sun-has-24-teeth-and-drives-at-1200-rpm-with-10-n-m-the-ring-with-72-teeth = Em um trem epicicloidal, o solar tem 24 dentes e aciona a 1200 rpm com 10 N·m; a coroa, com 72 dentes, está fixa, e o braço é acionado. Não há perdas e o movimento é uniforme. Determine a rotação do braço, a rotação absoluta dos planetas, o torque da carga no braço e o torque que segura a coroa.
+the-arm-of-a-gear-train-with-compound-planets-is-fixed-the-sun-has-20-teeth-and-turns-at-600-rpm-with = O braço de um trem de engrenagens com planetas compostos está fixo. O solar tem 20 dentes e gira a 600 rpm com torque motor de 6 N·m; ele engrena com a roda planetária de 40 dentes, e a de 30 dentes, no mesmo eixo, engrena com a coroa de 90 dentes. Sem perdas, determine a rotação da coroa, o torque da carga nela e o torque que segura o braço.
+a-valve-is-lifted-by-8-mm-in-simple-harmonic-motion-while-its-cam-turns-through-60-at-1200-rpm-find = Uma válvula é erguida 8 mm em movimento harmônico simples enquanto seu came gira 60° a 1200 rpm. Determine a maior velocidade e a maior aceleração da válvula durante o levantamento.
+with-constant-acceleration-and-equal-deceleration-parabolic-motion-a-valve-is-lifted-by-8-mm-while = Com aceleração constante e desaceleração igual (movimento parabólico), uma válvula é erguida 8 mm enquanto seu came gira 60° a 1200 rpm. Determine a maior velocidade e a aceleração.
+a-follower-rises-by-25-mm-in-cycloidal-motion-while-the-cam-turns-through-90-the-cam-turns-at-30-rad = Um seguidor sobe 25 mm em movimento cicloidal enquanto o came gira 90°. O came gira a 30 rad/s. Determine a maior velocidade, a maior aceleração e o maior jerk do seguidor.
+a-flywheel-of-6500-kg-with-a-radius-of-gyration-of-1-8-m-runs-at-a-mean-speed-of-120-rpm-the-energy = Um volante de 6500 kg com raio de giração de 1,8 m gira à rotação média de 120 rpm. A energia flutua 56 kJ em cada volta. Determine sua maior e sua menor rotação.
+the-turning-moment-of-an-engine-is-t-20000-9500-sin-2-5700-cos-2-with-t-in-n-m-and-the-angle-of-the = O momento motor de uma máquina é T = 20000 + 9500 sen 2θ − 5700 cos 2θ, com T em N·m e θ o ângulo da manivela; o torque resistente é constante. À rotação média de 180 rpm, o coeficiente de flutuação de velocidade deve ser de 1 %. Determine a flutuação de energia, o momento de inércia do volante e a potência.
+a-motor-of-0-6-kg-m-drives-a-machine-of-45-kg-m-through-a-gear-that-reduces-the-speed-by-9-with-an = Um motor de 0,6 kg·m² aciona uma máquina de 45 kg·m² por um redutor que divide a rotação por 9, com rendimento de 95 %. O torque da carga na máquina é de 100 N·m e o motor fornece 30 N·m. Determine a aceleração angular da máquina e o tempo em que ela atinge 60 rpm a partir do repouso.
+a-connecting-rod-of-2-kg-is-250-mm-long-between-its-pins-its-centre-of-mass-is-100-mm-from-the = Uma biela de 2 kg tem 250 mm entre os pinos. Seu centro de massa está a 100 mm do pino do pistão, e o raio de giração em relação a ele é de 110 mm. Ela é substituída por duas partículas dinamicamente equivalentes, a primeira no pino do pistão. Determine a distância da segunda ao centro de massa e as duas massas. Se, em vez disso, forem usadas massas nos dois pinos, determine o momento que as corrige para uma aceleração angular de 23000 rad/s².
+a-homogeneous-disc-of-3-kg-and-50-mm-radius-rolls-without-slipping-on-a-horizontal-plane-a-crank-of = Um disco homogêneo de 3 kg e 50 mm de raio rola sem deslizar sobre um plano horizontal. Uma manivela de 100 mm, cujo eixo está na altura do centro do disco, gira a 10 rad/s e aciona esse centro por uma biela leve de √2·100 mm. Com a manivela a 90° e sem outra força horizontal, determine o torque na manivela e o atrito no disco.

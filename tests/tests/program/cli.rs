@@ -170,6 +170,14 @@ fn an_analysis_is_shown() {
         (&"mass".into(), &"kg".into(), &"a mass".into())
     );
     assert_eq!(mass["min"], serde_json::json!({ "value": 0.0, "included": false }));
+    let statement = shown["cases"][0]["statement"].as_str().expect("an exercise has a statement");
+    assert!(statement.starts_with("A fan of 40 kg stands"), "{statement}");
+    assert_eq!(shown["cases"][0]["asked"], serde_json::json!(["damping_ratio", "amplitude"]));
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words(&printed(&["show", FAN])).contains(statement.trim_end_matches('.')));
+    // The statement stands above the data.
+    let solved = words(&printed(&["solve", FAN, "--case", "1"]));
+    assert!(solved.find(statement) < solved.find("Given data") && solved.contains(statement), "{solved}");
     let text = printed(&["show", FAN]);
     insta::assert_snapshot!("show", text.lines().take(10).collect::<Vec<_>>().join("\n"));
     assert!(
@@ -202,6 +210,7 @@ fn json_of_a_solve_has_the_agreed_shape() {
             "program",
             "analysis",
             "case",
+            "statement",
             "units",
             "notes",
             "inputs",

@@ -218,6 +218,38 @@ fn a_job_goes_on_where_it_was_interrupted_and_opens_in_the_workbench() {
     job.leaves();
 }
 
+/// A job is recorded in field mode, whose file dialog is typed again when it is played, and nothing is written then.
+#[test]
+fn a_job_is_recorded_and_played_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut job = Technician::at("field --record job.replay", folder.path(), (24, 80));
+    job.sees("The job").types("fan<enter>21").types("1480<enter>180<enter>400<enter>").sees("grade G");
+    job.types("1")
+        .sees("Next: instrument")
+        .types("<enter>")
+        .sees("fan.toml")
+        .types("<enter>")
+        .sees("saved as");
+    job.types("1112").sees("lag");
+    job.leaves();
+    let text = fs::read_to_string(folder.path().join("job.replay")).expect("it was recorded");
+    assert!(text.starts_with("screen 80x24\nlanguage en\nlook colour\nfield\n"), "{text}");
+    fs::remove_file(folder.path().join("fan.toml")).expect("it was saved");
+    let mut replay = std::process::Command::new(pty::program());
+    replay.args(["--lang", "en", "replay", "job.replay", "--headless"]).current_dir(folder.path());
+    let played = replay.output().expect("the program runs");
+    let screen = String::from_utf8_lossy(&played.stdout).into_owned();
+    assert!(played.status.success(), "{screen}{}", String::from_utf8_lossy(&played.stderr));
+    assert!(screen.contains("Instrument and angles") && screen.contains("lag"), "{screen}");
+    assert!(!folder.path().join("fan.toml").exists(), "a replay writes nothing");
+    // A job with a name of its own is one when it is played, too.
+    let mut job = Technician::at("field exhauster.toml --record named.replay", folder.path(), (24, 80));
+    job.sees("The job").types("<enter>");
+    job.leaves();
+    let text = fs::read_to_string(folder.path().join("named.replay")).expect("it was recorded");
+    assert!(text.contains("\nfield exhauster.toml\n"), "{text}");
+}
+
 /// The correction is the opposite of the unbalance: what the tests above rest on.
 #[test]
 fn the_machine_is_at_rest_with_the_wanted_weights() {

@@ -3,14 +3,18 @@
 mod cli;
 mod faults;
 mod field;
+mod import;
 mod json;
 mod optimise;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod pixels;
+mod ranges;
 mod replay;
+mod sensitivity;
 mod study;
 mod study_plans;
+mod teaching;
 mod workbench;
 mod workflows;
 

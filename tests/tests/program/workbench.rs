@@ -44,6 +44,11 @@ fn escape_and_a_key_that_arrive_together_are_two_keys() {
     pty.send(b"\x1b\x1b");
     pty.idle(Duration::from_millis(150));
     assert!(!pty.screen().contains(":quit"), "{}", pty.screen());
+    // Likewise in a line of text: the list opens with the cursor in its search.
+    pty.send(b"\x1b");
+    pty.expect("List of analyses");
+    pty.send(b"\x1b:quit");
+    pty.expect(":quit");
 }
 
 /// The old amplitude is never on the screen beside the new speed: a key and what it leads to are one frame.

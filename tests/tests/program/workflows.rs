@@ -1,28 +1,85 @@
 //! Days of people at the workbench, from the start of the program to the file they leave with. Each is worked at a
-//! terminal; what is on the screen is compared with numbers found here, not to what was seen there once.
+//! terminal by keys that the screen names, which are counted; what is on the screen is compared with numbers found here,
+//! not to what was seen there once.
 //!
-//! The fan that is balanced in the field stands in `workbench.rs`.
+//! The fan that is balanced in the field, in at most forty keys, stands in `field.rs`.
 
 use std::{f64::consts::PI, fs, path::Path, time::Duration};
 
 use dalembert_tests::pty::{self, Launch, Pty};
+use dalembert_tui::keys::notation::keys_of;
+use ratatui::crossterm::event::KeyCode;
 
-/// The program on an analysis, in a folder for its files.
-fn at_work(id: &str, folder: &Path) -> Pty {
-    let script = format!("cd '{}' && \"$PROGRAM\" {id}; exit $?", folder.display());
-    let pty = Launch::new(pty::program()).size(36, 120).in_script(&script).start();
-    pty.expect("Inputs");
-    pty.idle(Duration::from_millis(200));
-    pty
+/// Somebody who knows no key but those that the screen names.
+struct Person {
+    pty: Pty,
+    keys: usize,
 }
 
-/// Leaves, without saving where that is asked.
-fn leaves(pty: &mut Pty) {
-    pty.types("q");
-    if pty.sees("without saving", Duration::from_millis(500)) {
-        pty.types("<down><enter>");
+impl Person {
+    /// Starts the program with arguments, in a folder for its files.
+    fn at(arguments: &str, folder: &Path) -> Self {
+        let script = format!("cd '{}' && \"$PROGRAM\" {arguments}; exit $?", folder.display());
+        let pty = Launch::new(pty::program()).size(36, 120).in_script(&script).start();
+        pty.expect("q quit");
+        pty.idle(Duration::from_millis(200));
+        Self { pty, keys: 0 }
     }
-    assert_eq!((pty.exit_code(), pty.leftovers()), (Some(0), vec![]));
+
+    /// Presses keys; digits, signs and decimal marks are not counted.
+    fn types(&mut self, text: &str) -> &mut Self {
+        let is_free = |code: KeyCode| matches!(code, KeyCode::Char('0'..='9' | '.' | ',' | '-' | '+' | '@'));
+        let keys = keys_of(text).unwrap_or_else(|name| panic!("{name} is no key"));
+        self.keys += keys.iter().filter(|key| !is_free(key.code)).count();
+        self.pty.types(text);
+        self
+    }
+
+    /// Writes what the problem gives, with its unit: nothing of it is counted.
+    fn writes(&mut self, value: &str) -> &mut Self {
+        self.pty.types(value);
+        self
+    }
+
+    /// Presses keys that the footer names with these words.
+    fn presses(&mut self, keys: &str, words: &str) -> &mut Self {
+        self.pty.expect(words);
+        let screen = self.pty.screen();
+        let footer = screen.lines().rev().find(|line| !line.trim().is_empty()).unwrap_or_default();
+        assert!(footer.contains(words), "`{words}` is not in the footer:\n{screen}");
+        self.types(keys)
+    }
+
+    /// Presses keys that the help names with these words, after it was searched for them.
+    fn finds(&mut self, keys: &str, words: &str) -> &mut Self {
+        self.presses("?", "? help").types(words).sees(words).leave_help().types(keys)
+    }
+
+    /// Closes the help, whose search has the keys at first.
+    fn leave_help(&mut self) -> &mut Self {
+        for _ in 0..2 {
+            if self.pty.screen().contains("Keyboard shortcuts") {
+                self.types("<esc>");
+                self.pty.idle(Duration::from_millis(100));
+            }
+        }
+        self.sees("? help")
+    }
+
+    fn sees(&mut self, text: &str) -> &mut Self {
+        self.pty.expect(text);
+        self
+    }
+
+    /// Leaves, without saving where that is asked; the keys were no more than so many.
+    fn leaves(mut self, most: usize) {
+        self.presses("q", "q quit");
+        if self.pty.sees("without saving", Duration::from_millis(500)) {
+            self.types("<down><enter>");
+        }
+        assert_eq!((self.pty.exit_code(), self.pty.leftovers()), (Some(0), vec![]));
+        assert!(self.keys <= most, "{} keys", self.keys);
+    }
 }
 
 /// A student works the fan by hand: nothing is given away, a right answer is confirmed, a wrong one is not, and what
@@ -30,43 +87,34 @@ fn leaves(pty: &mut Pty) {
 #[test]
 fn homework_is_tried_by_hand_and_checked() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut pty = at_work("vibration/rotating-unbalance", folder.path());
-    pty.expect("19.456");
-    pty.types("t]]]]");
-    pty.expect("stays hidden");
-    assert!(!pty.screen().contains("19.456"), "{}", pty.screen());
+    let mut student = Person::at("vibration/rotating-unbalance", folder.path());
+    student.sees("19.456");
+    student.presses("t", "t solve by hand").presses("]]]]", "[ ] tabs");
+    student.sees("stays hidden");
+    assert!(!student.pty.screen().contains("19.456"), "{}", student.pty.screen());
     // ωₙ = √(3 E I / L³ / m), by hand to four digits.
     let natural = (3.0 * 200e9 * 1.3e-6 / 1.2_f64.powi(3) / 40.0).sqrt();
-    pty.types(&format!("<down><down><down>{natural:.1}<enter>"));
-    pty.expect(&format!("= {natural:.2} rad/s"));
+    student.types(&format!("<down><down><down>{natural:.1}<enter>"));
+    student.sees(&format!("= {natural:.2} rad/s"));
     // ζ from another formula, and the amplitude that it leads to.
-    pty.types("<down><down>0.707<enter>");
-    pty.expect("Incorrect");
+    student.types("<down><down>0.707<enter>").sees("Incorrect");
     let ratio = 1000.0 * PI / 30.0 / natural;
     let amplitude = 0.1 / 40.0 * ratio * ratio / (1.0 - ratio * ratio).hypot(2.0 * 0.707 * ratio) * 1e3;
-    pty.types(&format!("<home>{amplitude:.3}<enter>"));
-    pty.expect("consistent with your earlier answer to");
+    student.types(&format!("<home>{amplitude:.3}<enter>")).sees("consistent with your earlier answer to");
     // The working, as far as the step that was missed, and no farther.
-    pty.types("[[[");
-    pty.expect("k = ?");
-    pty.types("    ");
-    pty.expect("= 8.12");
-    pty.expect("ζ = ?");
-    assert!(!pty.screen().contains("0.061694"), "{}", pty.screen());
-    pty.types("]]]<down><down><down><down><down>0.0617<enter>");
-    pty.expect("= 0.061694");
+    student.presses("[[[", "[ ] tabs").sees("k = ?");
+    student.types("    ").sees("= 8.12").sees("ζ = ?");
+    assert!(!student.pty.screen().contains("0.061694"), "{}", student.pty.screen());
+    student.types("]]]<down><down><down><down><down>0.0617<enter>").sees("= 0.061694");
     // With the last answer the exercise is done, and the list of exercises reports it.
     let amplitude = 0.1 / 40.0 * ratio * ratio / (1.0 - ratio * ratio).hypot(2.0 * 0.061694 * ratio) * 1e3;
-    pty.types(&format!("<home>{amplitude:.2}<enter>"));
-    pty.expect("all required answers are correct");
-    pty.types("t<esc><esc>");
-    pty.expect("Exercise lists");
-    let screen = pty.screen();
+    student.types(&format!("<home>{amplitude:.2}<enter>")).sees("all required answers are correct");
+    student.types("t<esc><esc>").sees("Exercise lists");
+    let screen = student.pty.screen();
     let lists = screen.lines().find(|line| line.contains("Exercise lists")).unwrap_or_default();
     assert!(lists.contains(" 1/"), "{screen}");
-    pty.types("<esc>");
-    pty.expect("q quit");
-    leaves(&mut pty);
+    student.types("<esc>").sees("q quit");
+    student.leaves(50);
 }
 
 /// A lecturer shows what resonance is: a result is pinned, the speed is raised before everybody's eyes, the working
@@ -74,48 +122,59 @@ fn homework_is_tried_by_hand_and_checked() {
 #[test]
 fn a_lecturer_demonstrates_live() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut pty = at_work("vibration/rotating-unbalance", folder.path());
-    pty.expect("19.456");
+    let mut lecturer = Person::at("vibration/rotating-unbalance", folder.path());
+    lecturer.sees("19.456");
     // Raised ten rpm at a key; the difference to the pinned result is beside every answer that moved.
-    pty.types("<end>c<s-up><s-up>");
-    pty.expect("1020 rpm");
+    lecturer.types("<end>").finds("c", "compare").types("<s-up><s-up>").sees("1020 rpm");
     let r = 1020.0 * PI / 30.0 / (3.0 * 200e9 * 1.3e-6 / 1.2_f64.powi(3) / 40.0).sqrt();
     let zeta: f64 = 0.061694;
     let amplitude = 0.1 / 40.0 * r * r / (1.0 - r * r).hypot(2.0 * zeta * r) * 1e3;
-    pty.expect(&format!("{amplitude:.3}"));
-    pty.expect(&format!("{:+.3} mm", amplitude - 19.456)[..5]);
+    lecturer.sees(&format!("{amplitude:.3}"));
+    lecturer.sees(&format!("{:+.3} mm", amplitude - 19.456)[..5]);
     // Nothing is given away before its turn.
-    pty.types("t]");
-    pty.expect("k = ?");
-    assert!(!pty.screen().contains("451.39"), "{}", pty.screen());
-    pty.types(" ");
-    pty.expect("451.39 kN/m");
-    pty.expect("ωₙ = ?");
-    pty.types("t");
-    pty.expect("106.23 rad/s");
-    leaves(&mut pty);
+    lecturer.presses("t]", "t solve by hand").sees("k = ?");
+    assert!(!lecturer.pty.screen().contains("451.39"), "{}", lecturer.pty.screen());
+    lecturer.types(" ").sees("451.39 kN/m").sees("ωₙ = ?").types("t").sees("106.23 rad/s");
+    lecturer.leaves(20);
 
-    let mut pty = at_work("vibration/modal-analysis", folder.path());
-    pty.types("]]]n");
-    pty.expect("Drawing 2/5");
+    let mut lecturer = Person::at("vibration/modal-analysis", folder.path());
+    lecturer.types("]]]n").sees("Drawing 2/5");
     // It begins held at the given position.
-    pty.types("p");
-    let first = pty.screen();
+    lecturer.presses("<space>", "Space animation");
+    let first = lecturer.pty.screen();
     assert!((0..100).any(|_| {
         std::thread::sleep(Duration::from_millis(20));
-        pty.screen() != first
+        lecturer.pty.screen() != first
     }));
     // Held, it is at rest.
-    pty.types("p");
-    pty.idle(Duration::from_millis(300));
-    let held = (pty.count(), pty.screen());
+    lecturer.types("<space>");
+    lecturer.pty.idle(Duration::from_millis(300));
+    let held = (lecturer.pty.count(), lecturer.pty.screen());
     std::thread::sleep(Duration::from_millis(500));
-    assert_eq!((pty.count(), pty.screen()), held);
-    pty.types("L");
-    pty.expect("Dados de entrada");
-    pty.types("L");
-    pty.expect("Inputs");
-    leaves(&mut pty);
+    assert_eq!((lecturer.pty.count(), lecturer.pty.screen()), held);
+    lecturer.types("L").sees("Dados de entrada").types("L").sees("Inputs");
+    lecturer.leaves(12);
+}
+
+/// A lecture is recorded, given captions in the file and played before the class: no caption covers the keys of the
+/// workbench, and any key hands the keyboard over.
+#[test]
+fn a_lecture_is_recorded_and_played_before_the_class() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut lecturer = Person::at("vibration/rotating-unbalance --record lesson.replay", folder.path());
+    lecturer.sees("19.456");
+    lecturer.presses("<end>", "+ - adjust").types("+++").sees("1003 rpm").presses("]]", "[ ] tabs");
+    lecturer.leaves(10);
+    let path = folder.path().join("lesson.replay");
+    let text = fs::read_to_string(&path).expect("it was recorded");
+    let (head, keys) = text.split_once("type ").expect("keys were recorded");
+    fs::write(&path, format!("{head}caption Close to resonance.\npause\ntype {keys}caption\n"))
+        .expect("written");
+    let mut class = Person::at("replay lesson.replay --speed 5", folder.path());
+    class.sees("Close to resonance.").sees("Space continues").sees("1000 rpm").sees("q quit");
+    class.types("<space>").sees("1003 rpm").sees("keyboard is active again");
+    assert!(!class.pty.screen().contains("Close to resonance."), "{}", class.pty.screen());
+    class.leaves(2);
 }
 
 /// A mass of 2 kg on 80 kN/m and 40 N·s/m, measured twice: as a table in a text file and as a universal file.
@@ -178,58 +237,58 @@ fn a_measured_response_is_imported_identified_and_exported() {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(folder.path().join("measured.csv"), text_file()).expect("written");
     fs::write(folder.path().join("measured.uff"), universal_file()).expect("written");
-    let mut pty = at_work("vibration/frequency-response-identification", folder.path());
-    pty.types("<enter><down><enter>");
-    pty.expect("Table of the freq");
-    pty.types("<down>");
-    pty.paste("@measured.csv");
-    pty.expect("13 lines");
+    let mut engineer = Person::at("vibration/frequency-response-identification", folder.path());
+    engineer.presses("<enter><down><enter>", "Enter edit").sees("Table of the freq").types("<down>");
+    engineer.pty.paste("@measured.csv");
+    engineer.sees("13 lines");
     // Half the square root of k/m over itself is the damping ratio: c/(2√(k m)) = 0.05, and ωₙ = 200 rad/s.
-    assert!(pty.sees(" 200 ", pty::PATIENCE) && pty.screen().contains(" 0.05 "), "{}", pty.screen());
-    pty.types("<up><enter><down><enter>");
-    pty.expect("complex");
-    pty.types("<down><down>");
-    pty.paste("@measured.uff");
-    pty.expect("26 lines");
+    let has = |pty: &Pty| pty.sees(" 200 ", pty::PATIENCE) && pty.screen().contains(" 0.05 ");
+    assert!(has(&engineer.pty), "{}", engineer.pty.screen());
+    engineer.types("<up><enter><down><enter>").sees("complex").types("<down><down>");
+    engineer.pty.paste("@measured.uff");
+    engineer.sees("26 lines");
     let hertz = format!("{:.3}", (ARM.2 / ARM.0).sqrt() / 2.0 / PI);
-    pty.expect(&hertz);
-    pty.types("X");
-    pty.expect(".html");
-    pty.types("<enter>");
-    pty.expect("worked solution written to");
+    engineer.sees(&hertz).finds("X", "export").sees(".html");
+    engineer.types("<enter>").sees("worked solution written to");
     let page = fs::read_to_string(folder.path().join("frequency-response-identification.html"))
         .expect("the report is there");
     for words in [&hertz, "<svg", "80000", "Nyquist"] {
         assert!(page.contains(words), "{words} is not in the report");
     }
-    leaves(&mut pty);
+    engineer.leaves(25);
 }
 
 /// The shaft of a turbine's rotor is sized so that it never touches: without damping only shafts far below or far
-/// above their critical speeds serve, and one of them is judged.
+/// above their critical speeds serve; a study shows how the limit follows the clearance, and one shaft is judged.
 #[test]
 fn a_shaft_is_sized_under_a_clearance() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut pty = at_work("vibration/shaft-clearance", folder.path());
-    pty.types("<down><down><enter><up><enter>");
-    pty.expect("Undamped");
+    let mut designer = Person::at("vibration/shaft-clearance", folder.path());
+    designer.presses("<down><down><enter><up><enter>", "Enter edit").sees("Undamped");
     // |X| = e r²/|1 − r²| reaches the clearance R at ωₙ² = ω²(R ∓ e)/R; a cantilever has k = 3 E π d⁴/(64 L³).
-    let (mass, clearance, eccentricity, length, young) = (250.0, 5e-3, 5e-3 / 250.0, 2.0_f64, 207e9);
-    for (speed, side) in [(480.0, -1.0), (7200.0, 1.0)] {
+    let (mass, eccentricity, length, young) = (250.0, 5e-3 / 250.0, 2.0_f64, 207e9);
+    let diameter = |speed: f64, side: f64, clearance: f64| {
         let natural = (speed * PI / 30.0_f64).powi(2) * (clearance + side * eccentricity) / clearance;
         let second_moment = mass * natural * length.powi(3) / 3.0 / young;
-        let diameter = (64.0 * second_moment / PI).powf(0.25) * 1e3;
-        let shown = format!("{diameter:.2}");
-        pty.expect(&format!("{} mm", shown.trim_end_matches('0')));
+        (64.0 * second_moment / PI).powf(0.25) * 1e3
+    };
+    let shown = |diameter: f64| format!("{diameter:.2}").trim_end_matches('0').to_owned();
+    for (speed, side) in [(480.0, -1.0), (7200.0, 1.0)] {
+        designer.sees(&format!("{} mm", shown(diameter(speed, side, 5e-3))));
     }
-    pty.types("<end><space><enter>70 mm<enter>");
-    pty.expect("Critical speed of the shaft to be");
+    // A study begins with the input under the cursor, here the clearance, and shows the curves of the main answer.
+    designer
+        .presses("<up><tab>", "Tab see results")
+        .presses("[[", "[ ] tabs")
+        .sees("Study")
+        .sees("Radial clearance");
+    designer.types("<tab>");
+    designer.types("<end><space><enter>").writes("70 mm").types("<enter>");
+    designer.presses("]]", "[ ] tabs").sees("Critical speed of the shaft to be");
     let stiffness = 3.0 * young * PI * 0.07_f64.powi(4) / 64.0 / length.powi(3);
-    pty.expect(&format!("{:.2}", (stiffness / mass).sqrt() * 30.0 / PI));
+    designer.sees(&format!("{:.2}", (stiffness / mass).sqrt() * 30.0 / PI));
+    designer.presses("s", "s save").writes("shaft.toml").types("<enter>").sees("saved as");
     let path = folder.path().join("shaft.toml");
-    pty.types(&format!("s{}<enter>", path.display()));
-    pty.expect("saved as");
-    pty.types("q");
-    assert_eq!(pty.exit_code(), Some(0));
     assert!(fs::read_to_string(&path).expect("the file is there").contains("70 mm"));
+    designer.leaves(40);
 }

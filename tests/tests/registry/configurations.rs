@@ -319,6 +319,7 @@ fn given_data_name_the_inputs_of_a_configuration() {
         entry,
         case: &none,
         source: &none,
+        statement: &none,
         note: &none,
         notes: &[],
         draft: &draft,

@@ -7,6 +7,7 @@ use dalembert_core::{Shape, cases, exams::exams, own_fields, registry, suggestio
 use dalembert_plugins as _;
 use dalembert_report as _;
 use dalembert_study as _;
+use dalembert_teaching::grading::Outcome;
 use dalembert_testkit::languages::{self, SourceFile};
 use dalembert_tui as _;
 
@@ -33,10 +34,15 @@ fn every_exam_question_has_its_portuguese() {
     let mut sentences = Vec::new();
     for entry in exams() {
         let case = cases::first(entry).unwrap_or_else(|| panic!("{} has no case", entry.about.id));
-        sentences.extend([case.title(), case.source, case.note].map(|text| text.english()));
+        sentences.extend([case.title(), case.source, case.statement].map(|text| text.english()));
         sentences.extend([entry.about.topic, entry.about.summary].map(str::to_owned));
     }
     languages::sentences_have_their_portuguese("bundle", sentences.iter().map(String::as_str));
+}
+
+#[test]
+fn every_outcome_of_grading_has_its_portuguese() {
+    languages::sentences_have_their_portuguese("teaching", Outcome::ALL.map(Outcome::label));
 }
 
 #[test]

@@ -218,7 +218,7 @@ fn every_exam_question_comes_out() {
             assert_eq!(verdict.outcome, Comparison::Agreed, "{id}: {verdict:?}");
         }
         answers += verdicts.len();
-        assert!(case.note.english().len() > 100, "{id} has no statement");
+        assert!(case.statement.english().len() > 100, "{id} has no statement");
         assert!(find(id).is_some_and(|found| found.about.id == id));
     }
     assert!((exams().len(), of_four, answers) >= (25, 5, 200), "{} {of_four} {answers}", exams().len());

@@ -2,7 +2,9 @@
 
 mod asking;
 mod branches;
+mod causes;
 mod data_entry;
+mod exercises;
 mod field;
 mod first_screen;
 mod keys;

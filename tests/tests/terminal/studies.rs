@@ -235,7 +235,7 @@ fn a_long_study_is_reported_while_it_runs() {
 }
 
 /// Effects of a key, without performing them.
-fn presses(person: &mut Person, key: &str) -> Vec<Effect> {
+pub(crate) fn presses(person: &mut Person, key: &str) -> Vec<Effect> {
     let key = keys_of(key).unwrap().remove(0);
     update(&mut person.model, Msg::Key(key))
 }
@@ -270,7 +270,7 @@ fn escape_stops_what_is_asked_and_turning_to_it_asks_again() {
         person.types("[]");
         let screen = person.sees();
         assert!(!screen.contains("cancelled"), "{screen}");
-        let found = ["No common error", "all tolerances:", "current value", "target"];
+        let found = ["Possible causes", "all tolerances:", "current value", "target"];
         assert!(found.iter().any(|words| screen.contains(words)), "{screen}");
         // The next one goes back to the inputs.
         person.types("<esc>");
@@ -309,7 +309,7 @@ fn every_question_ends_soon_after_it_is_stopped() {
         for question in [
             scatter,
             Question::Sensitivity { entry, record: record.clone(), answer, tolerances: Vec::new() },
-            Question::Slips { entry, record: record.clone(), solution, typed },
+            Question::Causes { entry, record: record.clone(), solution, typed },
         ] {
             let stop = Stop::new();
             thread::scope(|scope| {
@@ -358,7 +358,7 @@ fn every_analysis_has_a_scatter() {
     }
 }
 
-fn at(mut person: Person, tab: &str) -> Person {
+pub(crate) fn at(mut person: Person, tab: &str) -> Person {
     person.turns_to(tab);
     person
 }

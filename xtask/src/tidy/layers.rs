@@ -3,23 +3,40 @@
 use super::{Tree, ends_in, lines, without_tests};
 
 /// A crate and those of this workspace that it may depend on, by folder, without tests.
-const BELOW: [(&str, &[&str]); 15] = [
+const BELOW: [(&str, &[&str]); 17] = [
     ("crates/units", &[]),
     ("crates/numerics", &[]),
     ("crates/mechanics", &["numerics"]),
     ("crates/derive", &[]),
     ("crates/core", &["derive", "numerics", "units"]),
+    ("crates/import", &["core"]),
     ("crates/report", &["core", "numerics", "units"]),
+    ("crates/teaching", &["core", "numerics", "report", "units"]),
     ("crates/terminal", &[]),
-    ("crates/study", &["core"]),
+    ("crates/study", &["core", "numerics"]),
     ("crates/plot", &["core", "report", "terminal", "units"]),
-    ("crates/tui", &["core", "plot", "report", "study", "terminal", "units"]),
-    ("crates/dalembert", &["core", "mechanics", "plugins", "report", "study", "tui", "units"]),
+    ("crates/tui", &["core", "import", "plot", "report", "study", "terminal", "units"]),
+    (
+        "crates/dalembert",
+        &["core", "import", "mechanics", "plugins", "report", "study", "teaching", "tui", "units"],
+    ),
     ("plugins/*", &["core", "mechanics", "numerics", "units"]),
     ("crates/testkit", &["core", "mechanics", "numerics", "plot", "report", "terminal", "units"]),
     (
         "tests",
-        &["", "core", "mechanics", "numerics", "plugins", "report", "study", "testkit", "tui", "units"],
+        &[
+            "",
+            "core",
+            "mechanics",
+            "numerics",
+            "plugins",
+            "report",
+            "study",
+            "teaching",
+            "testkit",
+            "tui",
+            "units",
+        ],
     ),
     ("xtask", &["units"]),
 ];
@@ -31,12 +48,14 @@ const OF_A_PLUGIN: [&str; 1] = ["nalgebra"];
 const EFFECTS: [&str; 4] = ["fs", "net", "process", "env"];
 
 /// The crates that do no input or output.
-const PURE: [&str; 7] = [
+const PURE: [&str; 9] = [
     "crates/units/src/",
     "crates/numerics/src/",
     "crates/mechanics/src/",
     "crates/core/src/",
+    "crates/import/src/",
     "crates/report/src/",
+    "crates/teaching/src/",
     "crates/plot/src/",
     "plugins/",
 ];

@@ -92,6 +92,9 @@ impl Retired<'_> {
             is("code") || is("messages") && is_quoted()
         } else if ends_in(path, "md") {
             is("documents") && spaced(line).contains(&self.spaced)
+        } else if ends_in(path, "ftl") {
+            let text = line.split_once(" = ").map(|(_, text)| spaced(text));
+            is("translations") && text.is_some_and(|text| text.contains(&self.spaced))
         } else {
             // Files and lists of exercises that say the former name of a case are still read.
             let is_current = !line.starts_with("former = ");

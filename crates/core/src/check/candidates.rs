@@ -1,407 +1,233 @@
-//! Candidate answers: the results that common mistakes would give, the most frequent mistakes first.
+//! Candidate answers: the results that common mistakes would give, each with how common the mistake is.
+//!
+//! The prior of a mistake is its weight beside those of the others, 1 for the commonest. It ranks mistakes that give the
+//! same number, and decides which of them are tried before chance hits become likely.
 
-use std::f64::consts::{PI, SQRT_2, TAU};
+use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2, TAU};
 
-use dalembert_units::{self as units, Dim, Kind, Unit};
+use dalembert_units::{Dim, Kind};
 
-use super::{Mistake, NumberChange, wrong::Wrong};
+use super::{
+    Change, Mistake, Place,
+    inputs::{inputs, units_of},
+    problem::problems,
+    steps::{LONGEST_TRACE, node_of, scalar, steps},
+    tries::{Candidate, Tries},
+    wrong::Wrong,
+};
 use crate::{
-    AnswerValue, Entry, Number, Record, Refusal, Solution, SolveError, Stop,
-    reevaluate::{ancestors, reevaluate},
-    trace::{Function, Id, Op},
-    vary::{self, Perturbed, VariedInput},
+    Entry, Record, Solution, Stop, Text,
+    cases::{self, ComparisonRule},
+    reevaluate::{Edit, Reevaluation},
+    trace::{Id, Number},
+    vary,
 };
 
-/// Problems of more inputs have so many pairs that may be interchanged.
-const MOST_PAIRS: usize = 60;
-/// Worked solutions of more numbers are not read again.
-const LONGEST_TRACE: usize = 20_000;
-/// So many slips within steps are tried.
-const MOST_STEPS: usize = 300;
-/// Accelerations of gravity that people take, in m/s².
-const GRAVITY: [f64; 4] = [9.81, 10.0, 9.806_65, 9.8];
-/// Units that are mixed up with others in countries that use them.
-const CUSTOMARY: [&str; 7] = ["in", "ft", "lb", "slug", "oz", "psi", "mil"];
-
-/// A slip, and what each of the wrong answers would be with it.
-pub(super) struct Candidate {
-    pub(super) slip: Mistake,
-    /// NaN where the slip does not concern an answer.
-    pub(super) values: Vec<f64>,
-    /// Made once, it shows in every answer.
-    pub(super) shared: bool,
-    /// It is made of what the user said, so it hits by no accident.
-    pub(super) free: bool,
+/// Printed values of these inputs that the catalogue disputes: name of the answer, value, and reason.
+pub(super) fn disputed(entry: &Entry, record: &Record) -> Vec<(String, String, Text)> {
+    let all = cases::cases(entry).unwrap_or_default();
+    let of_these = all.iter().filter(|case| case.record(entry).is_ok_and(|known| known == *record));
+    let expected = of_these.flat_map(|case| &case.expect);
+    expected
+        .filter_map(|expected| match &expected.how {
+            ComparisonRule::Disputed { why, .. } => {
+                Some((expected.answer.clone(), expected.printed.clone(), why.clone()))
+            }
+            _ => None,
+        })
+        .collect()
 }
 
+/// Every candidate, the likeliest first; where `stop` is given, those that were found until then. `so_far` receives them
+/// at the end of each stage but the last: what the trace gives, other options, other data as a whole; single digits take
+/// longest.
 pub(super) fn candidates(
     entry: &Entry,
     record: &Record,
     solution: &Solution,
     wrong: &[Wrong<'_>],
     stop: &Stop,
-) -> Result<Vec<Candidate>, Refusal> {
+    so_far: &mut dyn FnMut(&[Candidate]),
+) -> Vec<Candidate> {
     let mut all = Tries { wrong, found: Vec::new() };
+    all.printed(entry, record);
     all.follow(solution);
-    all.units(false);
-    all.answer(&NumberChange::Sign, |x, _| -x);
-    all.times(&[(2.0, "2"), (0.5, "2")]);
-    all.others(solution);
-    for degrees in [90u16, 180, 360] {
-        let turn = f64::from(degrees).to_radians();
-        all.angle(&NumberChange::Complement(degrees), |x| turn - x);
-        all.angle(&NumberChange::Complement(degrees), |x| x - turn);
-        all.angle(&NumberChange::Complement(degrees), |x| x + turn);
-    }
-    let names = wrong.iter().map(|one| one.name.to_owned()).collect();
-    let again = match Perturbed::new(entry, record, vary::inputs(record), names) {
-        Ok(again) => Some(again),
-        Err(SolveError::Refused(Refusal::Stopped)) => return Err(Refusal::Stopped),
-        Err(_) => None,
-    };
-    let mut inputs = again.map(|again| Inputs::of(again, wrong));
-    if let Some(inputs) = &mut inputs {
-        inputs.usual(&mut all, stop)?;
-    }
-    all.times(&[(TAU, "2π"), (1.0 / TAU, "2π"), (10.0, "10"), (0.1, "10"), (1e3, "1000"), (1e-3, "1000")]);
-    all.answer(&NumberChange::Squared, |x, _| x * x);
-    all.answer(&NumberChange::Rooted, |x, _| x.sqrt());
-    all.times(&[(PI, "π"), (1.0 / PI, "π"), (4.0, "4"), (0.25, "4"), (SQRT_2, "√2"), (1.0 / SQRT_2, "√2")]);
-    if let Some(inputs) = &mut inputs {
-        inputs.interchanged(&mut all, stop)?;
-        inputs.less_usual(&mut all, stop)?;
-    }
-    all.steps(solution, stop)?;
-    all.times(&[
-        (9.81, "g"),
-        (1.0 / 9.81, "g"),
-        (10.0, "g"),
-        (3.0, "3"),
-        (1.0 / 3.0, "3"),
-        (1e2, "100"),
-        (1e-2, "100"),
-    ]);
-    all.times(&[(1e6, "10⁶"), (1e-6, "10⁶"), (-2.0, "−2"), (-0.5, "−2")]);
-    all.answer(&NumberChange::Inverted, |x, _| 1.0 / x);
-    all.units(true);
-    if let Some(inputs) = &mut inputs {
-        inputs.rare(&mut all, stop)?;
-    }
-    Ok(all.found)
-}
-
-struct Tries<'w, 's> {
-    wrong: &'w [Wrong<'s>],
-    found: Vec<Candidate>,
+    all.finished(solution, record);
+    // Whatever was stopped, what was found before counts.
+    let _stopped = steps(&mut all, solution, stop)
+        .and_then(|()| {
+            so_far(all.ranked());
+            problems(&mut all, entry, record, stop)
+        })
+        .and_then(|()| {
+            so_far(all.ranked());
+            inputs(&mut all, entry, record, solution, stop, so_far)
+        });
+    all.ranked();
+    all.found
 }
 
 impl Tries<'_, '_> {
-    fn push(&mut self, slip: Mistake, values: Vec<f64>, shared: bool) {
-        if values.iter().any(|value| value.is_finite()) {
-            self.found.push(Candidate { slip, values, shared, free: false });
-        }
+    /// The value of one of the wrong answers alone.
+    fn only(&self, at: usize, value: f64) -> Vec<f64> {
+        let mut values = vec![f64::NAN; self.wrong.len()];
+        values[at] = value;
+        values
     }
 
     /// The answers changed at the end.
-    fn answer(&mut self, change: &NumberChange, by: impl Fn(f64, &Wrong<'_>) -> f64) {
+    fn answer(&mut self, prior: f64, change: &Change, by: impl Fn(f64, &Wrong<'_>) -> f64) {
         let values = self.wrong.iter().map(|one| by(one.computed, one)).collect();
-        self.push(Mistake::Answer(change.clone()), values, false);
+        self.push(prior, Mistake::new(Place::Answer, change.clone()), values, false, Vec::new());
     }
 
-    fn times(&mut self, factors: &[(f64, &'static str)]) {
-        for (factor, written) in factors {
-            self.answer(&NumberChange::Times(*factor, written), |x, _| factor * x);
+    /// Mistakes with the finished answer.
+    fn finished(&mut self, solution: &Solution, record: &Record) {
+        self.units();
+        self.answer(0.95, &Change::Sign, |x, _| -x);
+        for (prior, factor, written) in [
+            (0.5, 2.0, "2"),
+            (0.5, 0.5, "2"),
+            (0.45, TAU, "2π"),
+            (0.45, 1.0 / TAU, "2π"),
+            (0.25, PI, "π"),
+            (0.25, 1.0 / PI, "π"),
+            (0.25, 4.0, "4"),
+            (0.25, 0.25, "4"),
+            (0.3, SQRT_2, "√2"),
+            (0.3, FRAC_1_SQRT_2, "√2"),
+            (0.25, 9.81, "g"),
+            (0.25, 1.0 / 9.81, "g"),
+            (0.25, 10.0, "g"),
+            (0.2, 3.0, "3"),
+            (0.2, 1.0 / 3.0, "3"),
+            (0.15, -2.0, "−2"),
+            (0.15, -0.5, "−2"),
+        ] {
+            self.answer(prior, &Change::Times(factor, written), |x, _| factor * x);
         }
+        for places in [-6i8, -5, -4, -3, -2, -1, 1, 2, 3, 4, 5, 6] {
+            let factor = 10f64.powi(places.into());
+            let prior = if places.abs() <= 3 { 0.5 } else { 0.2 };
+            self.answer(prior, &Change::PowerOfTen(places), |x, _| factor * x);
+        }
+        self.answer(0.5, &Change::Squared, |x, _| x * x);
+        self.answer(0.5, &Change::Rooted, |x, _| x.sqrt());
+        self.answer(0.4, &Change::Inverted, |x, _| 1.0 / x);
+        for turn in [0.5 * PI, PI, TAU] {
+            self.angle(0.6, |x| turn - x);
+            self.angle(0.5, |x| x - turn);
+            self.angle(0.5, |x| x + turn);
+        }
+        self.ratio(0.3, &Change::Times(1e-2, "100"), |x| 0.01 * x);
+        self.ratio(0.3, &Change::Times(1e2, "100"), |x| 100.0 * x);
+        self.ratio(0.4, &Change::Direction, |x| 1.0 - x);
+        self.others(solution);
+        self.given(record);
     }
 
-    fn angle(&mut self, change: &NumberChange, by: impl Fn(f64) -> f64) {
-        self.answer(change, |x, one| if one.answer.dim() == Dim::ANGLE { by(x) } else { f64::NAN });
+    fn angle(&mut self, prior: f64, by: impl Fn(f64) -> f64) {
+        let is_angle = |one: &Wrong<'_>| one.answer.dim() == Dim::ANGLE;
+        self.answer(prior, &Change::Direction, |x, one| if is_angle(one) { by(x) } else { f64::NAN });
+    }
+
+    fn ratio(&mut self, prior: f64, change: &Change, by: impl Fn(f64) -> f64) {
+        let is_ratio = |one: &Wrong<'_>| one.answer.dim() == Dim::NONE;
+        self.answer(prior, change, |x, one| if is_ratio(one) { by(x) } else { f64::NAN });
     }
 
     /// The number of another unit before the unit that was typed.
-    fn units(&mut self, customary: bool) {
+    fn units(&mut self) {
         for at in 0..self.wrong.len() {
             let one = &self.wrong[at];
-            let typed = &one.unit;
-            let tries: Vec<(NumberChange, f64)> = units_of(Kind::of(&one.answer.unit), typed, customary)
-                .map(|taken| {
-                    let value = typed.si(taken.value(one.computed));
-                    (NumberChange::Unit { is: typed.pretty(), taken: taken.pretty() }, value)
-                })
-                .collect();
-            for (change, value) in tries {
-                let mut values = vec![f64::NAN; self.wrong.len()];
-                values[at] = value;
-                self.push(Mistake::Answer(change), values, false);
+            let (typed, kind, computed) = (one.unit.clone(), Kind::of(&one.answer.unit), one.computed);
+            for (prior, customary) in [(0.9, false), (0.2, true)] {
+                for taken in units_of(kind, &typed, customary) {
+                    let change = Change::Unit { is: typed.pretty(), taken: taken.pretty() };
+                    let values = self.only(at, typed.si(taken.value(computed)));
+                    self.push(prior, Mistake::new(Place::Answer, change), values, false, Vec::new());
+                }
             }
         }
     }
 
-    /// The other answers of the problem.
+    /// Other answers and intermediate results of the problem.
     fn others(&mut self, solution: &Solution) {
         for other in &solution.answers {
             let Some(si) = other.si() else { continue };
             let name = other.name.to_string();
+            let prior = 0.92;
             let value = |one: &Wrong<'_>| {
                 if other.dim().agrees(one.answer.dim()) && one.name != name { si } else { f64::NAN }
             };
             let values = self.wrong.iter().map(value).collect();
-            self.push(Mistake::Other(name.clone()), values, false);
+            let mistake = Mistake::new(Place::Answer, Change::OtherAnswer(name.clone()));
+            self.push(prior, mistake, values, false, Vec::new());
+        }
+        for step in &solution.steps {
+            let Number::Scalar(si) = solution.trace.node(step.result).number else { continue };
+            let fits = |one: &Wrong<'_>| step.unit.dim.agrees(one.answer.dim());
+            let values = self.wrong.iter().map(|one| if fits(one) { si } else { f64::NAN }).collect();
+            let mistake = Mistake::new(Place::Answer, Change::OtherStep(step.symbol));
+            self.push(0.76, mistake.clone(), values, false, Vec::new());
+            // The number of another kind of quantity, written with the unit that was asked for.
+            for written in [step.unit.value(si), si] {
+                let number = |one: &Wrong<'_>| if fits(one) { f64::NAN } else { one.unit.si(written) };
+                let values = self.wrong.iter().map(number).collect();
+                self.push(0.15, mistake.clone(), values, false, Vec::new());
+            }
+        }
+    }
+
+    /// Given values of the kind of an answer.
+    fn given(&mut self, record: &Record) {
+        for input in vary::inputs(record) {
+            let fits = |one: &Wrong<'_>| input.unit.dim.agrees(one.answer.dim());
+            let values = self.wrong.iter().map(|one| if fits(one) { input.si } else { f64::NAN }).collect();
+            let mistake = Mistake::new(Place::Answer, Change::Given(input.path.clone(), input.label.clone()));
+            self.push(0.95, mistake.clone(), values, false, Vec::new());
+            let written = input.unit.value(input.si);
+            let number = |one: &Wrong<'_>| if fits(one) { f64::NAN } else { one.unit.si(written) };
+            let values = self.wrong.iter().map(number).collect();
+            self.push(0.2, mistake, values, false, Vec::new());
+        }
+    }
+
+    /// Published answers to this very problem that are disputed.
+    fn printed(&mut self, entry: &Entry, record: &Record) {
+        for (answer, printed, why) in disputed(entry, record) {
+            let Some(at) = self.wrong.iter().position(|one| one.name == answer) else { continue };
+            if let Ok(printed) = super::value(self.wrong[at].answer, &printed) {
+                let mistake = Mistake::new(Place::Answer, Change::Printed(why));
+                let values = self.only(at, printed);
+                self.free(2.0, mistake, values);
+            }
         }
     }
 
     /// Adds the consequences of the user's other answers (error carried forward).
     fn follow(&mut self, solution: &Solution) {
-        let node = |one: &Wrong<'_>| match &one.answer.value {
-            AnswerValue::Number(_, id) => Some(*id),
-            _ => None,
-        };
         let given: Vec<(usize, Id)> =
-            self.wrong.iter().enumerate().filter_map(|(at, one)| Some((at, node(one)?))).collect();
+            self.wrong.iter().enumerate().filter_map(|(at, one)| Some((at, node_of(one)?))).collect();
         if given.len() < 2 || solution.trace.nodes.len() > LONGEST_TRACE {
             return;
         }
         for &(at, id) in &given {
-            let before = ancestors(solution, id);
+            let before = solution.ancestors(id);
             let causes: Vec<&(usize, Id)> =
                 given.iter().filter(|(other, cause)| *other != at && before.contains(cause)).collect();
             if causes.is_empty() {
                 continue;
             }
-            let set: Vec<(Id, Number)> = causes
+            let edits: Vec<Edit> = causes
                 .iter()
-                .map(|(other, cause)| (*cause, Number::Scalar(self.wrong[*other].answered)))
+                .map(|(other, cause)| Edit::number(*cause, Number::Scalar(self.wrong[*other].answered)))
                 .collect();
-            let numbers = reevaluate(solution, &set, None);
-            let mut values = vec![f64::NAN; self.wrong.len()];
-            values[at] = scalar(numbers[id as usize]);
+            let edits: Vec<&Edit> = edits.iter().collect();
+            let found = Reevaluation::new(solution, &[id]).with(&edits, &[Some(id)]);
+            let values = self.only(at, found.first().map_or(f64::NAN, |number| scalar(*number)));
             let names = causes.iter().map(|(other, _)| self.wrong[*other].name.to_owned()).collect();
-            self.found.push(Candidate { slip: Mistake::Follows(names), values, shared: false, free: true });
+            self.free(3.0, Mistake::new(Place::Answer, Change::Follows(names)), values);
         }
     }
-
-    /// Slips within the steps before the wrong answers.
-    fn steps(&mut self, solution: &Solution, stop: &Stop) -> Result<(), Refusal> {
-        if solution.trace.nodes.len() > LONGEST_TRACE {
-            return Ok(());
-        }
-        let ids: Vec<Option<Id>> = self
-            .wrong
-            .iter()
-            .map(|one| if let AnswerValue::Number(_, id) = &one.answer.value { Some(*id) } else { None })
-            .collect();
-        let mut before: Vec<Id> = ids.iter().flatten().flat_map(|id| ancestors(solution, *id)).collect();
-        before.sort_unstable();
-        before.dedup();
-        let mut tries = 0;
-        for (place, step) in solution.steps.iter().enumerate() {
-            if before.binary_search(&step.result).is_err() {
-                continue;
-            }
-            let others = step.formula.map_or_else(Vec::new, |formula| within(solution, formula));
-            let value = solution.trace.node(step.result).number;
-            let results = [
-                (NumberChange::Sign, scaled(value, -1.0)),
-                (NumberChange::Times(2.0, "2"), scaled(value, 2.0)),
-                (NumberChange::Times(0.5, "2"), scaled(value, 0.5)),
-            ];
-            let of_formula =
-                others.iter().map(|(change, id, op)| (change, reevaluate(solution, &[], Some((*id, op)))));
-            let of_result = results
-                .iter()
-                .map(|(change, number)| (change, reevaluate(solution, &[(step.result, *number)], None)));
-            for (change, numbers) in of_formula.chain(of_result) {
-                stop.check()?;
-                tries += 1;
-                if tries > MOST_STEPS {
-                    return Ok(());
-                }
-                let values =
-                    ids.iter().map(|id| id.map_or(f64::NAN, |id| scalar(numbers[id as usize]))).collect();
-                self.push(Mistake::Step(place, step.symbol, change.clone()), values, true);
-            }
-        }
-        Ok(())
-    }
-}
-
-/// The problem solved again with inputs taken otherwise.
-struct Inputs {
-    again: Perturbed,
-    /// Index of each wrong answer in the list of answers, `None` where it is absent.
-    places: Vec<Option<usize>>,
-}
-
-impl Inputs {
-    fn of(again: Perturbed, wrong: &[Wrong<'_>]) -> Self {
-        let place = |one: &Wrong<'_>| again.answers.iter().position(|name| name == one.name);
-        let places = wrong.iter().map(place).collect();
-        Self { again, places }
-    }
-
-    fn solved(&mut self, changes: &[(usize, f64)], stop: &Stop) -> Result<Vec<f64>, Refusal> {
-        let found = self.again.with(changes, stop)?;
-        Ok(self.places.iter().map(|place| place.map_or(f64::NAN, |place| found[place])).collect())
-    }
-
-    /// One input after the other taken in these ways.
-    fn each(
-        &mut self,
-        all: &mut Tries<'_, '_>,
-        stop: &Stop,
-        ways: impl Fn(&VariedInput) -> Vec<(NumberChange, f64)>,
-    ) -> Result<(), Refusal> {
-        for at in 0..self.again.inputs.len() {
-            let input = &self.again.inputs[at];
-            let (path, label, ways) = (input.path.clone(), input.label.clone(), ways(input));
-            for (change, si) in ways {
-                let values = self.solved(&[(at, si)], stop)?;
-                all.push(Mistake::Input(path.clone(), label.clone(), change), values, true);
-            }
-        }
-        Ok(())
-    }
-
-    fn usual(&mut self, all: &mut Tries<'_, '_>, stop: &Stop) -> Result<(), Refusal> {
-        self.each(all, stop, |input| {
-            let kind = input.measure.kind();
-            let mut ways = Vec::new();
-            for taken in units_of(kind, &input.unit, false) {
-                let turning = [Kind::AngularVelocity, Kind::Angle].contains(&kind)
-                    && ["rad/s", "rpm", "Hz", "rad", "deg"].contains(&taken.ascii().as_str());
-                if taken.factor == 1.0 || turning {
-                    ways.push(as_if(input, &taken));
-                }
-            }
-            if kind == Kind::Length {
-                ways.push((NumberChange::Diameter, 2.0 * input.si));
-                ways.push((NumberChange::Diameter, 0.5 * input.si));
-            }
-            if kind == Kind::Acceleration && (9.5..10.2).contains(&input.si) {
-                let other = |g: &&f64| **g != input.si;
-                ways.extend(GRAVITY.iter().filter(other).map(|g| (NumberChange::Gravity(*g), *g)));
-            }
-            if input.si != 0.0 {
-                ways.push((NumberChange::LeftOut, 0.0));
-            }
-            ways
-        })
-    }
-
-    fn less_usual(&mut self, all: &mut Tries<'_, '_>, stop: &Stop) -> Result<(), Refusal> {
-        self.each(all, stop, |input| {
-            let mut ways = vec![(NumberChange::Sign, -input.si)];
-            if input.measure.kind() == Kind::Angle {
-                ways.extend(
-                    [90u16, 180].map(|turn| {
-                        (NumberChange::Complement(turn), f64::from(turn).to_radians() - input.si)
-                    }),
-                );
-            }
-            if input.measure.kind() != Kind::Length {
-                ways.push((NumberChange::Times(2.0, "2"), 2.0 * input.si));
-                ways.push((NumberChange::Times(0.5, "2"), 0.5 * input.si));
-            }
-            ways
-        })
-    }
-
-    fn rare(&mut self, all: &mut Tries<'_, '_>, stop: &Stop) -> Result<(), Refusal> {
-        self.each(all, stop, |input| {
-            let mut ways: Vec<_> = units_of(input.measure.kind(), &input.unit, false)
-                .map(|taken| as_if(input, &taken))
-                .collect();
-            for (factor, written) in
-                [(10.0, "10"), (0.1, "10"), (1e3, "1000"), (1e-3, "1000"), (TAU, "2π"), (1.0 / TAU, "2π")]
-            {
-                ways.push((NumberChange::Times(factor, written), factor * input.si));
-            }
-            ways
-        })
-    }
-
-    fn interchanged(&mut self, all: &mut Tries<'_, '_>, stop: &Stop) -> Result<(), Refusal> {
-        let inputs = &self.again.inputs;
-        let pairs: Vec<(usize, usize)> = (0..inputs.len())
-            .flat_map(|first| (first + 1..inputs.len()).map(move |second| (first, second)))
-            .filter(|(first, second)| {
-                let (first, second) = (&inputs[*first], &inputs[*second]);
-                first.unit.dim.agrees(second.unit.dim) && first.si != second.si
-            })
-            .take(MOST_PAIRS)
-            .collect();
-        for (first, second) in pairs {
-            let named = |at: usize| {
-                let input: &VariedInput = &self.again.inputs[at];
-                (input.path.clone(), input.label.clone())
-            };
-            let slip = Mistake::Interchanged(Box::new([named(first), named(second)]));
-            let changes = [(first, self.again.inputs[second].si), (second, self.again.inputs[first].si)];
-            let values = self.solved(&changes, stop)?;
-            all.push(slip, values, true);
-        }
-        Ok(())
-    }
-}
-
-/// The number of an input taken in another unit.
-fn as_if(input: &VariedInput, taken: &Unit) -> (NumberChange, f64) {
-    let change = NumberChange::Unit { is: input.unit.pretty(), taken: taken.pretty() };
-    (change, taken.si(input.unit.value(input.si)))
-}
-
-/// The other units of a kind: those of the SI and what stands beside it, or the customary ones.
-fn units_of(kind: Kind, but: &Unit, customary: bool) -> impl Iterator<Item = Unit> {
-    let but = but.ascii();
-    let is_customary = |unit: &str| CUSTOMARY.iter().any(|name| unit.contains(name) && !unit.contains("min"));
-    kind.units()
-        .iter()
-        .filter(move |unit| is_customary(unit) == customary && !["dB", "1", "%"].contains(*unit))
-        .filter_map(|unit| units::unit(unit).ok())
-        .filter(move |unit| unit.ascii() != but)
-}
-
-/// Mistakes within a formula: alternative operations at one of its nodes.
-fn within(solution: &Solution, formula: Id) -> Vec<(NumberChange, Id, Op)> {
-    let mut found = Vec::new();
-    let mut open = vec![formula];
-    while let Some(id) = open.pop() {
-        open.extend(solution.trace.operands(id));
-        let mut may = |change: NumberChange, op: Op| found.push((change, id, op));
-        // The first power of a number is the number.
-        let alone = |id: Id| Op::Power(id, 1);
-        match &solution.trace.node(id).op {
-            Op::Power(a, n) if *n > 1 => may(NumberChange::PowerLeftOut, alone(*a)),
-            Op::Power(a, n) if *n < -1 => may(NumberChange::PowerLeftOut, Op::Power(*a, -1)),
-            Op::Root(a, _) => may(NumberChange::RootLeftOut, alone(*a)),
-            Op::Call(Function::Sin, a) => may(NumberChange::SineForCosine, Op::Call(Function::Cos, *a)),
-            Op::Call(Function::Cos, a) => may(NumberChange::SineForCosine, Op::Call(Function::Sin, *a)),
-            Op::Neg(a) => may(NumberChange::TermSign, alone(*a)),
-            Op::Add(a, b) => {
-                may(NumberChange::TermSign, Op::Sub(*a, *b));
-                may(NumberChange::TermLeftOut, alone(*a));
-                may(NumberChange::TermLeftOut, alone(*b));
-            }
-            Op::Sub(a, b) => {
-                may(NumberChange::TermSign, Op::Add(*a, *b));
-                may(NumberChange::TermLeftOut, alone(*a));
-                may(NumberChange::TermLeftOut, alone(*b));
-            }
-            Op::Mul(a, b) => may(NumberChange::DividedForMultiplied, Op::Div(*a, *b)),
-            Op::Div(a, b) => may(NumberChange::DividedForMultiplied, Op::Mul(*a, *b)),
-            _ => {}
-        }
-    }
-    found
-}
-
-fn scaled(number: Number, by: f64) -> Number {
-    match number {
-        Number::Scalar(x) => Number::Scalar(by * x),
-        Number::Vector(v) => Number::Vector(v.map(|x| by * x)),
-    }
-}
-
-fn scalar(number: Number) -> f64 {
-    if let Number::Scalar(x) = number { x } else { f64::NAN }
 }

@@ -2,12 +2,24 @@
 
 use dalembert_units::Unit;
 
-use super::{Verdict, compare, difference, half_a_place, read};
+use super::{Verdict, ambiguous_zeros, compare, difference, half_a_place, read};
 use crate::{Answer, Solution};
 
-/// Wrong answers lie within such a factor of ours, give or take: the natural logarithm of 20. Over this range an
-/// accidental hit is spread.
-const SPREAD: f64 = 3.0;
+/// Share of the numbers that a person may have come to by accident which lie within [`NEAR`] of ours.
+const SHARE_NEAR: f64 = 0.5;
+/// Relative distance of the near ones.
+const NEAR: f64 = 0.2;
+/// The others are spread evenly over the logarithm, within this factor of ours either way.
+const FACTOR: f64 = 10.0;
+
+/// Digits of a whole number that ends in zeros, such as 45 000.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Digits {
+    /// Every zero is a digit.
+    AsWritten,
+    /// The zeros at the end may only say how large it is.
+    Sure,
+}
 
 /// A wrong answer.
 pub(super) struct Wrong<'s> {
@@ -23,12 +35,17 @@ pub(super) struct Wrong<'s> {
 }
 
 impl<'s> Wrong<'s> {
-    pub(super) fn of(solution: &'s Solution, name: &'s str, text: &str) -> Option<Self> {
+    /// An answer that differs from ours in the digits that were given.
+    pub(super) fn of(solution: &'s Solution, name: &'s str, text: &str, digits: Digits) -> Option<Self> {
         let answer = solution.answer(name)?;
-        if text.trim().is_empty() || compare(answer, text) != Verdict::Wrong {
+        let is_wrong = matches!(compare(answer, text), Verdict::Wrong | Verdict::RoundedEarly(_));
+        if text.trim().is_empty() || !is_wrong {
             return None;
         }
-        let typed = read(answer, text).ok()?;
+        let mut typed = read(answer, text).ok()?;
+        if digits == Digits::AsWritten {
+            typed.last_place /= ambiguous_zeros(text);
+        }
         // What agrees with everything says nothing.
         let within = half_a_place(&typed).min(super::TOLERANCE * typed.si.abs());
         Some(Self { name, answer, computed: answer.si()?, answered: typed.si, unit: typed.unit, within })
@@ -44,8 +61,23 @@ impl<'s> Wrong<'s> {
             || difference(self.answered, value, self.answer.dim()) <= super::TOLERANCE * self.answered.abs()
     }
 
-    /// Probability that a random number agrees with this answer.
-    pub(super) fn accident(&self) -> f64 {
-        if self.answered == 0.0 { 1.0 } else { (2.0 * self.within / (self.answered.abs() * SPREAD)).min(1.0) }
+    /// Relative distance of the user's answer from a value, in tolerances of its digits.
+    pub(super) fn distance(&self, value: f64) -> f64 {
+        difference(self.answered, value, self.answer.dim()) / self.within.max(1e-300)
+    }
+
+    /// Probability that a number without a cause agrees with a value to the digits that were given. Such numbers lie within
+    /// a factor of ten of ours, half of them near it.
+    pub(super) fn accident(&self, value: f64) -> f64 {
+        if self.answered == 0.0 || value == 0.0 || self.computed == 0.0 {
+            return 1.0;
+        }
+        let width = 2.0 * self.within / self.answered.abs();
+        let ratio = (value / self.computed).abs();
+        let near = if (ratio - 1.0).abs() <= NEAR { SHARE_NEAR / (2.0 * NEAR) } else { 0.0 };
+        // Beyond the factor there are fewer, but there are some.
+        let far = (1.0 - SHARE_NEAR) / (2.0 * FACTOR.ln())
+            * if ratio.ln().abs() <= FACTOR.ln() { 1.0 } else { 0.2 };
+        (width * (near + far)).min(1.0)
     }
 }

@@ -23,6 +23,7 @@ pub fn template(entry: &Entry, case: Option<&Case>, locale: &Locale) -> String {
     let draft = match case {
         Some(case) => {
             writer.comment(&case.source.render(locale), false);
+            writer.comment(&case.statement.render(locale), false);
             writer.comment(&case.note.render(locale), false);
             case.draft.clone()
         }

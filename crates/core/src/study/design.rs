@@ -20,7 +20,7 @@ use super::{
     plan::{Amount, DistributionKind, ReadData, Sampling, Spacing, StudyPlan, Variation},
 };
 use crate::{
-    FieldError, Record, Text, nearest,
+    FieldError, Record, Text,
     vary::{self, VariedInput},
 };
 
@@ -383,16 +383,7 @@ impl Reader<'_> {
             all.next().filter(|_| all.next().is_none())
         };
         let found = self.known.iter().find(|known| known.path == name).or_else(of_symbol);
-        found.cloned().ok_or_else(|| {
-            let paths = || self.known.iter().map(|known| known.path.as_str());
-            let why = match nearest(name, paths()) {
-                Some(near) => Text::new("`{name}` is not a number among the inputs; did you mean `{near}`?")
-                    .with("near", near),
-                None => Text::new("`{name}` is not a number among the inputs: {known}")
-                    .with("known", paths().collect::<Vec<_>>().join(", ")),
-            };
-            FieldError::new(path, why.with("name", name))
-        })
+        found.cloned().ok_or_else(|| FieldError::new(path, vary::unknown_number(self.known, name)))
     }
 
     fn table(&mut self, path: &str, file: &str) -> Result<(), FieldError> {

@@ -15,6 +15,8 @@ pub struct FoundTarget {
     pub values: Vec<f64>,
     /// The values in words, or why there are none; ranges without an answer.
     pub remarks: Vec<Text>,
+    /// The points examined, ascending, each with the answer there in SI; NaN where there is none.
+    pub scan: Vec<(f64, f64)>,
     /// The answer over the input; `None` where it does not depend on it.
     pub plot: Option<Plot>,
 }
@@ -50,7 +52,8 @@ pub fn find_target(
         let remark = Text::new("{answer} does not depend on {input}")
             .with_text("answer", answer.title())
             .with_text("input", input.label);
-        return Ok(FoundTarget { remarks: vec![remark], ..FoundTarget::default() });
+        let scan = searched.scan;
+        return Ok(FoundTarget { remarks: vec![remark], scan, ..FoundTarget::default() });
     }
     let values: Vec<f64> = searched.solutions.iter().map(|solution| solution[0]).collect();
     let (x_unit, y_unit) = (fixed(&input.unit), fixed(&answer.unit));
@@ -80,10 +83,10 @@ pub fn find_target(
         let why = vary::why_not(entry, record, (&input, middle), &answer.name.to_string(), stop);
         no_answer([places[first], places[last]], x_unit, why)
     }));
-    let curve = vec![Series::line(answer.title(), searched.scan)];
+    let curve = vec![Series::line(answer.title(), searched.scan.clone())];
     let mut plot = along(&input, scale, answer, curve).level("target", wanted);
     for x in &values {
         plot = plot.mark("", (*x, wanted));
     }
-    Ok(FoundTarget { values, remarks, plot: Some(plot) })
+    Ok(FoundTarget { values, remarks, scan: searched.scan, plot: Some(plot) })
 }

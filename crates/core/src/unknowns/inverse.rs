@@ -19,7 +19,6 @@ use super::{
 use crate::{
     AnswerValue, Number, Reason, Refusal, Sheet, Solution, Symbol, Term, Text, Worksheet,
     intern::unit_text,
-    reevaluate::ancestors,
     trace::{Function, Id, Op},
 };
 
@@ -170,10 +169,7 @@ fn symbol_of(solution: &Solution, id: Id) -> Option<Symbol> {
 fn path(solution: &Solution, unknown: Id, answer: Id) -> Option<Vec<Operation>> {
     let mut depends = vec![false; answer as usize + 1];
     for id in 0..=answer {
-        let operands = match solution.trace.node(id).op {
-            Op::Step(step) => solution.steps[step].formula.into_iter().collect(),
-            _ => solution.trace.operands(id),
-        };
+        let operands = solution.operands(id);
         depends[id as usize] = id == unknown || operands.iter().any(|operand| depends[*operand as usize]);
     }
     let depends = |id: &Id| depends[*id as usize];
@@ -228,7 +224,7 @@ fn has_inverse(function: Function) -> bool {
 fn operands(solution: &Solution, operations: &[Operation]) -> Option<Vec<Id>> {
     let mut all = BTreeSet::new();
     for id in operations.iter().flat_map(Operation::others) {
-        all.extend(ancestors(solution, id));
+        all.extend(solution.ancestors(id));
     }
     let is_scalar = |id: &Id| {
         let has_operation = !matches!(

@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use dalembert_tui::Options;
 
-use super::workbench::options;
+use super::workbench::{can_be_recorded, options};
 use crate::{
     Set,
     arguments::{Arguments, Field},
@@ -22,11 +22,15 @@ pub(crate) fn run(
     if !console.interactive {
         return Err(Failure::input("field mode needs a terminal; `dalembert solve FILE` prints a job"));
     }
+    if let Some(path) = &arguments.record {
+        can_be_recorded(path)?;
+    }
     let exists = arguments.file.as_ref().is_some_and(|path| path.exists());
     let blank = arguments.file.clone().filter(|_| !exists);
     Ok(dalembert_tui::run(Options {
         file: arguments.file.clone().filter(|_| exists),
         field: Some(blank),
+        record: arguments.record.clone(),
         ..options(all, set, console)
     }))
 }

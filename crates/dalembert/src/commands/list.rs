@@ -103,12 +103,14 @@ fn searched(filter: &[String], search: fn(&[&Index], &str) -> Vec<Found>) -> Vec
 fn described(entry: &Entry, locale: &Locale) -> Json {
     let about = entry.about;
     let locale = &locale.at(about.id);
+    let cases = cases::cases(entry).unwrap_or_default();
     json!({
         "id": about.id,
         "family": entry.family(),
         "title": Text::from(about.title).render(locale),
         "summary": Text::from(about.summary).render(locale),
         "sources": about.sources.iter().map(|source| source.short).collect::<Vec<_>>(),
-        "cases": cases::cases(entry).map_or(0, |cases| cases.len()),
+        "cases": cases.len(),
+        "exercises": cases.iter().filter(|case| !case.statement.is_empty()).count(),
     })
 }

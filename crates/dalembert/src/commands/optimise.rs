@@ -110,6 +110,7 @@ fn text_of_optimum(asked: &Optimise, problem: LoadedProblem, found: &Determined)
     let optimum = ProblemFile {
         entry: problem.entry,
         title: problem.name.english(),
+        statement: problem.statement,
         draft,
         units: problem.units,
         show: problem.show,

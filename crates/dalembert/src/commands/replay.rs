@@ -52,6 +52,7 @@ pub(crate) fn run(asked: &Replay, set: Set, console: &Console) -> Result<ExitCod
     Ok(dalembert_tui::run(Options {
         file,
         analysis,
+        field: session.field.clone(),
         language: session.language,
         settings: Settings {
             ascii: set.settings.ascii || console.locale.style.ascii || session.look.glyphs == Glyphs::Ascii,

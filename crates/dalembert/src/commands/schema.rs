@@ -96,10 +96,16 @@ fn object(required: &[&str], properties: Map<String, Json>) -> Json {
 fn of_file(problem: Json) -> Map<String, Json> {
     let format = json!({ "type": "integer", "minimum": 1, "maximum": 2 });
     let units = json!({ "enum": UnitSetting::ALL.map(|setting| setting.to_string()) });
-    [("format", format), ("units", units), ("problem", problem)]
-        .into_iter()
-        .map(|(key, value)| (key.to_owned(), value))
-        .collect()
+    let asked = json!({ "type": "array", "minItems": 1, "items": { "type": "string" } });
+    let keys = [
+        ("format", format),
+        ("statement", json!({ "type": "string" })),
+        ("asked", asked),
+        ("vary", json!({ "type": "object", "additionalProperties": { "type": ["string", "object"] } })),
+        ("units", units),
+        ("problem", problem),
+    ];
+    keys.into_iter().map(|(key, value)| (key.to_owned(), value)).collect()
 }
 
 /// Keys of a problem of an analysis.

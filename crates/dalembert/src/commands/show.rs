@@ -103,10 +103,15 @@ fn document(
         ..NamedValue::default()
     };
     let case = |(n, case): (usize, &Case)| {
-        let [name, source, note] = [&case.title(), &case.source, &case.note].map(|text| text.render(locale));
-        let note = if note.is_empty() { note } else { format!(". {note}") };
+        let texts = [&case.title(), &case.source, &case.statement, &case.note];
+        let [name, source, statement, note] = texts.map(|text| text.render(locale));
         let seen = case.seen.map_or_else(String::new, |seen| format!(", {}", say(seen_in(seen))));
-        format!("{}: {name} — {source} ({}{seen}){note}", n + 1, say(case.truth.name()))
+        let mut line = format!("{}: {name} — {source} ({}{seen})", n + 1, say(case.truth.name()));
+        for text in [statement, note].iter().filter(|text| !text.is_empty()) {
+            line += if line.ends_with(['?', '!']) { " " } else { ". " };
+            line += text.trim_end_matches('.');
+        }
+        line
     };
     let question = |question: &Suggestion| NamedValue {
         label: format!("--ask {}", question.key),
@@ -249,6 +254,8 @@ fn described(
             "source": case.source.english(),
             "truth": case.truth.name(),
             "seen": case.seen.map(Seen::name),
+            "statement": case.statement.render(locale),
+            "asked": case.asked,
             "note": case.note.english(),
             "expect": case.expect.iter().map(expected).collect::<Map<_, _>>(),
             "refused": case.refused,

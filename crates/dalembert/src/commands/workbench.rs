@@ -68,7 +68,7 @@ pub(super) fn options(arguments: &Arguments, set: Set, console: &Console) -> Opt
 
 /// A session is recorded in a new file, and that is known before the workbench opens. The file is made later: the
 /// program is started twice, see [`run_guarded`](dalembert_tui::terminal::run_guarded).
-fn can_be_recorded(path: &Path) -> Result<(), Failure> {
+pub(super) fn can_be_recorded(path: &Path) -> Result<(), Failure> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     let why = if path.symlink_metadata().is_ok() {
         Text::new(

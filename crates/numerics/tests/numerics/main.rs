@@ -4,6 +4,7 @@ mod close;
 
 mod distribution;
 mod eigen;
+mod enclosure;
 mod extremes;
 mod givens;
 mod intervals;

@@ -81,7 +81,7 @@ impl Frame {
             legend: if legend.is_empty() || beside {
                 0
             } else {
-                legend_rows(&legend, area).min(from(9) * height.div_ceil(8))
+                legend_rows(&legend, area).min(from(9) * height.div_ceil(if height < 14 { 8 } else { 5 }))
             },
             axis: from(4),
             labels: from(5),
@@ -113,7 +113,7 @@ impl Frame {
         if rows.head > 0 {
             let y = area.y + rows.title;
             // Where both share a row, that there are curves is seen.
-            let shares = if rows.legend == 0 && !legend.is_empty() && !beside { 2 } else { 0 };
+            let shares = if rows.legend == 0 && !legend.is_empty() && !beside { 4 } else { 0 };
             let width = usize::from(area.width).saturating_sub(shares);
             let head = axis_lines(&axes.y.title(ticks.ten, locale), width, rows.head, look);
             let after = area.x + head.last().map_or(0, |line| line.width()) as u16 + 2;
@@ -236,24 +236,43 @@ impl Frame {
         labelled.filter_map(|tick| place(tick.at)).collect()
     }
 
+    /// A row of the legend; where not all have room, it ends in the number of curves that it leaves out.
     fn legend(&mut self, legend: &[Sample], x: u16, y: u16, setting: Setting) {
+        if legend.is_empty() {
+            return;
+        }
         let Setting { area, look, .. } = setting;
+        let room = usize::from(area.right().saturating_sub(x));
+        let more = |shown: usize| match legend.len() - shown {
+            0 => String::new(),
+            left => format!("+{left}"),
+        };
+        let fits = |shown: &usize| {
+            let more = more(*shown).width();
+            legend_width(&legend[..*shown]) + if more > 0 { more + 2 } else { 0 } <= room
+        };
+        let whole = (1..=legend.len()).rev().find(fits);
+        // One that is too long alone is shortened.
+        let first = legend.first().map_or(0, |(sample, ..)| sample.width() + 4 + 2 + more(1).width());
+        let shown = whole.unwrap_or(usize::from(first <= room));
         let mut x = x;
-        for (n, (sample, name, style)) in legend.iter().enumerate() {
-            let room = usize::from(area.right().saturating_sub(x));
-            let wanted = sample.width() + 1 + name.width();
-            let last = n + 1 == legend.len();
-            // A name that does not fit whole says that there are more.
-            if room < 3 || (room < wanted + if last { 0 } else { 2 } && room < sample.width() + 4) {
-                let more = look.glyph(crate::look::Glyph::Ellipsis).to_owned();
-                self.words.push((area.right() - 1, y, more, look.dim()));
-                return;
-            }
+        for (sample, name, style) in &legend[..shown] {
             self.words.push((x, y, sample.clone(), *style));
-            let name = look.shortened(name, room - sample.width() - 1);
+            let left = usize::from(area.right().saturating_sub(x)).saturating_sub(sample.width() + 1);
+            let left = if whole.is_some() { left } else { left.saturating_sub(2 + more(1).width()) };
+            let name = look.shortened(name, left);
             let next = x + (sample.width() + name.width()) as u16 + 3;
             self.words.push((x + sample.width() as u16 + 1, y, name, Style::new()));
             x = next;
+        }
+        let more = more(shown);
+        if !more.is_empty() {
+            self.words.push((
+                area.right().saturating_sub(more.width() as u16).max(area.x),
+                y,
+                more,
+                look.dim(),
+            ));
         }
     }
 }

@@ -72,6 +72,8 @@ impl Action {
             Action::Ask => "ask",
             Action::Configure => "configure",
             Action::UsualQuestions => "usual-questions",
+            Action::NextHint => "next-hint",
+            Action::Statement => "statement",
             Action::Blank => "blank",
             Action::Unknown => "unknown",
             Action::Give => "give",

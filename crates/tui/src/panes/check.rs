@@ -1,10 +1,11 @@
 //! The user's own answers, each beside what is said of it.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use dalembert_core::{
     Answer, Locale, Solution, Text,
-    check::{self, Mistake, Verdict},
+    check::{self, Cause, Causes, Verdict},
+    hints::{self, HintLevel},
 };
 use ratatui::{
     style::Style,
@@ -42,8 +43,12 @@ pub struct Check {
     typed: Typed<String>,
     /// The answers that the user asked to see.
     seen: BTreeSet<String>,
-    /// The mistakes that give what was typed, for each wrong answer; `None` while they are searched for.
-    mistakes: Option<Vec<(String, Vec<Mistake>)>>,
+    /// The causes of what was typed, as far as they were found.
+    causes: Causes,
+    /// True if the search for them has come to its end.
+    is_searched: bool,
+    /// Number of hints that were asked for, by the name of the answer.
+    hints: BTreeMap<String, usize>,
     /// True if it was said that everything is right.
     congratulated: bool,
 }
@@ -59,8 +64,8 @@ impl Pane for Check {
         KeyContext::Cells
     }
 
-    fn covers_results(&self) -> bool {
-        true
+    fn covers_results(&self, problem: &Problem) -> bool {
+        !self.congratulated || problem.found.revealed.is_some()
     }
 
     fn is_useful(&self, problem: &Problem) -> bool {
@@ -69,7 +74,9 @@ impl Pane for Check {
 
     fn page(&self, problem: &Problem, ui: &Ui<'_>, width: u16) -> Page {
         match &problem.found.solution {
-            Some(solution) if !problem.is_stale() => self.lines(solution, ui, width),
+            Some(solution) if !problem.is_stale() => {
+                self.lines(solution, &order(problem, solution), ui, width)
+            }
             _ => Page::of(reasons::why_not(problem, ui, width)),
         }
     }
@@ -82,13 +89,24 @@ impl Pane for Check {
         action != Action::Left
     }
 
-    /// Shows our answer under the cursor, or covers it again.
+    /// Shows our answer under the cursor, or covers it again; gives the next hint.
     fn act(&mut self, problem: &mut Problem, _: &Ui<'_>, action: Action) -> Option<Vec<Intent>> {
-        let name = self.answer(problem).filter(|_| action == Action::Toggle)?.name.to_string();
-        if !self.seen.remove(&name) {
-            self.seen.insert(name);
+        let name = self.answer(problem)?.name.to_string();
+        match action {
+            Action::Toggle => {
+                if !self.seen.remove(&name) {
+                    self.seen.insert(name);
+                }
+                Some(Vec::new())
+            }
+            // Behind the last hint there is none again.
+            Action::NextHint => {
+                let shown = self.hints.entry(name).or_default();
+                *shown = (*shown + 1) % (HintLevel::ALL.len() + 1);
+                Some(vec![Intent::BringIn(self.cursor)])
+            }
+            _ => None,
         }
-        Some(Vec::new())
     }
 
     fn cursor<'a>(&'a mut self, _: &'a mut Problem) -> Option<&'a mut usize> {
@@ -114,7 +132,7 @@ impl Pane for Check {
 
     fn typed(&mut self, problem: &mut Problem, text: String) {
         if let Some(name) = self.answer(problem).map(|answer| answer.name.to_string()) {
-            self.mistakes = None;
+            (self.causes, self.is_searched) = (Vec::new(), false);
             self.typed.set(&name, text);
         }
     }
@@ -126,28 +144,31 @@ impl Pane for Check {
         };
         let names: Vec<String> = solution.answers.iter().map(|answer| answer.name.to_string()).collect();
         // Of a published case, what it asks for; of other problems, everything.
-        let asked = problem.document.origin.as_ref().filter(|case| case.draft == problem.inputs.form.draft);
-        let asked = asked.map(|case| case.expect.iter().map(|one| one.answer.as_str()));
+        let asked = problem.published().map(|case| case.asked.iter().map(String::as_str));
         let wanted: Vec<&str> = match asked {
             Some(asked) => asked.filter(|name| names.iter().any(|known| known == name)).collect(),
             None => names.iter().map(String::as_str).collect(),
         };
-        if wanted.is_empty()
-            || !self.is_right(solution, &wanted)
-            || std::mem::replace(&mut self.congratulated, true)
-        {
+        let is_done = match problem.asked() {
+            [] => self.is_right(solution, &wanted),
+            _ => wanted.iter().all(|name| self.verdict(solution, name) == Some(Verdict::Right)),
+        };
+        if wanted.is_empty() || !is_done || std::mem::replace(&mut self.congratulated, true) {
             return Vec::new();
         }
+        problem.found.revealed = None;
         vec![Intent::Say("all required answers are correct".into()), Intent::Reach(Progress::Solved)]
     }
 
     fn question(&self, problem: &Problem) -> Option<Question> {
         let solution = problem.found.solution.as_ref()?;
-        let is_wrong = |(name, _): &(String, String)| self.verdict(solution, name) == Some(Verdict::Wrong);
-        if self.mistakes.is_some() || !self.typed.0.iter().any(is_wrong) {
+        let is_wrong = |(name, _): &(String, String)| {
+            matches!(self.verdict(solution, name), Some(Verdict::Wrong | Verdict::RoundedEarly(_)))
+        };
+        if self.is_searched || !self.typed.0.iter().any(is_wrong) {
             return None;
         }
-        Some(Question::Slips {
+        Some(Question::Causes {
             entry: problem.entry(),
             record: problem.record()?,
             solution: Box::new(solution.clone()),
@@ -156,17 +177,20 @@ impl Pane for Check {
     }
 
     fn is_answered(&self, _: &Problem) -> bool {
-        self.mistakes.is_some()
+        self.is_searched
     }
 
     fn answered(&mut self, _: &mut Problem, reply: Option<Reply>) -> Vec<Intent> {
-        self.mistakes = Some(if let Some(Reply::Slips(mistakes)) = reply { mistakes } else { Vec::new() });
+        (self.causes, self.is_searched) = match reply {
+            Some(Reply::Causes { found, is_whole }) => (found, is_whole),
+            _ => (Vec::new(), true),
+        };
         // What is said of a wrong answer is read to its end.
         vec![Intent::BringIn(self.cursor)]
     }
 
     fn forget(&mut self, _: &mut Problem, inputs: bool) {
-        self.mistakes = None;
+        (self.causes, self.is_searched) = (Vec::new(), false);
         self.congratulated &= !inputs;
     }
 }
@@ -179,8 +203,9 @@ impl Check {
 
     /// The answer under the cursor.
     fn answer<'p>(&self, problem: &'p Problem) -> Option<&'p Answer> {
-        let answers = &problem.found.solution.as_ref()?.answers;
-        answers.get(self.cursor.min(answers.len().checked_sub(1)?))
+        let solution = problem.found.solution.as_ref()?;
+        let order = order(problem, solution);
+        solution.answers.get(*order.places.get(self.cursor.min(order.places.len().checked_sub(1)?))?)
     }
 
     /// The verdict on the user's answer of that name; `None` where there is none.
@@ -199,7 +224,7 @@ impl Check {
     }
 
     /// The answers with what was typed for each; the page starts at each answer.
-    fn lines(&self, solution: &Solution, ui: &Ui<'_>, width: u16) -> Page {
+    fn lines(&self, solution: &Solution, order: &Order, ui: &Ui<'_>, width: u16) -> Page {
         let look = ui.look;
         let width = usize::from(width).max(1);
         let locale = &ui.locale.ascii(look.ascii);
@@ -207,13 +232,22 @@ impl Check {
         let words = "Enter your result. The reference value stays hidden until yours is correct.";
         let words = wrap::words(&Text::new(words).render(locale), width).into_iter();
         page.lines.extend(words.map(|line| Line::styled(line, look.dim())));
+        if order.asked > 0 {
+            page.lines.push(self.score(solution, order, look, locale));
+        }
         page.lines.push(Line::default());
-        let labels: Vec<String> = solution.answers.iter().map(|answer| answer.label(locale)).collect();
+        let answers: Vec<&Answer> = order.places.iter().map(|place| &solution.answers[*place]).collect();
+        let labels: Vec<String> = answers.iter().map(|answer| answer.label(locale)).collect();
         let longest = labels.iter().map(|label| label.width()).max().unwrap_or(0);
         let cell = (width / 3).clamp(CELL.0, CELL.1);
         let beside = width.saturating_sub(cell + 6);
         let columns = Columns { label: longest.min(beside), cell };
-        for (n, (answer, label)) in solution.answers.iter().zip(&labels).enumerate() {
+        for (n, (&answer, label)) in answers.iter().zip(&labels).enumerate() {
+            if n == order.asked && n > 0 {
+                let heading = Text::new("Further answers, not asked for").render(locale);
+                page.lines.push(Line::default());
+                page.lines.push(Line::styled(look.shortened(&heading, width), look.dim()));
+            }
             page.starts.push(page.lines.len());
             let under_cursor = n == self.cursor;
             let one = One {
@@ -226,8 +260,51 @@ impl Check {
             };
             one.line(&columns, look, &mut page.lines);
             self.said(&one, solution, ui.waits, (look, locale, width), &mut page.lines);
+            self.hinted(&one, solution, (look, locale, width), &mut page.lines);
         }
         page
+    }
+
+    /// Line of how many of the answers that are asked for are right.
+    fn score(&self, solution: &Solution, order: &Order, look: &Appearance, locale: &Locale) -> Line<'static> {
+        let asked =
+            order.places.iter().take(order.asked).map(|place| solution.answers[*place].name.to_string());
+        let right = asked.filter(|name| self.verdict(solution, name) == Some(Verdict::Right)).count();
+        let words =
+            Text::new("Asked for: {right} of {count} right").with("right", right).with("count", order.asked);
+        let style = if right == order.asked { look.good() } else { look.title() };
+        Line::styled(words.render(locale), style)
+    }
+
+    /// Writes the hint that was asked for below the line.
+    fn hinted(
+        &self,
+        one: &One<'_>,
+        solution: &Solution,
+        (look, locale, width): (&Appearance, &Locale, usize),
+        lines: &mut Vec<Line<'static>>,
+    ) {
+        let shown = self.hints.get(&one.answer.name.to_string()).copied().unwrap_or(0);
+        let Some(level) = shown.checked_sub(1).and_then(|at| HintLevel::ALL.get(at)) else { return };
+        let heading = Text::new("Hint {n} of {count}: {level}")
+            .with("n", shown)
+            .with("count", HintLevel::ALL.len())
+            .with_text("level", level.name());
+        lines.extend(wrap::hanging(vec![Span::raw("    ")], &heading.render(locale), look.title(), width));
+        let hint = hints::hint(solution, one.answer, *level, locale);
+        if hint.earlier > 0 {
+            let before = Text::new("{count} earlier steps are in Working").with("count", hint.earlier);
+            lines.extend(wrap::hanging(vec![Span::raw("    ")], &before.render(locale), look.dim(), width));
+        }
+        for line in hint.lines {
+            let text = match (line.symbol.is_empty(), line.source.is_empty()) {
+                (false, _) => format!("{} = {}", line.symbol, line.text),
+                (true, false) => format!("{} ({})", line.text, line.source),
+                (true, true) => line.text,
+            };
+            let dot = format!("    {} ", look.glyph(Glyph::Dot));
+            lines.extend(wrap::hanging(vec![Span::raw(dot)], &look.words(&text), Style::new(), width));
+        }
     }
 
     /// Writes the comment below the line.
@@ -245,43 +322,93 @@ impl Check {
         };
         match &one.verdict {
             None | Some(Verdict::Right) => {}
-            Some(verdict @ (Verdict::RoundedEarly(_) | Verdict::TooFewDigits)) => {
-                say(&verdict.text().render(&locale.digits(2)), look.warning());
-            }
+            Some(verdict @ Verdict::TooFewDigits) => say(&verdict.text().render(locale), look.warning()),
             Some(Verdict::Unread(why)) => say(&filter_untrusted(&why.render(locale)), look.dim()),
-            Some(Verdict::Wrong) => match &self.mistakes {
-                None if waits => {
-                    say(
-                        &Text::new("incorrect; searching for a common error that gives this value")
-                            .render(locale),
-                        look.error(),
-                    );
+            Some(verdict @ (Verdict::Wrong | Verdict::RoundedEarly(_))) => {
+                let style = if *verdict == Verdict::Wrong { look.error() } else { look.warning() };
+                let found = causes_of(&self.causes, &name);
+                let head = match found {
+                    [] if waits => "incorrect; searching for a common error that gives this value",
+                    [] if !self.is_searched => "incorrect",
+                    [] if *verdict == Verdict::Wrong => "Incorrect. No common error reproduces this value.",
+                    [] => "",
+                    [first, ..] if first.is_named => "Incorrect. Likely cause:",
+                    _ => "Incorrect. Possible causes:",
+                };
+                match head {
+                    "" => say(&verdict.text().render(&locale.digits(2)), style),
+                    _ => say(&Text::new(head).render(locale), style),
                 }
-                None => say(&Text::new("incorrect").render(locale), look.error()),
-                Some(all) => {
-                    let slips =
-                        all.iter().find(|(known, _)| *known == name).map_or(&[][..], |(_, slips)| slips);
-                    if slips.is_empty() {
-                        say(
-                            &Text::new("Incorrect. No common error reproduces this value.").render(locale),
-                            look.error(),
-                        );
-                    } else {
-                        say(&Text::new("Incorrect. Possible cause:").render(locale), look.error());
-                    }
-                    for slip in slips {
-                        let text = slip.text(solution).render(locale);
-                        let dot = format!("    {} ", look.glyph(Glyph::Dot));
-                        lines.extend(wrap::hanging(vec![Span::raw(dot)], &text, Style::new(), width));
-                    }
+                let hints = self.hints.get(&name).copied().unwrap_or(0);
+                let reveals = self.seen.contains(&name) || hints >= HintLevel::ALL.len();
+                cause_lines(found, solution, reveals, (look, locale, width), lines);
+                if waits && !found.is_empty() {
+                    let further = Text::new("searching further").render(locale);
+                    lines.extend(wrap::hanging(vec![Span::raw("    ")], &further, look.dim(), width));
                 }
-            },
+            }
         }
         if one.verdict == Some(Verdict::Right) || self.seen.contains(&name) {
             let shown = format!("= {}", one.answer.shown(locale));
             lines.extend(wrap::hanging(vec![Span::raw("    ")], &shown, look.answer(), width));
         }
     }
+}
+
+/// The causes of a wrong answer.
+fn causes_of<'c>(all: &'c [(String, Vec<Cause>)], name: &str) -> &'c [Cause] {
+    all.iter().find(|(known, _)| known == name).map_or(&[], |(_, causes)| causes)
+}
+
+/// The likeliest cause, with the step where it happens, and below it the other possibilities. What is right in place of
+/// it is written where the answer is shown too.
+fn cause_lines(
+    causes: &[Cause],
+    solution: &Solution,
+    reveals: bool,
+    (look, locale, width): (&Appearance, &Locale, usize),
+    lines: &mut Vec<Line<'static>>,
+) {
+    let named = causes.first().is_some_and(|first| first.is_named);
+    let dot = || vec![Span::raw(format!("    {} ", look.glyph(Glyph::Dot)))];
+    for (n, cause) in causes.iter().enumerate() {
+        if n == 1 && named {
+            let other = Text::new("Other possibilities:").render(locale);
+            lines.extend(wrap::hanging(vec![Span::raw("    ")], &other, look.dim(), width));
+        }
+        let style = if n == 0 && named { Style::new() } else { look.dim() };
+        let text = filter_untrusted(&cause.text(solution).render(locale)).into_owned();
+        lines.extend(wrap::hanging(dot(), &text, style, width));
+        if n > 0 || !named {
+            continue;
+        }
+        for [wrong, right] in cause.mistakes.iter().filter_map(|mistake| mistake.lines(solution, locale)) {
+            let line = if reveals {
+                Text::new("{wrong}   (correct: {right})").with("wrong", wrong).with("right", right)
+            } else {
+                Text::verbatim(wrong)
+            };
+            lines.extend(wrap::hanging(vec![Span::raw("      ")], &line.render(locale), look.dim(), width));
+        }
+    }
+}
+
+/// Answers in the order of the page: those that the statement asks for, in its order, then all others.
+struct Order {
+    /// Places in the solution.
+    places: Vec<usize>,
+    /// Number of answers asked for; 0 without a statement.
+    asked: usize,
+}
+
+fn order(problem: &Problem, solution: &Solution) -> Order {
+    let place = |name: &String| solution.answers.iter().position(|answer| answer.name.is(name));
+    let mut places: Vec<usize> = problem.asked().iter().filter_map(place).collect();
+    let asked = places.len();
+    places.extend(
+        (0..solution.answers.len()).filter(|place| !places[..asked].contains(place)).collect::<Vec<_>>(),
+    );
+    Order { places, asked }
 }
 
 struct Columns {

@@ -89,10 +89,18 @@ impl Pane for Drawing {
             let begins_at_given = matches!(sketch, Exhibit::Animation(moving) if moving.over.is_some());
             animation_bar(ui, (self.frame % frames, frames), begins_at_given, bar, buffer);
         }
-        let Some(seen) = self.seen(problem) else {
+        let Some(seen) = self.seen(problem, ui.covered) else {
             reasons::draw_nothing(problem, ui, room, buffer);
             return Vec::new();
         };
+        let placed = drawing::render(&seen, ui.look, ui.locale, room, buffer);
+        reasons::dim_stale(problem, ui, room, placed.picture.into_iter().collect(), buffer)
+    }
+
+    fn draw_next(&self, problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut Buffer) -> Vec<Pixels> {
+        let at = turned(self.at, 1, self.pictures(problem));
+        let next = Self { at, ..Self::default() };
+        let Some(seen) = next.seen(problem, ui.covered) else { return Vec::new() };
         let placed = drawing::render(&seen, ui.look, ui.locale, room, buffer);
         reasons::dim_stale(problem, ui, room, placed.picture.into_iter().collect(), buffer)
     }
@@ -158,7 +166,7 @@ impl Pane for Drawing {
     }
 
     fn file(&self, problem: &Problem, ending: &str, locale: &Locale) -> Option<String> {
-        let picture = figure::drawing(&*self.seen(problem)?, locale);
+        let picture = figure::drawing(&*self.seen(problem, problem.found.revealed.is_some())?, locale);
         picture.filter(|_| ending == "svg").map(|picture| picture.svg())
     }
 }
@@ -176,9 +184,9 @@ impl Drawing {
 
     /// The picture that is drawn of it: the frame that is shown, from the side that it was turned to; while the
     /// results are covered, without what they add.
-    fn seen<'p>(&self, problem: &'p Problem) -> Option<Cow<'p, Picture>> {
+    fn seen<'p>(&self, problem: &'p Problem, covered: bool) -> Option<Cow<'p, Picture>> {
         let drawing = self.sketch(problem)?.projected(self.frame, self.view)?;
-        Some(if problem.found.revealed.is_some() { Cow::Owned(drawing.unsolved()) } else { drawing })
+        Some(if covered { Cow::Owned(drawing.unsolved()) } else { drawing })
     }
 }
 

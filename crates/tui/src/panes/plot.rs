@@ -90,8 +90,8 @@ impl Pane for Plot {
     }
 
     fn draw(&self, problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut Buffer) -> Vec<Picture> {
-        if problem.found.revealed.is_some() {
-            reasons::covered(ui, room.width).draw(0, room, buffer);
+        if ui.covered {
+            reasons::hidden(problem, ui, room.width).draw(0, room, buffer);
             return Vec::new();
         }
         let Some((plot, pinned)) = problem.plot_at(self.at) else {
@@ -105,8 +105,8 @@ impl Pane for Plot {
 
     /// Draws the plot after the one that is shown, as it is: keys act on the other one.
     fn draw_next(&self, problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut Buffer) -> Vec<Picture> {
-        if problem.found.revealed.is_some() {
-            reasons::covered(ui, room.width).draw(0, room, buffer);
+        if ui.covered {
+            reasons::hidden(problem, ui, room.width).draw(0, room, buffer);
             return Vec::new();
         }
         let next = turned(self.at, 1, self.pictures(problem));
@@ -174,7 +174,7 @@ impl Pane for Plot {
     }
 
     fn copied(&self, problem: &Problem, ui: &Ui<'_>) -> String {
-        let seen = problem.plot_at(self.at).filter(|_| problem.found.revealed.is_none());
+        let seen = problem.plot_at(self.at).filter(|_| !ui.covered);
         seen.and_then(|(plot, _)| plot::readout(plot, &self.state, ui.locale)).unwrap_or_default()
     }
 

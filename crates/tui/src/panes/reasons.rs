@@ -127,6 +127,16 @@ pub(super) fn covered(ui: &Ui<'_>, width: u16) -> Page {
     Page::of(lines.map(|text| Line::styled(text, ui.look.dim())).collect())
 }
 
+/// The page of a picture that is hidden: by the user, or while Check asks for what it would show.
+pub(super) fn hidden(problem: &Problem, ui: &Ui<'_>, width: u16) -> Page {
+    if problem.found.revealed.is_some() {
+        return covered(ui, width);
+    }
+    let words = Text::new("hidden until yours is correct").render(ui.locale);
+    let lines = wrapped(&words, width.into()).into_iter();
+    Page::of(lines.map(|text| Line::styled(text, ui.look.dim())).collect())
+}
+
 /// Draws the page of a pane that has nothing to show.
 pub(super) fn draw_nothing(problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut Buffer) {
     nothing(problem, ui, room.width).draw(0, room, buffer);

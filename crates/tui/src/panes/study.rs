@@ -8,8 +8,11 @@ mod plan;
 
 use std::path::PathBuf;
 
-use dalembert_core::{FieldError, Refusal, Text, study::StudyPlan};
-use ratatui::{buffer::Buffer, layout::Rect};
+use dalembert_core::{FieldError, Plot, Refusal, Text, study::StudyPlan};
+use ratatui::{
+    buffer::Buffer,
+    layout::{Position, Rect},
+};
 
 use self::{
     draft::{Way, names_a_file},
@@ -22,7 +25,7 @@ use crate::{
     dialog::{Choice, Chosen, Dialog},
     intent::Intent,
     keys::{Action, KeyContext},
-    pane::{Page, Pane, Ui, register_pane},
+    pane::{Gesture, Page, Pane, Ui, register_pane},
     pixels::Picture,
     plot,
     problem::{OpenFile, Problem},
@@ -39,6 +42,8 @@ pub struct Study {
     /// The input that it begins with, by its path: that of the cursor of the form when the tab was turned to.
     begins: String,
     plan: Plan,
+    /// Place of the curves under the pointer of the mouse.
+    pointer: Option<f64>,
 }
 
 register_pane!(Study, 80);
@@ -71,15 +76,27 @@ impl Pane for Study {
         if room.height < LEAST_CURVES || problem.is_stale() || problem.found.revealed.is_some() {
             return Vec::new();
         }
-        let at = match self.subject(problem).map(|of| self.under_cursor(&of)) {
-            Some(Cell::Answer(at)) => at,
-            _ => 0,
-        };
-        let Some(plot) = problem.studied().nth(at).or_else(|| problem.studied().next()) else {
-            return Vec::new();
-        };
-        let state = plot::PlotState { marker: ui.marker, ..plot::PlotState::default() };
+        let Some(plot) = self.curves(problem) else { return Vec::new() };
+        let state = plot::PlotState { marker: ui.marker, pointer: self.pointer, ..Default::default() };
         plot::render(plot, None, &state, ui.look, ui.locale, room, buffer)
+    }
+
+    /// The curves are read under the pointer.
+    fn mouse(&mut self, problem: &Problem, ui: &Ui<'_>, gesture: Gesture, at: Position) -> bool {
+        let Some(plot) = self.curves(problem) else { return false };
+        let state = plot::PlotState { marker: ui.marker, ..Default::default() };
+        match gesture {
+            Gesture::Leave => self.pointer = None,
+            Gesture::Hover => {
+                let lines = self.page(problem, ui, ui.area.width).lines.len();
+                let is_below = usize::from(at.y.saturating_sub(ui.area.y)) > lines;
+                let place = plot::place_at(plot, &state, ui.look, ui.locale, ui.area, at.x);
+                let place = place.filter(|_| is_below).map(|(place, _)| place);
+                self.pointer = state.with_pointer(plot, place).pointer;
+            }
+            _ => return false,
+        }
+        gesture == Gesture::Leave || self.pointer.is_some()
     }
 
     fn about(&self, problem: &Problem, ui: &Ui<'_>) -> Vec<Text> {
@@ -274,6 +291,15 @@ impl Study {
     /// The subject of the study; `None` while there are no inputs or answers to choose from.
     fn subject<'p>(&self, problem: &'p Problem) -> Option<Subject<'p>> {
         Some(self.plan.subject(problem, &problem.record()?, problem.found.solution.as_ref()?, &self.begins))
+    }
+
+    /// The curves of the answer under the cursor, or of the first.
+    fn curves<'p>(&self, problem: &'p Problem) -> Option<&'p Plot> {
+        let at = match self.subject(problem).map(|of| self.under_cursor(&of)) {
+            Some(Cell::Answer(at)) => at,
+            _ => 0,
+        };
+        problem.studied().nth(at).or_else(|| problem.studied().next())
     }
 
     fn under_cursor(&self, of: &Subject<'_>) -> Cell {

@@ -27,7 +27,7 @@ pub(super) fn formula(text: &str, first: usize, rest: usize) -> Vec<String> {
 }
 
 /// A head, and beside it words in as many lines as they need.
-pub(super) fn hanging(
+pub(crate) fn hanging(
     head: Vec<Span<'static>>,
     text: &str,
     style: Style,

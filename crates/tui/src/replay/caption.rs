@@ -9,16 +9,24 @@ use crate::{glyphs::filter_untrusted, model::Model, playback::Playback};
 
 /// The most lines of a caption.
 const MOST: usize = 3;
+/// On a low screen they have one row of so many.
+const LEAST_SHARE: u16 = 3;
 
-/// Draws them over the last rows of a screen.
+/// The part of a screen above them: nothing of the workbench is covered.
+pub(crate) fn above(model: &Model, screen: Rect) -> Rect {
+    let rows = lines(model, screen.width).len() as u16;
+    Rect { height: screen.height - rows.min(screen.height / LEAST_SHARE), ..screen }
+}
+
+/// Draws them in the last rows of a screen.
 pub(crate) fn draw(model: &Model, frame: &mut Frame<'_>) {
     let area = frame.area();
-    let lines = lines(model, area.width);
-    let height = (lines.len() as u16).min(area.height);
-    let rows = Rect { y: area.bottom() - height, height, ..area };
+    let above = above(model, area);
+    let rows = Rect { y: above.bottom(), height: area.height - above.height, ..area };
     if rows.is_empty() {
         return;
     }
+    let lines = lines(model, area.width);
     let style = model.look.title().add_modifier(Modifier::REVERSED | Modifier::BOLD);
     // Apart from the screen, whose cells have the colours of the theme already.
     let mut buffer = Buffer::empty(rows);

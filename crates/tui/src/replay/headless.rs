@@ -85,9 +85,12 @@ impl std::error::Error for ReplayFailure {}
 pub fn play(replay: &Replay, folder: &Path) -> Result<ReplayResult, ReplayFailure> {
     let mut harness = Harness::new(catalogue(), replay.screen, replay.language, replay.look);
     (harness.model.readonly, harness.model.is_replay) = (true, true);
+    harness.model.field.clone_from(&replay.field);
     if let Some(named) = &replay.open {
         let (file, analysis) = to_open(named, folder)?;
         harness.begins(file, analysis);
+    } else if replay.field.is_some() {
+        harness.begins(None, None);
     }
     let mut pictures = Vec::new();
     for (line, act) in &replay.acts {

@@ -36,13 +36,13 @@ struct Line {
 }
 
 impl Recorder {
-    /// Begins a new file; one that is there already is an error.
+    /// Begins a new file, whose head ends in the lines that open something; one that is there already is an error.
     pub(crate) fn begin(
         path: &Path,
         (columns, rows): (u16, u16),
         language: Language,
         look: &Appearance,
-        open: Option<&str>,
+        first: &[String],
     ) -> io::Result<Self> {
         let mut file = File::create_new(path)?;
         let language = match language {
@@ -55,8 +55,8 @@ impl Recorder {
             (false, _) => "colour",
         };
         writeln!(file, "screen {columns}x{rows}\nlanguage {language}\nlook {look}")?;
-        if let Some(open) = open {
-            writeln!(file, "open {open}")?;
+        for line in first {
+            writeln!(file, "{line}")?;
         }
         let line = Line { begin: file.stream_position()?, keys: String::new() };
         Ok(Self { file, before: line.clone(), line, last: Instant::now() })
@@ -129,7 +129,7 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().join("lesson.replay");
         let look = Appearance::default();
-        let recorder = Recorder::begin(&path, (80, 24), Language::English, &look, None);
+        let recorder = Recorder::begin(&path, (80, 24), Language::English, &look, &[]);
         // As if the window were closed: nothing is dropped.
         let mut recorder = std::mem::ManuallyDrop::new(recorder.expect("a new file"));
         does(&mut recorder);

@@ -31,7 +31,7 @@ pub fn tour(language: Language) -> Replay {
         acts.push(Act::Wait(Duration::from_millis(rest)));
     }
     let acts = acts.into_iter().map(|act| (0, act)).collect();
-    Replay { screen: (120, 36), language, look: LOOKS[0].1, open: Some(BEGIN.to_owned()), acts }
+    Replay { screen: (120, 36), language, look: LOOKS[0].1, open: Some(BEGIN.to_owned()), field: None, acts }
 }
 
 fn scenes() -> Vec<Scene> {

@@ -4,6 +4,7 @@ use dalembert_core::{Text, UnitSetting};
 
 use super::{parts, with_shown};
 use crate::{
+    bench::StatementState,
     dialog::{Dialog, Purpose},
     effect::Effect,
     intent::Intent,
@@ -54,9 +55,19 @@ pub(super) fn act(model: &mut Model, place: KeyContext, action: Action) -> Optio
         Action::Undo => changed(bench.problem.inputs.form.undo(), "nothing to undo"),
         Action::Redo => changed(bench.problem.inputs.form.redo(), "nothing to redo"),
         Action::Expand => {
-            bench.expanded = !bench.expanded;
+            let has_next = bench.focus == Focus::Pane && view::has_room_for_next(bench, model.size.0);
+            (bench.expanded, bench.beside) = match (bench.expanded, bench.beside) {
+                (false, _) => (true, false),
+                (true, false) if has_next => (true, true),
+                _ => (false, false),
+            };
+            if bench.expanded && has_next && !bench.beside {
+                let text = Text::new("{key} once more shows the next one beside it");
+                return Some(vec![Intent::Say(text.with("key", model.key(place, action)))]);
+            }
             Vec::new()
         }
+        Action::Statement => statement(model),
         Action::NextPane | Action::PreviousPane => {
             bench.focus = match bench.focus {
                 Focus::Form => Focus::Pane,
@@ -67,6 +78,21 @@ pub(super) fn act(model: &mut Model, place: KeyContext, action: Action) -> Optio
         Action::Back => return back(model, place),
         _ => return None,
     })
+}
+
+/// Reads the statement on; at its end it is collapsed, and then expanded from its beginning.
+fn statement(model: &mut Model) -> Vec<Intent> {
+    let seen = view::seen_of_statement(model);
+    let Some((bench, (rows, of))) = model.bench.as_mut().zip(seen) else {
+        return Intent::say("this problem has no statement");
+    };
+    let state = &mut bench.statement;
+    *state = match state.first.min(of.saturating_sub(rows)) + rows {
+        _ if state.is_folded => StatementState::default(),
+        next if next < of => StatementState { first: next.saturating_sub(1).max(state.first + 1), ..*state },
+        _ => StatementState { is_folded: true, first: 0 },
+    };
+    Vec::new()
 }
 
 /// One step back: from a running job, from what the pane is at, from an input to the symbol that led there, from a pane
@@ -92,7 +118,7 @@ fn back(model: &mut Model, place: KeyContext) -> Option<Vec<Intent>> {
     }
     // The other panes come back.
     let bench = model.bench.as_mut().filter(|bench| bench.expanded)?;
-    bench.expanded = false;
+    (bench.expanded, bench.beside) = (false, false);
     Some(Vec::new())
 }
 

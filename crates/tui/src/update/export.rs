@@ -144,6 +144,7 @@ fn files(
         entry: problem.entry(),
         case: &title,
         source: case.map_or(&none, |case| &case.source),
+        statement: case.map_or(&none, |case| &case.statement),
         note: case.map_or(&none, |case| &case.note),
         notes: &problem.inputs.notes,
         draft: &problem.inputs.form.draft,

@@ -194,11 +194,12 @@ fn go(model: &mut Model, to: Go) -> Vec<Intent> {
 
 /// Saves the job on the way: in its file, or in one that is proposed once.
 fn save(model: &mut Model, left: FieldPage) -> Vec<Intent> {
-    if model.readonly {
-        return Vec::new();
-    }
+    // What a session that is played types in a dialog is typed in none of its own.
+    let (readonly, is_replay) = (model.readonly, model.is_replay);
     let Some((problem, field)) = parts(model) else { return Vec::new() };
     match (&problem.document.file, field.path.take()) {
+        (Some(_), _) | (_, Some(_)) if readonly => Vec::new(),
+        _ if readonly && !is_replay => Vec::new(),
         (Some(_), _) if !problem.is_unsaved() => Vec::new(),
         (Some(_), _) => vec![Intent::Save],
         (None, Some(path)) => vec![Intent::SaveAs(path)],

@@ -175,8 +175,10 @@ fn enter(model: &mut Model) -> Vec<Intent> {
     let (entry, case) = (listing.entry, model.picker.case.or(leaf.case));
     model.picker.typing = false;
     let wanted = case.and_then(|case| listing.cases().get(case));
+    let is_exercise = leaf.is_exercise() && case == leaf.case;
     let is_wanted = |bench: &&Bench| {
         bench.problem.entry().about.id == entry.about.id
+            && (!is_exercise || bench.problem.document.is_exercise)
             && wanted.is_none_or(|case| {
                 bench.problem.document.title.is_empty() && bench.problem.inputs.form.draft == case.draft
             })
@@ -185,6 +187,7 @@ fn enter(model: &mut Model) -> Vec<Intent> {
     let open = model.bench.iter().chain(model.problems().into_iter().rev()).find(is_wanted);
     match open.map(|bench| bench.problem.number) {
         Some(number) => vec![Intent::Bring(number)],
+        None if is_exercise => vec![Intent::OpenExercise(entry, case.unwrap_or(0))],
         None => vec![Intent::OpenCase(entry, case.unwrap_or(0))],
     }
 }

@@ -44,6 +44,10 @@ pub(super) fn replace(model: &mut Model, mut problem: Problem) -> Vec<Intent> {
 fn show(model: &mut Model, problem: Problem) {
     let mut bench = Bench::new(problem, model.marker);
     bench.field = super::field::wanted(model, &bench.problem);
+    if bench.problem.document.is_exercise {
+        bench.tab =
+            bench.all_tabs().find(|tab| bench.pane(*tab).covers_results(&bench.problem)).unwrap_or_default();
+    }
     model.bench = Some(bench);
     model.screen = Screen::Bench;
     model.dialog = None;

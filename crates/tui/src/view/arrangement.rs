@@ -21,7 +21,7 @@ use crate::{
 
 /// From so many columns on inputs and results stand side by side.
 const TWO_COLUMNS: u16 = 100;
-/// From so many columns on there is a third column.
+/// From so many columns on there is a third column, or a second picture beside one that is alone.
 const THREE_COLUMNS: u16 = 160;
 /// Columns of the narrowest and of the widest form beside a pane.
 const FORM: (u16, u16) = (40, 66);
@@ -56,7 +56,7 @@ pub(super) fn arrange(model: &Model, bench: &Bench, focus: Focus, body: Rect) ->
     if bench.expanded || model.look.basic {
         return match focus {
             Focus::Form => Arrangement { form: Some(body), panes: Vec::new() },
-            Focus::Pane => Arrangement { form: None, panes: vec![placed(bench.tab, body, true)] },
+            Focus::Pane => Arrangement { form: None, panes: alone(bench, body) },
         };
     }
     if body.width < TWO_COLUMNS {
@@ -69,6 +69,20 @@ pub(super) fn arrange(model: &Model, bench: &Bench, focus: Focus, body: Rect) ->
     } else {
         screen.columns(bench.tab, body)
     }
+}
+
+/// Returns true if the shown pane has a next picture, and a screen of this width room for it beside the one that is shown.
+pub(crate) fn has_room_for_next(bench: &Bench, width: u16) -> bool {
+    width >= THREE_COLUMNS && bench.place_of_shown(bench.tab).is_some()
+}
+
+/// The shown pane on the whole screen, the next of its pictures beside it where that is wanted.
+fn alone(bench: &Bench, body: Rect) -> Vec<PlacedPane> {
+    if !(bench.beside && has_room_for_next(bench, body.width)) {
+        return vec![placed(bench.tab, body, true)];
+    }
+    let [left, right] = split(body, body.width.div_ceil(2));
+    vec![placed(bench.tab, left, true), PlacedPane { is_next: true, ..placed(bench.tab, right, false) }]
 }
 
 fn placed(tab: Tab, area: Rect, has_tabs: bool) -> PlacedPane {
@@ -128,12 +142,15 @@ impl Screen<'_> {
             Focus::Pane => self.pane(shown, body.width),
         };
         let mut parts = vec![first];
-        if focus == Focus::Form || (shown != results && !self.covers_results(shown)) {
+        if focus == Focus::Form && self.covers_results(shown) {
+            // What is to be found stands where the main answers would.
+            parts.push(self.pane(shown, body.width));
+        } else if focus == Focus::Form || (shown != results && !self.covers_results(shown)) {
             // What grows has what the main answers leave.
             let strip = self.strip(body.width);
             parts.push(if first.grows() { Part { wanted: strip.least, ..strip } } else { strip });
         }
-        if shown != results && focus == Focus::Form {
+        if shown != results && focus == Focus::Form && !self.covers_results(shown) {
             waiting.push_front(shown);
         }
         self.fill(&mut parts, body, &mut waiting);
@@ -209,7 +226,7 @@ impl Screen<'_> {
     }
 
     fn covers_results(&self, tab: Tab) -> bool {
-        self.bench.pane(tab).covers_results()
+        self.bench.pane(tab).covers_results(&self.bench.problem)
     }
 
     fn pictures(&self, tabs: &VecDeque<Tab>) -> usize {

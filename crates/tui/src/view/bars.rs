@@ -8,12 +8,13 @@ use ratatui::{
     widgets::{Clear, Widget},
 };
 
-use super::{animation, form::computed, word};
+use super::{animation, form::computed, screen_of, word};
 use crate::{
     bench::Bench,
     form::{self, PartRole, Role},
     glyphs::filter_untrusted,
     keys::{Action, Bound, KeyContext},
+    layout,
     look::Glyph,
     model::{Model, Notice},
     pane::Content,
@@ -94,15 +95,19 @@ pub(super) fn help(model: &Model, area: Rect, buffer: &mut Buffer) {
     buffer.set_string(area.x + 1, area.y, fit(&text, room, look), look.dim());
 }
 
-/// A notice, or the most useful keys.
+/// The most useful keys, and a notice above them; on a low screen in place of them.
 pub(super) fn footer(model: &Model, area: Rect, buffer: &mut Buffer) {
     if area.is_empty() {
         return;
     }
     let room = usize::from(area.width).saturating_sub(2);
     if let Some(notice) = &model.notice {
-        draw_notice(model, notice, area, buffer);
-        return;
+        let covers_keys = covers_keys(model);
+        let above = u16::from(!covers_keys);
+        draw_notice(model, notice, Rect { y: area.y.saturating_sub(above), ..area }, buffer);
+        if covers_keys {
+            return;
+        }
     }
     let look = &model.look;
     let mut line = Line::default();
@@ -116,9 +121,14 @@ pub(super) fn footer(model: &Model, area: Rect, buffer: &mut Buffer) {
     buffer.set_line(area.x + 1, area.y, &line, area.width.saturating_sub(1));
 }
 
+/// Returns true if a notice stands in place of the keys.
+fn covers_keys(model: &Model) -> bool {
+    model.notice.is_some() && !layout::has_help(screen_of(model))
+}
+
 /// Action of the hint at a place of the footer.
 pub(super) fn action_at(model: &Model, area: Rect, at: Position) -> Option<Action> {
-    if model.notice.is_some() || !area.contains(at) {
+    if covers_keys(model) || !area.contains(at) {
         return None;
     }
     let mut offset = usize::from(at.x).checked_sub(usize::from(area.x) + 1)?;
@@ -194,6 +204,7 @@ fn hints(model: &Model, place: KeyContext, room: usize) -> Vec<Hint> {
         Action::ExportSeen => in_picture,
         Action::Copy | Action::Export => !in_picture,
         Action::Repair => shown.is_some_and(|bench| !bench.problem.repairs().is_empty()),
+        Action::Statement => shown.is_some_and(|bench| bench.problem.statement().is_some()),
         Action::NextFilePart => shown.is_some_and(|bench| bench.problem.inputs.form.parts().len() > 1),
         Action::Toggle if place == KeyContext::Picker => model.chosen_exercise().is_some(),
         action if place.is_pane() => shown.is_none_or(|bench| bench.shown().serves(&bench.problem, action)),

@@ -1,6 +1,7 @@
 //! The inputs.
 
 mod line;
+mod statement;
 
 use std::collections::{HashMap, HashSet};
 
@@ -13,7 +14,10 @@ use ratatui::{
 };
 
 pub(super) use self::line::computed;
-use self::line::{LineRows, columns, draw_line, margin};
+use self::{
+    line::{LineRows, columns, draw_line, margin},
+    statement::Statement,
+};
 use super::{boxed, scroll_mark, word};
 use crate::{
     bench::Bench,
@@ -96,6 +100,7 @@ pub(super) fn draw(model: &Model, bench: &Bench, area: Rect, buffer: &mut Buffer
     boxed(&Shown::from(title), focused, look, area, buffer);
     let laid = Laid::of(model, bench, area);
     let height = usize::from(laid.inner.height);
+    super::draw_lines(&laid.statement, 0, Rect { height: laid.statement.len() as u16, ..laid.above }, buffer);
     super::draw_lines(&laid.rows, laid.first, laid.inner, buffer);
     let (before, after) = laid.outside;
     scroll_mark(before + laid.first, height, before + laid.rows.len() + after, look, area, buffer);
@@ -127,7 +132,24 @@ pub(super) fn rows_wanted(model: &Model, bench: &Bench, columns_of_area: u16) ->
         let own = draw_line(model, bench, &faults, line, false, &columns).rows.len();
         own + draw_errors(model, &faults, line, false, room).len()
     };
-    u16::try_from(lines.iter().map(rows).sum::<usize>() + 2).unwrap_or(u16::MAX - 1)
+    let statement = statement::rows_wanted(model, bench, room);
+    u16::try_from(statement + lines.iter().map(rows).sum::<usize>() + 2).unwrap_or(u16::MAX - 1)
+}
+
+/// Rows of the text of the statement that are seen above the form, and all; `None` without one.
+pub(super) fn seen_of_statement(model: &Model, bench: &Bench, area: Rect) -> Option<(usize, usize)> {
+    let (inner, lines) = (inside(area), bench.problem.inputs.form.lines().len());
+    Statement::of(model, bench, inner, lines).map(|statement| (statement.seen, statement.of))
+}
+
+/// The inside of the form: the pointer is margin enough.
+fn inside(area: Rect) -> Rect {
+    let mut inner = layout::inside(area);
+    if layout::framed(area) {
+        inner.x -= 1;
+        inner.width += 2;
+    }
+    inner
 }
 
 /// The line of the form that is drawn at a place of the screen.
@@ -150,17 +172,19 @@ struct Laid {
     /// So many lines come before the rows, and so many after.
     outside: (usize, usize),
     inner: Rect,
+    /// Rows of the statement, and the area that they begin.
+    statement: Vec<Shown<'static>>,
+    above: Rect,
 }
 
 impl Laid {
     fn of(model: &Model, bench: &Bench, area: Rect) -> Self {
-        let mut inner = layout::inside(area);
-        if layout::framed(area) {
-            // The pointer is margin enough.
-            inner.x -= 1;
-            inner.width += 2;
-        }
+        let above = inside(area);
         let lines = bench.problem.inputs.form.lines();
+        let statement = Statement::of(model, bench, above, lines.len()).map_or_else(Vec::new, |all| all.rows);
+        let rows_above = statement.len() as u16;
+        let inner =
+            Rect { y: above.y + rows_above, height: above.height.saturating_sub(rows_above), ..above };
         let columns = columns(model, &lines, inner.width.into());
         let mut rows: Vec<Shown<'static>> = Vec::new();
         let mut owners = Vec::new();
@@ -192,7 +216,7 @@ impl Laid {
         let last = rows.len().saturating_sub(height);
         // The line of the cursor stays near the middle, with all of its error.
         let first = begin.saturating_sub(height / 2).max(end.saturating_sub(height)).min(begin).min(last);
-        Self { rows, owners, cursor, first, outside, inner }
+        Self { rows, owners, cursor, first, outside, inner, statement, above }
     }
 }
 

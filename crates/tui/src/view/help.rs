@@ -10,7 +10,7 @@ use ratatui::{
 };
 use tui_input::Input;
 
-use super::{boxed, draw_input, draw_lines, scroll_mark, word};
+use super::{boxed, draw_input, draw_lines, screen_of, scroll_mark, word};
 use crate::{
     dialog::Dialog,
     keys::{ALWAYS, Action, Binding, COMMON, KeyContext, PANES, PROBLEM},
@@ -67,7 +67,7 @@ pub(super) fn draw(
 /// The most that the help can be scrolled.
 pub(crate) fn longest_scroll(model: &Model) -> usize {
     let Some(Dialog::Help { search, .. }) = &model.dialog else { return 0 };
-    let [_, rest] = split(layout::inside(area_of(Rect::new(0, 0, model.size.0, model.size.1))));
+    let [_, rest] = split(layout::inside(area_of(screen_of(model))));
     lines(model, search.value(), rest.width.into()).len().saturating_sub(rest.height.into())
 }
 

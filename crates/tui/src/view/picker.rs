@@ -52,7 +52,8 @@ fn draw_list(model: &Model, area: Rect, buffer: &mut Buffer) -> Option<Position>
     let focused = picker.case.is_none();
     let mut title = format!(" {} ", word("List of analyses", model));
     if !picker.filter.value().is_empty() {
-        title += &format!("{}/{} ", visible.len(), model.listings.len());
+        let found = visible.iter().filter(|row| matches!(row, Row::Leaf(_))).count();
+        title += &format!("{found}/{} ", model.listings.len());
     }
     boxed(&Line::styled(title, look.border(focused).patch(look.title())), focused, look, area, buffer);
     let inner = layout::inside(area);

@@ -2,7 +2,7 @@
 
 use ratatui::layout::{Position, Rect};
 
-use super::{areas_of, bars, dialog, form, line_at, page, pane_at, picker, tabs};
+use super::{areas_of, bars, dialog, form, line_at, page, pane_at, picker, screen_of, tabs};
 use crate::{keys::Action, layout, model::Model, pane::Tab};
 
 /// Cells of the arrow at the left of a line that has two.
@@ -37,7 +37,7 @@ pub(crate) enum HitTarget {
 
 /// Hit target at a place.
 pub(crate) fn spot(model: &Model, at: Position) -> Option<HitTarget> {
-    let screen = Rect::new(0, 0, model.size.0, model.size.1);
+    let screen = screen_of(model);
     let [_, body, _, footer] = layout::frame(screen);
     if let Some(action) = bars::action_at(model, footer, at) {
         return Some(HitTarget::Key(action));

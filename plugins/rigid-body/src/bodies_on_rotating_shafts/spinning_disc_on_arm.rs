@@ -284,9 +284,10 @@ impl SpinningDiscOnArm {
         let mut scene = Scene::y_up();
         let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()];
         let centre = z * 2.4;
-        let foot = y * -1.6;
+        // The disc hangs in the air, well above the bearing of the shaft: it rolls on nothing.
+        let foot = y * -2.6;
         scene.line([foot, y * 1.2], Ink::Body);
-        scene.circle(foot, y, 0.5, Ink::Faint);
+        scene.cuboid(foot, &Matrix3::identity(), Vector3::new(0.5, 0.5, 0.5), Ink::Body);
         scene.line([Vector3::zeros(), centre], Ink::Body);
         scene.disc(centre, &Matrix3::identity(), 1.0, Ink::Body);
         scene.label(centre + (x - y) * 0.7, "m");
@@ -301,8 +302,10 @@ impl SpinningDiscOnArm {
         let fixed = Rotation3::from_axis_angle(&Vector3::y_axis(), -self.arm_angle);
         scene.arrow(foot, fixed * z * 1.6, Ink::Faint, "Z");
         scene.arrow(foot, fixed * x * 1.6, Ink::Faint, "X");
-        scene.line([foot, foot + z * 1.4], Ink::Faint);
-        scene.angle("φ", foot, [fixed * z, z], 1.0);
+        if self.arm_angle != 0.0 {
+            scene.line([foot, foot + z * 1.4], Ink::Faint);
+            scene.angle("φ", foot, [fixed * z, z], 1.0);
+        }
         scene.turn(both("ω₁", "α₁", self.arm_acceleration), y * 0.9, y * self.arm_speed, 0.4, Ink::Motion);
         let spin = both("ω₂", "α₂", self.spin_acceleration);
         scene.turn(spin, centre + z * 0.8, z * self.spin, 0.4, Ink::Motion);

@@ -318,17 +318,19 @@ impl TwoBladedRotor {
         .mark("at this angle", (self.angle.rem_euclid(TAU), here))
     }
 
-    /// The rotor from its angle on over a turn, seen with its axle towards the viewer's left.
+    /// The rotor from its angle on over a turn, seen from the front and below.
     fn animation(&self, couple: Vector3<f64>) -> Exhibit {
         scene::animation("Blades over one revolution: axle along x, precession about y", 4.0, |t| {
-            let mut scene = Scene::y_up();
+            let mut scene = Scene::y_up_from(0.9, -0.3);
             let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()];
             let angle = self.angle + if self.spin < 0.0 { -TAU * t } else { TAU * t };
-            // The scene has y up and z towards the viewer: x, the axle, to the right.
+            // The scene has y up: x, the axle, to the right, z to the left.
             let along = |angle: f64| y * angle.cos() + z * angle.sin();
             let (blade, across) = (along(angle), along(angle + FRAC_PI_2) * 0.12);
             scene.line([x * -1.4, x * 0.6], Ink::Body);
-            scene.cylinder([x * -1.4, x * -0.3], 0.18, Ink::Faint);
+            for bearing in [-1.2, -0.5] {
+                scene.circle(x * bearing, x, 0.15, Ink::Body);
+            }
             scene.circle(Vector3::zeros(), x, 1.0, Ink::Faint);
             scene.line([blade, across, -blade, -across, blade], Ink::Body);
             scene.label(blade, self.letters());

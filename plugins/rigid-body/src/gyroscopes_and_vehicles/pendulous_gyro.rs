@@ -201,7 +201,7 @@ impl PendulousGyro {
             .bars([point(-0.7, 0.0), point(0.7, 0.0)])
             .bars([point(-0.7, 0.0), point(-0.7, -1.1), point(0.7, -1.1), point(0.7, 0.0)])
             .motion("ω", point(0.56 * tip, 0.0), point(tip, 0.0))
-            .pin("O", (0.0, 0.0))
+            .joint("O", (0.0, 0.0))
             .mass_centre("G", centre)
             .dimension("h", (0.0, 0.0), centre, 4.5)
             .force("m_f g", centre, (centre.0, centre.1 - 0.6))

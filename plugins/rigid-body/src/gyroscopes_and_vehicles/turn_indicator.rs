@@ -285,7 +285,7 @@ impl TurnIndicator {
             .body("", [at(-0.06, 0.2), at(-0.06, 1.2), at(0.06, 1.2), at(0.06, 0.2)])
             .label(letters, at(0.0, 1.2))
             .motion("ω", at(-0.55, 0.7), at(-1.0, 0.7))
-            .pin("", (0.0, 0.0))
+            .joint("", (0.0, 0.0))
             .arc((0.0, 0.0), 1.3, (angle.min(0.0), angle.max(0.0)), Ink::Faint)
             .label("θ", (1.3 * (angle / 2.0).cos(), 1.3 * (angle / 2.0).sin()));
         if !radius.is_empty() {

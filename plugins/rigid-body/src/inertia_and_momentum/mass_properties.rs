@@ -217,12 +217,19 @@ impl MassProperties {
     fn drawn(&self, body: &rigid::MassProperties, principal: &Principal) -> Exhibit {
         let mut scene = Scene::new();
         let size = self.body.draw(&mut scene, body, principal);
-        scene.axes(Vector3::zeros(), &Matrix3::identity(), 0.6 * size, ["x", "y", "z"]);
+        // About the origin both sets of axes start from one point: those of the frame are longer there.
+        let is_at = |point: Vector3<f64>| (point - body.centre).norm() < 1e-6 * size;
+        let reach = if is_at(Vector3::zeros()) { 0.9 } else { 0.6 };
+        scene.axes(Vector3::zeros(), &Matrix3::identity(), reach * size, ["x", "y", "z"]);
         for (n, name) in ["1", "2", "3"].into_iter().enumerate() {
             scene.arrow(body.centre, principal.axis(n) * (0.5 * size), Ink::Result, name);
         }
-        scene.label(body.centre, "G");
-        scene.label(self.point, "r_A");
+        if is_at(self.point) {
+            scene.label(body.centre, "G, r_A");
+        } else {
+            scene.label(body.centre, "G");
+            scene.label(self.point, "r_A");
+        }
         if let Some(line) = &self.line {
             line.draw(&mut scene, body.centre, size);
         }

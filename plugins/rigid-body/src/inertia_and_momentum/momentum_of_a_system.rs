@@ -435,7 +435,23 @@ impl MomentumOfASystem {
         let largest = inertias.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let mut sketch = Sketch::new("The bodies along the axis before");
         let width = 1.6 * inertias.len() as f64;
-        sketch.link("", (-0.9, 0.0), (width - 0.6, 0.0));
+        let turns = |body: Option<&SystemBody>| {
+            body.is_some_and(|body| matches!(body.before, MotionBefore::Turns { .. }))
+        };
+        let mut from = -0.9;
+        for row in 1..inertias.len() {
+            // What turns on its own before is joined by a clutch: two plates with a gap between the ends of the shafts.
+            if turns(self.bodies.get(row - 1)) && turns(self.bodies.get(row)) {
+                let middle = 1.6 * row as f64 - 0.8;
+                let (left, right) = (middle - 0.08, middle + 0.08);
+                sketch.link("", (from, 0.0), (left, 0.0));
+                for x in [left, right] {
+                    sketch.bars([(x, -0.3), (x, 0.3)]);
+                }
+                from = right;
+            }
+        }
+        sketch.link("", (from, 0.0), (width - 0.6, 0.0));
         for ((body, inertia), row) in self.bodies.iter().zip(&inertias).zip(1..) {
             let x = 1.6 * (row - 1) as f64;
             let half = 0.25 + 0.75 * (inertia / largest).sqrt();
@@ -444,7 +460,7 @@ impl MomentumOfASystem {
                 MotionBefore::Turns { body, speed } => {
                     sketch.label(flat::of_row(body.letters(), row), (x, half));
                     if *speed != 0.0 {
-                        let along = 0.6 * speed.signum();
+                        let along = 0.45 * speed.signum();
                         let tail = x + 0.2 - along.min(0.0);
                         sketch.motion(flat::of_row(&["ω_0"], row), (tail, 0.0), (tail + along, 0.0));
                     }

@@ -37,6 +37,12 @@ impl Scene {
         Self { y_up: true, ..Self::default() }
     }
 
+    /// A scene whose y axis points up, seen at first from the direction of an azimuth, from z about y, and of an
+    /// elevation above the plane zx, rad.
+    pub fn y_up_from(azimuth: f64, elevation: f64) -> Self {
+        Self { y_up: true, ..Self::seen_from(azimuth, elevation) }
+    }
+
     /// All that was drawn.
     pub fn exhibit(self, title: impl Into<Text>) -> Exhibit {
         Exhibit::Scene(exhibit::Scene {

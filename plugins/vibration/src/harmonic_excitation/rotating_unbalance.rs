@@ -127,6 +127,9 @@ impl Analysis for RotatingUnbalance {
                         "the largest amplitude is not above m₀e/m, so no damping gives a peak at a finite speed",
                     )
                 })?;
+                let light = || W::Num::from(0.5) / peak;
+                sheet.common_error("ζ", "the formula for light damping, ζ = 1/(2Λ), used", light);
+                sheet.common_error("ζ", "ζ = 1/√2 assumed", || W::Num::from(FRAC_1_SQRT_2));
                 let zeta = sheet.step(
                     "ζ",
                     "1",

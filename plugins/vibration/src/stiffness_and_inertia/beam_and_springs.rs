@@ -71,6 +71,10 @@ impl Analysis for BeamAndSprings {
             sdof::natural_frequency_from_damped(given.damped_frequency, zeta),
             ("The damped frequency is below the natural frequency", RAO.at("§2.6")),
         );
+        if let Some(excitation) = &given.excitation {
+            let of_force = || sdof::mass_from_natural_frequency(k, excitation.frequency);
+            sheet.common_error("m", "the frequency of the force used as the natural frequency", of_force);
+        }
         let mass = sheet.step(
             "m",
             "kg",

@@ -194,11 +194,15 @@ impl BarAndCord {
         let s = (on(b).0).hypot(h - on(b).1);
         let level = h - 0.4 * h - ((b + h) - s) * 0.4;
         let middle = on(l / 2.0);
+        // The bar is a plate, as that of a bridge.
+        let (along, thick) = (on(l), 0.03 * l);
+        let across = (-thick * angle.sin(), thick * angle.cos());
+        let deck = [(0.0, 0.0), along, (along.0 - across.0, along.1 - across.1), (-across.0, -across.1)];
         let mut sketch = Sketch::default();
         sketch
             .size(l.max(1.1 * h))
             .axis((0.0, 0.0), (1.1 * l, 0.0))
-            .link("", (0.0, 0.0), on(l))
+            .body("", deck)
             .dimension("L", (0.0, 0.0), on(l), -2.0)
             .dimension("b", (0.0, 0.0), on(b), 2.0)
             .dimension("h", (0.0, 0.0), (0.0, h), 8.0)

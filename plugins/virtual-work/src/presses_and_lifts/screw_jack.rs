@@ -3,7 +3,7 @@
 mod mechanism;
 
 use dalembert_core::{
-    About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet, register,
+    About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet, register,
 };
 use dalembert_mechanics::Real;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -397,11 +397,13 @@ impl ScrewJack {
             JackFrame::Rhombus { link: l, .. } => {
                 let (wide, high) = (l * cos, l * sin);
                 let corners = [(0.0, 0.0), (wide, high), (0.0, 2.0 * high), (-wide, high)];
+                let top = 2.0 * high;
+                thread(sketch.size(2.4 * l), (-1.2 * wide, 1.3 * wide), high, 0.05 * l);
                 sketch
-                    .size(2.4 * l)
-                    .ground((-0.4 * l, 0.0), (0.4 * l, 0.0))
+                    .ground((-0.5 * l, -0.1 * l), (0.5 * l, -0.1 * l))
+                    .mass("", (-0.3 * l, -0.1 * l), (0.3 * l, 0.0))
+                    .mass("", (-0.3 * l, top), (0.3 * l, top + 0.1 * l))
                     .bars([corners.as_slice(), &corners[..1]].concat())
-                    .bars([(-1.2 * wide, high), (1.4 * wide, high)])
                     .dimension("L", corners[3], corners[2], 2.0)
                     .axis(corners[3], corners[1])
                     .angle("θ", corners[3], 0.0, angle);
@@ -410,16 +412,15 @@ impl ScrewJack {
                 }
                 sketch
                     .force("T", (wide, high), (wide - 0.4 * l, high))
-                    .force("", (0.0, 2.0 * high + 0.45 * l), (0.0, 2.0 * high + 0.05 * l))
-                    .label("P", (0.0, 2.0 * high + 0.45 * l));
+                    .force("", (0.0, top + 0.5 * l), (0.0, top + 0.1 * l))
+                    .label("P", (0.0, top + 0.5 * l));
             }
             JackFrame::Scissors { stages, link: l, .. } => {
                 let (wide, high) = (l * cos, l * sin);
                 let top = f64::from(stages) * high;
+                thread(sketch.size(1.6 * l), (-0.15 * l, 1.3 * wide), 0.0, 0.05 * l);
                 sketch
-                    .size(1.6 * l)
-                    .ground((-0.1 * l, 0.0), (1.2 * l, 0.0))
-                    .bars([(-0.15 * l, 0.0), (1.3 * wide, 0.0)])
+                    .ground((-0.15 * l, -0.15 * l), (1.2 * l, -0.15 * l))
                     .dimension("L", (0.0, 0.0), (wide, high), -2.0)
                     .angle("θ", (0.0, 0.0), 0.0, angle);
                 for stage in 0..stages {
@@ -439,6 +440,17 @@ impl ScrewJack {
             }
         }
         sketch
+    }
+}
+
+/// A screw along a level line, with its thread across it.
+fn thread(sketch: &mut Sketch, (from, to): (f64, f64), y: f64, half: f64) {
+    sketch.bars([(from, y), (to, y)]);
+    let pitch = 2.0 * half;
+    let turns = ((to - from) / pitch) as u32;
+    for turn in 1..turns {
+        let x = from + f64::from(turn) * pitch;
+        sketch.curve([(x - half / 2.0, y - half), (x + half / 2.0, y + half)], Ink::Faint);
     }
 }
 

@@ -193,9 +193,9 @@ impl Columns {
         let longest = answers.iter().map(|one| one.label.width()).max().unwrap_or(0);
         let symbol = answers.iter().map(|one| one.symbol.width()).max().unwrap_or(0);
         let room = width.saturating_sub(2 + values.max(16));
-        // Symbols give way to labels.
+        // Labels go on in a second line beside symbols, which give way where that would be many.
         let with_symbols = room.saturating_sub(symbol + 1);
-        let symbol = if with_symbols >= longest.min(WIDEST_LABELS) { symbol } else { 0 };
+        let symbol = if with_symbols >= longest.min(NARROWEST_LABELS) { symbol } else { 0 };
         let room = if symbol > 0 { with_symbols } else { room };
         (room >= longest.min(NARROWEST_LABELS)).then(|| Self {
             label: longest.min(room).min(WIDEST_LABELS),

@@ -3,7 +3,11 @@
 
 use std::{borrow::Cow, collections::BTreeSet};
 
-use dalembert_core::{Drawing, Text, cases::Comparison};
+use dalembert_core::{
+    Drawing, Solution, Text,
+    cases::{Case, Comparison},
+    exams::FAMILY,
+};
 use ratatui::{
     buffer::Buffer,
     layout::{Position, Rect},
@@ -19,6 +23,7 @@ use crate::{
     look::{Appearance, Glyph},
     model::Model,
     pane::Page,
+    panes::wrap::hanging,
     picker::{Heading, Leaf, Listing, Row},
     solver::CheckedCase,
     text::{fit, width, wrapped},
@@ -49,7 +54,7 @@ pub(super) fn draw(model: &Model, row: Row, area: Rect, buffer: &mut Buffer) {
 fn of_heading(model: &Model, heading: Heading, area: Rect, buffer: &mut Buffer) {
     let (look, contents) = (&model.look, model.contents());
     let name = filter_untrusted(&contents.name(heading)).into_owned();
-    let name = fit(&name, usize::from(area.width).saturating_sub(6), look);
+    let name = fit(&name, room_of_title(area), look);
     boxed(&Line::styled(format!(" {name} "), look.border(false)), false, look, area, buffer);
     let inner = layout::inside(area);
     let room = usize::from(inner.width);
@@ -76,13 +81,7 @@ fn of_heading(model: &Model, heading: Heading, area: Rect, buffer: &mut Buffer) 
             Heading::Set(_) => format!("{done}/{count}"),
             _ => count.to_string(),
         };
-        let name =
-            fit(&filter_untrusted(&contents.name(inner)), room.saturating_sub(width(&count) + 4), look);
-        lines.push(Line::from(vec![
-            Span::styled(format!("{} ", look.glyph(Glyph::Bullet)), look.dim()),
-            Span::raw(name),
-            Span::styled(format!("  {count}"), look.dim()),
-        ]));
+        lines.extend(entry(&filter_untrusted(&contents.name(inner)), &count, look, room));
     }
     for leaf in contents.leaves(heading) {
         let Some(listing) = model.listings.get(leaf.listing) else { continue };
@@ -94,27 +93,41 @@ fn of_heading(model: &Model, heading: Heading, area: Rect, buffer: &mut Buffer) 
             }
             _ => (listing.title(&model.locale), String::new()),
         };
-        // The state is what one looks for: a long title gives way to it.
-        let state = if more.is_empty() { 0 } else { width(&more) + 2 };
-        let name = fit(&name, room.saturating_sub(2 + state), look);
-        let mut line = Line::from(vec![
-            Span::styled(format!("{} ", look.glyph(Glyph::Bullet)), look.dim()),
-            Span::raw(name),
-        ]);
-        if !more.is_empty() {
-            line.push_span(Span::styled(format!("  {more}"), look.dim()));
-        }
-        lines.push(line);
+        lines.extend(entry(&name, &more, look, room));
     }
     draw_lines(&lines, 0, inner, buffer);
     scroll_mark(0, inner.height.into(), lines.len(), look, area, buffer);
 }
 
+/// An entry of a heading, in as many lines as it needs, with a number or a state behind it.
+fn entry(name: &str, more: &str, look: &Appearance, room: usize) -> Vec<Line<'static>> {
+    let head = vec![Span::styled(format!("{} ", look.glyph(Glyph::Bullet)), look.dim())];
+    let mut lines: Vec<Line<'static>> = hanging(head, name, Style::new(), room).collect();
+    behind(&mut lines, more, look, room);
+    lines
+}
+
+/// Adds faint words behind lines that are indented by two, or below where there is no room behind.
+fn behind(lines: &mut Vec<Line<'static>>, words: &str, look: &Appearance, room: usize) {
+    if words.is_empty() {
+        return;
+    }
+    let has_room = fits_behind(lines, words, room);
+    match lines.last_mut().filter(|_| has_room) {
+        Some(line) => line.push_span(Span::styled(format!("  {words}"), look.dim())),
+        None => lines.extend(hanging(vec![Span::raw("    ")], words, look.dim(), room)),
+    }
+}
+
+/// Returns true if the last of these lines has room for more words behind.
+fn fits_behind(lines: &[Line<'static>], words: &str, room: usize) -> bool {
+    lines.last().is_some_and(|line| line.width() + 2 + width(words) <= room)
+}
+
 fn of_leaf(model: &Model, leaf: Leaf, listing: &Listing, area: Rect, buffer: &mut Buffer) {
     let look = &model.look;
     let focused = model.picker.case.is_some();
-    let room = usize::from(area.width).saturating_sub(6);
-    let name = fit(&listing.title(&model.locale), room, look);
+    let name = fit(&title(model, leaf, listing), room_of_title(area), look);
     boxed(&Line::styled(format!(" {name} "), look.border(focused)), focused, look, area, buffer);
     let sheet = sheet(model, leaf, listing, layout::inside(area));
     draw_lines(&sheet.page.lines, sheet.first, sheet.text, buffer);
@@ -124,6 +137,11 @@ fn of_leaf(model: &Model, leaf: Leaf, listing: &Listing, area: Rect, buffer: &mu
         drawing::render(&drawing, look, &model.locale.at(listing.entry.about.id), sheet.picture, buffer);
     }
     scroll_mark(sheet.first, sheet.text.height.into(), sheet.page.lines.len(), look, area, buffer);
+}
+
+/// Cells of the title in a frame.
+fn room_of_title(area: Rect) -> usize {
+    usize::from(area.width).saturating_sub(6)
 }
 
 /// The published case that stands at a place, by its number.
@@ -145,6 +163,39 @@ struct Preview<'m> {
     picture: Rect,
 }
 
+/// The case of an exercise or an exam question, with its statement, unless one of the cases of its analysis is chosen.
+fn exercise<'l>(model: &Model, leaf: Leaf, listing: &'l Listing) -> Option<&'l Case> {
+    let is_exam = listing.entry.family() == FAMILY;
+    let case = if is_exam { Some(0) } else { leaf.case.filter(|_| leaf.is_exercise()) };
+    let case = case.filter(|_| model.picker.case.is_none())?;
+    listing.cases().get(case).filter(|case| !case.statement.is_empty())
+}
+
+/// Title of the preview: of an exercise that of its case, else that of the analysis.
+fn title(model: &Model, leaf: Leaf, listing: &Listing) -> String {
+    exercise(model, leaf, listing)
+        .map_or_else(|| listing.title(&model.locale), |case| case.title().render(&model.locale))
+}
+
+/// The statement of an exercise, what it asks for, its source and its progress.
+fn statement(model: &Model, leaf: Leaf, listing: &Listing, case: &Case, room: usize, page: &mut Page) {
+    let lines = &mut page.lines;
+    let look = &model.look;
+    let locale = &model.locale.at(listing.entry.about.id);
+    let text = filter_untrusted(&case.statement.render(locale)).into_owned();
+    lines.extend(wrapped(&text, room).into_iter().map(Line::from));
+    lines.push(Line::default());
+    lines.extend(
+        wrapped(&case.source.render(locale), room).into_iter().map(|text| Line::styled(text, look.dim())),
+    );
+    let analysis = format!("{} ({})", listing.title(&model.locale), listing.entry.about.id);
+    lines.extend(wrapped(&analysis, room).into_iter().map(|text| Line::styled(text, look.dim())));
+    if leaf.is_exercise() {
+        let progress = word(model.contents().progress(leaf).name(), model);
+        lines.push(Line::styled(fit(&progress, room, look), look.title()));
+    }
+}
+
 fn sheet<'m>(model: &'m Model, leaf: Leaf, listing: &Listing, inner: Rect) -> Preview<'m> {
     let about = listing.entry.about;
     let room = usize::from(inner.width);
@@ -154,27 +205,23 @@ fn sheet<'m>(model: &'m Model, leaf: Leaf, listing: &Listing, inner: Rect) -> Pr
         .as_ref()
         .filter(|preview| preview.id == about.id)
         .and_then(|preview| preview.solution.as_ref());
-    let mut page = Page::default();
-    let lines = &mut page.lines;
-    let locale = &model.locale.at(about.id);
-    let summary = Text::from(about.summary).render(locale);
-    lines.extend(wrapped(&summary, room).into_iter().map(Line::from));
-    lines.push(Line::styled(fit(about.id, room, &model.look), model.look.dim()));
-    let fields = listing.entry.fields().iter().map(|field| field.label);
-    let fields: Vec<String> = fields.map(|label| lower(&Text::from(label).render(locale))).collect();
-    listed(model, "Inputs", &fields, room, lines);
-    let answers = solution.iter().flat_map(|solution| &solution.answers);
-    // One of several is named once.
-    let mut answers: Vec<String> =
-        answers.map(|answer| lower(&Text::from(answer.label).render(locale))).collect();
-    let mut named = BTreeSet::new();
-    answers.retain(|answer| named.insert(answer.clone()));
-    listed(model, "Results", &answers, room, lines);
-    lines.push(Line::default());
+    let of_exercise = exercise(model, leaf, listing);
+    // A title that its frame has no room for stands in the text.
+    let title = Some(title(model, leaf, listing)).filter(|title| width(title) + 2 > room);
+    let title = title.iter().flat_map(|title| wrapped(title, room));
+    let mut page = Page::of(title.map(|line| Line::styled(line, model.look.title())).collect());
+    match of_exercise {
+        Some(case) => statement(model, leaf, listing, case, room, &mut page),
+        None => described(model, leaf, listing, solution, room, &mut page),
+    }
     let chosen = model.picker.case.or(leaf.case);
-    cases(model, listing, chosen, room, &mut page);
     let drawing =
         solution.and_then(|solution| solution.exhibits.iter().find_map(|exhibit| exhibit.sketch(0)));
+    // What an exercise asks for is not shown before it is solved.
+    let drawing = match of_exercise {
+        Some(_) => drawing.map(|drawing| Cow::Owned(drawing.unsolved())),
+        None => drawing,
+    };
     let wanted = u16::try_from(page.lines.len()).unwrap_or(u16::MAX).min(inner.height);
     let left = inner.height.saturating_sub(wanted + 1);
     let height = match drawing {
@@ -187,6 +234,36 @@ fn sheet<'m>(model: &'m Model, leaf: Leaf, listing: &Listing, inner: Rect) -> Pr
     let shown = chosen.and_then(|case| page.starts.get(case));
     let first = shown.map_or(0, |line| (line + 1).saturating_sub(text.height.into()));
     Preview { page, first, text, drawing: drawing.filter(|_| height > 0), picture }
+}
+
+/// Description of an analysis: its purpose, inputs and answers, and its cases.
+fn described(
+    model: &Model,
+    leaf: Leaf,
+    listing: &Listing,
+    solution: Option<&Solution>,
+    room: usize,
+    page: &mut Page,
+) {
+    let about = listing.entry.about;
+    let lines = &mut page.lines;
+    let locale = &model.locale.at(about.id);
+    let summary = Text::from(about.summary).render(locale);
+    lines.extend(wrapped(&summary, room).into_iter().map(Line::from));
+    lines.extend(wrapped(about.id, room).into_iter().map(|line| Line::styled(line, model.look.dim())));
+    let fields = listing.entry.fields().iter().map(|field| field.label);
+    let fields: Vec<String> = fields.map(|label| lower(&Text::from(label).render(locale))).collect();
+    listed(model, "Inputs", &fields, room, lines);
+    let answers = solution.iter().flat_map(|solution| &solution.answers);
+    // One of several is named once.
+    let mut answers: Vec<String> =
+        answers.map(|answer| lower(&Text::from(answer.label).render(locale))).collect();
+    let mut named = BTreeSet::new();
+    answers.retain(|answer| named.insert(answer.clone()));
+    listed(model, "Results", &answers, room, lines);
+    lines.push(Line::default());
+    let chosen = model.picker.case.or(leaf.case);
+    cases(model, listing, chosen, room, page);
 }
 
 /// The published cases with their verdicts.
@@ -221,18 +298,16 @@ fn cases(model: &Model, listing: &Listing, chosen: Option<usize>, room: usize, p
             (false, _) => Style::new(),
         };
         let locale = &model.locale.at(listing.entry.about.id);
-        let name = fit(&case.title().render(locale), room.saturating_sub(4), look);
-        let left = room.saturating_sub(width(&name) + 6);
+        let head =
+            vec![Span::styled(format!("{pointer} "), look.key()), Span::styled(format!("{mark} "), style)];
+        let mut lines: Vec<Line<'static>> =
+            hanging(head, &case.title().render(locale), name_style, room).collect();
+        // The source of a case that is not chosen stands behind its title or nowhere.
         let source = case.source.render(locale);
-        let mut line = Line::from(vec![
-            Span::styled(format!("{pointer} "), look.key()),
-            Span::styled(format!("{mark} "), style),
-            Span::styled(name, name_style),
-        ]);
-        if left >= width(&source).min(12) {
-            line.push_span(Span::styled(format!("  {}", fit(&source, left, look)), look.dim()));
+        if is_chosen || fits_behind(&lines, &source, room) {
+            behind(&mut lines, &source, look, room);
         }
-        page.lines.push(line);
+        page.lines.append(&mut lines);
     }
 }
 
@@ -283,21 +358,35 @@ fn marked(model: &Model, outcome: Comparison) -> (&'static str, Style) {
     }
 }
 
-/// `In: mass, stiffness, …` in few lines.
+/// `Inputs: mass, stiffness and 3 more` in few lines.
 fn listed(model: &Model, heading: &'static str, all: &[String], room: usize, lines: &mut Vec<Line<'static>>) {
     if all.is_empty() {
         return;
     }
     let look = &model.look;
     let heading = word(heading, model);
-    let mut wrapped = wrapped(&format!("{heading}: {}", all.join(", ")), room);
-    if wrapped.len() > MOST_LISTED {
-        wrapped.truncate(MOST_LISTED);
-        if let Some(last) = wrapped.last_mut() {
-            *last = fit(&format!("{last} {}", look.glyph(Glyph::Ellipsis)), room, look);
-        }
-    }
-    for (n, text) in wrapped.into_iter().enumerate() {
+    let some = |shown: usize| {
+        let names = all[..shown].join(", ");
+        let names = match all.len() - shown {
+            0 => names,
+            more => Text::new("{names} and {count} more")
+                .with("names", names)
+                .with("count", more)
+                .render(&model.locale),
+        };
+        wrapped(&format!("{heading}: {names}"), room)
+    };
+    // More than these have no room, even if every line were filled to its end.
+    let room_of_all = MOST_LISTED * (room + 1);
+    let mut used = 0;
+    let most = all.iter().take_while(|name| {
+        used += width(name);
+        let has_room = used <= room_of_all;
+        used += 2;
+        has_room
+    });
+    let few = (1..=most.count()).rev().map(some).find(|lines| lines.len() <= MOST_LISTED);
+    for (n, text) in few.unwrap_or_else(|| some(1)).into_iter().enumerate() {
         lines.push(match text.strip_prefix(&heading).filter(|_| n == 0) {
             Some(rest) => Line::from(vec![
                 Span::styled(heading.clone(), look.title()),

@@ -108,7 +108,7 @@ impl GyroscopicCouple {
         })
     }
 
-    /// The plan of the carrier under the rotor, with an arrow forward.
+    /// The plan of the carrier under the rotor, with the keel of a ship and the wheels of a vehicle, and an arrow forward.
     fn outline(&self, scene: &mut Scene) {
         let plan: &[(f64, f64)] = match self.carrier {
             RotorCarrier::Ship => {
@@ -119,6 +119,22 @@ impl GyroscopicCouple {
             RotorCarrier::Frame => &[(1.4, 1.0), (-1.4, 1.0), (-1.4, -1.0), (1.4, -1.0), (1.4, 1.0)],
         };
         scene.line(plan.iter().map(|&(x, y)| Vector3::new(x, y, -0.8)), Ink::Faint);
+        match self.carrier {
+            RotorCarrier::Ship => {
+                let keel = [(2.6, -0.8), (2.0, -1.8), (-1.8, -1.8), (-2.0, -0.8)];
+                scene.line(keel.map(|(x, z)| Vector3::new(x, 0.0, z)), Ink::Faint);
+                for x in [1.2, -0.4, -2.0] {
+                    let frame = [(0.8, -0.8), (0.55, -1.5), (0.0, -1.8), (-0.55, -1.5), (-0.8, -0.8)];
+                    scene.line(frame.map(|(y, z)| Vector3::new(x, y, z)), Ink::Faint);
+                }
+            }
+            RotorCarrier::Vehicle => {
+                for (x, y) in [(1.3, 0.8), (1.3, -0.8), (-1.3, 0.8), (-1.3, -0.8)] {
+                    scene.circle(Vector3::new(x, y, -1.0), Vector3::y(), 0.35, Ink::Faint);
+                }
+            }
+            RotorCarrier::Aircraft | RotorCarrier::Frame => {}
+        }
         let front = plan.iter().map(|(x, _)| *x).fold(0.0, f64::max);
         let forward = Vector3::new(front, 0.0, -0.8);
         match &self.motion {

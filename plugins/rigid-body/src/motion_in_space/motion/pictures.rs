@@ -108,7 +108,13 @@ impl Motion {
             let sample = &samples[((samples.len() - 1) as f64 * part).round() as usize];
             let rotation = sample.turning.attitude.to_rotation_matrix().into_inner();
             let mut scene = Scene::new();
-            scene.axes(Vector3::zeros(), &Matrix3::identity(), 1.3 * size, ["X", "Y", "Z"]);
+            // The fixed axes stand beside the body, whose own ones start from its centre.
+            scene.axes(
+                Vector3::new(1.2, -1.2, -0.8) * reach,
+                &Matrix3::identity(),
+                0.6 * size,
+                ["X", "Y", "Z"],
+            );
             scene.line(trace.iter().copied(), Ink::Faint);
             let centre = rotation * body.arm;
             scene.cuboid(centre, &rotation, edges, Ink::Body);
