@@ -28,13 +28,14 @@ pub const DEGREES: u8 = 15;
 /// Inks of a raster at most: with their degrees they fit in a byte.
 const MOST_INKS: usize = 16;
 
-/// Way in which a terminal takes pictures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Way in which a terminal takes pictures; of several that a terminal knows, the first is taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Protocol {
+    /// Inline images of iTerm2: pictures in place of cells. WezTerm has Kitty's protocol too, but takes a picture away
+    /// where text is written over it.
+    Iterm2,
     /// Kitty's graphics protocol: pictures below the text, kept by the terminal.
     Kitty,
-    /// Inline images of iTerm2: pictures in place of cells.
-    Iterm2,
     /// Sixel of the DEC terminals: pictures in place of cells.
     Sixel,
 }

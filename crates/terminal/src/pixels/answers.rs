@@ -14,12 +14,8 @@ pub const QUERY: &str = "\x1b_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\x1b\\\x1b[>q\x1b[1
 /// The answers.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Answers {
-    /// Kitty's protocol is understood.
-    pub kitty: bool,
-    /// The terminal is iTerm2.
-    pub iterm2: bool,
-    /// Sixel is among the device attributes.
-    pub sixel: bool,
+    /// The first of the protocols that the terminal knows.
+    pub protocol: Option<Protocol>,
     /// Pixels across a cell and down a cell.
     pub cell: Option<(u16, u16)>,
     /// Colours.
@@ -58,22 +54,15 @@ impl Answers {
     /// What a terminal with these answers shows pictures with. `cell` is the size that the system reports, which is newer
     /// than the answer.
     pub fn graphics(self, cell: Option<(u16, u16)>) -> Option<Graphics> {
-        let protocol = match (self.kitty, self.iterm2, self.sixel) {
-            (true, ..) => Protocol::Kitty,
-            (_, true, _) => Protocol::Iterm2,
-            (.., true) => Protocol::Sixel,
-            _ => return None,
-        };
-        let cell = cell.or(self.cell)?;
-        Some(Graphics { protocol, cell, colors: self.colors })
+        Some(Graphics { protocol: self.protocol?, cell: cell.or(self.cell)?, colors: self.colors })
     }
 
     fn control(&mut self, parameters: &[u8], last: u8) {
         let parameters = String::from_utf8_lossy(parameters);
         match last {
             b'c' if parameters.starts_with('?') => {
-                self.sixel = parameters.split(';').skip(1).any(|attribute| attribute == "4");
                 self.complete = true;
+                self.knows(Protocol::Sixel, parameters.split(';').skip(1).any(|attribute| attribute == "4"));
             }
             b't' => {
                 let numbers: Vec<u16> = parameters.split(';').filter_map(|text| text.parse().ok()).collect();
@@ -87,10 +76,18 @@ impl Answers {
         }
     }
 
+    /// Notes that the terminal knows a protocol, if it does.
+    fn knows(&mut self, protocol: Protocol, known: bool) {
+        self.protocol = self.protocol.into_iter().chain(known.then_some(protocol)).min();
+    }
+
     fn string(&mut self, kind: u8, text: &str) {
         match kind {
-            b'_' => self.kitty |= text.starts_with("Gi=31") && text.ends_with(";OK"),
-            b'P' => self.iterm2 |= text.starts_with(">|iTerm2"),
+            b'_' => self.knows(Protocol::Kitty, text.starts_with("Gi=31") && text.ends_with(";OK")),
+            b'P' => {
+                let is_known = [">|iTerm2", ">|WezTerm"].iter().any(|name| text.starts_with(name));
+                self.knows(Protocol::Iterm2, is_known);
+            }
             _ => {
                 let mut parts = text.split(';');
                 let (first, second) = (parts.next(), parts.next().unwrap_or_default());
@@ -133,13 +130,20 @@ mod tests {
         let kitty = Answers::of(
             b"\x1b_Gi=31;OK\x1b\\\x1bP>|kitty(0.36.4)\x1b\\\x1b[6;20;10t\x1b]11;rgb:1e1e/20/f\x07\x1b]4;1;rgb:cccc/0/0\x1b\\\x1b[?62;c",
         );
-        assert_eq!((kitty.kitty, kitty.complete, kitty.cell), (true, true, Some((10, 20))));
+        assert_eq!(
+            (kitty.protocol, kitty.complete, kitty.cell),
+            (Some(Protocol::Kitty), true, Some((10, 20)))
+        );
         assert_eq!(kitty.colors.background, Some([0x1e, 0x20, 0xff]));
         assert_eq!(kitty.colors.sixteen[1], Some([0xcc, 0, 0]));
         let protocol = |bytes: &[u8]| Answers::of(bytes).graphics(Some((8, 16))).map(|found| found.protocol);
         assert_eq!(protocol(b"\x1b_Gi=31;OK\x1b\\\x1b[?62;4c"), Some(Protocol::Kitty));
-        // xterm as a VT340, foot, and iTerm2, which knows Sixel too.
+        // xterm as a VT340, and two that know others too: WezTerm and iTerm2.
         assert_eq!(protocol(b"\x1bP>|XTerm(388)\x1b\\\x1b[?63;1;2;4;6;9;15;22c"), Some(Protocol::Sixel));
+        assert_eq!(
+            protocol(b"\x1b_Gi=31;OK\x1b\\\x1bP>|WezTerm 20240203-110809-5046fc22\x1b\\\x1b[?65;4;6;18;22c"),
+            Some(Protocol::Iterm2)
+        );
         assert_eq!(
             protocol(b"\x1bP>|iTerm2 3.5.0\x1b\\\x1b[?64;1;2;4;6;17;18;21;22c"),
             Some(Protocol::Iterm2)
@@ -153,7 +157,7 @@ mod tests {
     #[test]
     fn keys_and_broken_answers_are_passed_over() {
         let typed = Answers::of(b"q\x1b[A\x1bx\x1b_Gi=31;OK\x1b\\\x1b\x1b[?62;4;22c");
-        assert_eq!((typed.kitty, typed.sixel, typed.complete), (true, true, true));
+        assert_eq!((typed.protocol, typed.complete), (Some(Protocol::Kitty), true));
         let whole = b"\x1b_Gi=31;OK\x1b\\\x1b]11;rgb:0/0/0\x07\x1b[6;20;10t\x1b[?62;4c";
         for cut in 0..whole.len() - 1 {
             assert!(!Answers::of(&whole[..cut]).complete, "{cut}");

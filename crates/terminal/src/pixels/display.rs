@@ -94,7 +94,7 @@ impl Display {
                 _ => {
                     at(out)?;
                     let ground = self.ground(frame, area);
-                    let data = STANDARD.encode(png(&raster, |pixel| self.color(&raster, pixel, ground)));
+                    let data = STANDARD.encode(png(&raster, |pixel| self.color(&raster, pixel, ground))?);
                     let mut first = format!("a=T,q=2,f=100,i={id},{place},");
                     let mut parts = data.as_bytes().chunks(PART).peekable();
                     while let Some(part) = parts.next() {
@@ -144,8 +144,7 @@ impl Display {
         for (picture, cells) in &now {
             let before = self.shown.iter().find(|(shown, _)| shown.area == picture.area);
             let Some(part) = self.changed(picture, cells, before) else { continue };
-            write!(out, "\x1b[{};{}H", part.y + 1, part.x + 1)?;
-            self.send(picture, part, frame, out)?;
+            self.send(picture, part, frame, backend, out)?;
             let is_text = |at: &Position| frame[*at].symbol() != " ";
             backend.draw(part.positions().filter(is_text).map(|at| (at.x, at.y, &frame[at])))?;
         }
@@ -185,8 +184,15 @@ impl Display {
         changed.map(|(at, _)| Rect::new(at.x, at.y, 1, 1)).reduce(Rect::union)
     }
 
-    /// Sends some cells of a picture to where the cursor is.
-    fn send(&self, picture: &Picture, part: Rect, frame: &Buffer, out: &mut impl Write) -> io::Result<()> {
+    /// Sends some cells of a picture.
+    fn send<B: Backend<Error = io::Error>>(
+        &self,
+        picture: &Picture,
+        part: Rect,
+        frame: &Buffer,
+        backend: &mut B,
+        out: &mut impl Write,
+    ) -> io::Result<()> {
         let (across, down) = (usize::from(self.graphics.cell.0), usize::from(self.graphics.cell.1));
         let (x, y) = (usize::from(part.x - picture.area.x), usize::from(part.y - picture.area.y));
         let (width, height) = (usize::from(part.width), usize::from(part.height));
@@ -199,19 +205,23 @@ impl Display {
             let ground = ground.unwrap_or([0; 3]);
             std::array::from_fn(|n| (share * f64::from(rgb[n]) + (1.0 - share) * f64::from(ground[n])) as u8)
         };
+        let at = |out: &mut dyn Write| write!(out, "\x1b[{};{}H", part.y + 1, part.x + 1);
         match self.graphics.protocol {
             Protocol::Sixel => {
-                for row in 0..part.height {
-                    write!(out, "\x1b[{};{}H\x1b[{}X", part.y + row + 1, part.x + 1, part.width)?;
-                }
-                write!(out, "\x1b[{};{}H", part.y + 1, part.x + 1)?;
+                // What is not drawn is the ground of these cells, without the picture that was there.
+                let blank = |at: Position| Cell::default().set_bg(frame[at].bg).clone();
+                let blanks: Vec<(u16, u16, Cell)> =
+                    part.positions().map(|at| (at.x, at.y, blank(at))).collect();
+                backend.draw(blanks.iter().map(|(x, y, cell)| (*x, *y, cell)))?;
+                at(out)?;
                 out.write_all(&sixel(&raster, opaque))
             }
             _ => {
                 let image = png(&raster, |pixel| match ground {
                     Some(_) => (opaque(pixel), 255),
                     None => self.color(&raster, pixel, ground),
-                });
+                })?;
+                at(out)?;
                 write!(
                     out,
                     "\x1b]1337;File=inline=1;size={};width={};height={};preserveAspectRatio=0;doNotMoveCursor=1:{}\x07",

@@ -1,4 +1,4 @@
-//! A raster as Sixel.
+//! A raster as Sixel. Its colours are a palette already: what `icy_sixel` brings, with some twenty crates, is to find one.
 //!
 //! Source: DEC, *VT330/VT340 Programmer Reference Manual*, volume 2, chapter 14 "Graphics Programming", sixel graphics.
 
