@@ -101,15 +101,15 @@ impl Brush {
 
     /// Erases cells, for words.
     pub(crate) fn clear(&mut self, cells: Rect) {
-        let (columns, rows) = self.pixels_of(cells.intersection(self.area));
+        let (columns, rows) = self.letters_of(cells.intersection(self.area));
         for y in rows {
             self.raster.erase(y, columns.start, columns.end);
         }
     }
 
-    /// True for a cell without a stroke.
+    /// True for a cell without a stroke where letters stand.
     pub(crate) fn is_free(&self, x: u16, y: u16) -> bool {
-        let (columns, rows) = self.pixels_of(Rect::new(x, y, 1, 1).intersection(self.area));
+        let (columns, rows) = self.letters_of(Rect::new(x, y, 1, 1).intersection(self.area));
         self.raster.is_free(rows, columns)
     }
 
@@ -119,15 +119,16 @@ impl Brush {
         Picture { area: self.area, raster: self.raster }
     }
 
-    fn pixels_of(&self, cells: Rect) -> (std::ops::Range<usize>, std::ops::Range<usize>) {
+    /// The pixels of cells, without those above and below letters.
+    fn letters_of(&self, cells: Rect) -> (std::ops::Range<usize>, std::ops::Range<usize>) {
         let range = |from: u16, cells: u16, origin: u16, pixels: u16| {
             let from = usize::from(from.saturating_sub(origin)) * usize::from(pixels);
             from..from + usize::from(cells) * usize::from(pixels)
         };
-        (
-            range(cells.x, cells.width, self.area.x, self.cell.0),
-            range(cells.y, cells.height, self.area.y, self.cell.1),
-        )
+        let rows = range(cells.y, cells.height, self.area.y, self.cell.1);
+        let margin = usize::from(self.cell.1 / 8);
+        let rows = rows.start + margin..rows.end.saturating_sub(margin);
+        (range(cells.x, cells.width, self.area.x, self.cell.0), rows)
     }
 
     /// Covers the pixels round a point by how deep inside a shape they are.
