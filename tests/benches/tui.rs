@@ -218,7 +218,7 @@ fn pixels() {
     for (id, keys, what) in [
         (FAN, "<down>", "key to results with a picture"),
         ("virtual-work/four-bar", "<down>", "key to results with a picture"),
-        (FAN, ":plot<enter><right>", "cursor of a plot in pixels"),
+        (FAN, "<a-3><right><right><right>", "cursor of a plot in pixels"),
     ] {
         let mut pty = like_kitty(id, 200);
         if !has_picture(&pty) {
@@ -227,7 +227,7 @@ fn pixels() {
         }
         pty.types(keys);
         quiet(&pty, Duration::from_millis(300));
-        let moves = keys.contains("plot");
+        let moves = keys.contains("right");
         let (times, bytes): (Vec<_>, Vec<_>) = (0..ROUNDS)
             .map(|n| {
                 let (count, start) = (pty.count(), Instant::now());
@@ -246,7 +246,7 @@ fn pixels() {
         row("  bytes of it", &most(&bytes), "≤ 60 kB");
     }
     let mut pty = like_kitty("vibration/modal-analysis", 160);
-    pty.types(":drawing<enter>");
+    pty.types("]]]np");
     thread::sleep(Duration::from_secs(1));
     let before = pty.count();
     thread::sleep(Duration::from_secs(3));

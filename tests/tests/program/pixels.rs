@@ -16,21 +16,23 @@ const WEZTERM: &[u8] = b"\x1b_Gi=31;OK\x1b\\\x1bP>|WezTerm 20240203-110809-5046f
 /// The first of the curves at these terminals.
 const CYAN: [u8; 3] = [0x0d, 0xcd, 0xcd];
 const FAN: &str = "vibration/rotating-unbalance";
+/// Silence after which nothing more comes, of a program that is not optimised.
+const REST: Duration = Duration::from_secs(1);
 /// Deletes every picture of Kitty's.
 const FORGET: &str = "\x1b_Ga=d,q=2,d=A\x1b\\";
 /// Leaves the alternate screen.
 const LEAVE: &str = "\x1b[?1049l";
 
-/// The program with an analysis in front, 40 rows of 140 columns.
+/// The program with an analysis in front, 50 rows of 200 columns.
 fn launch(analysis: &str) -> Launch {
-    Launch::new(pty::program()).argument(analysis).size(40, 140)
+    Launch::new(pty::program()).argument(analysis).size(50, 200)
 }
 
 /// The same at a terminal that answers at once, drawn and at rest.
 fn at(answer: &[u8], analysis: &str) -> Pty {
     let pty = launch(analysis).answering(Duration::ZERO, answer).start();
     pty.expect("dalembert");
-    pty.idle(Duration::from_millis(400));
+    pty.idle(REST);
     pty
 }
 
@@ -68,8 +70,8 @@ fn every_protocol_draws_the_resonance_where_it_is() {
     for (answer, protocol) in [(KITTY, Protocol::Kitty), (FOOT, Protocol::Sixel), (WEZTERM, Protocol::Iterm2)]
     {
         let mut pty = at(answer, FAN);
-        pty.types(":plot<enter>");
-        pty.idle(Duration::from_millis(400));
+        pty.types("<a-3>");
+        pty.idle(REST);
         let sent = pictures(&pty.raw());
         assert!(!sent.is_empty() && sent.iter().all(|sent| sent.protocol == protocol), "{protocol:?}");
         assert!(!has_braille(&pty.screen()) && is_clean(&pty.screen()), "{protocol:?}:\n{}", pty.screen());
@@ -87,8 +89,8 @@ fn every_protocol_draws_the_resonance_where_it_is() {
             top(*a).cmp(&top(*b))
         });
         assert!(highest.is_some_and(|x| x.abs_diff(peak) <= 3), "{protocol:?}: {highest:?} for {peak}");
-        // The axis of values begins at zero, in the last row.
-        let rise = |ratio: f64| (down as f64 - 1.0) - at(of_ratio(ratio));
+        // Without a speed there is no amplitude.
+        let rise = |ratio: f64| at(0) - at(of_ratio(ratio));
         let wanted = 2.5 * 4.0 / (9.0 + (4.0 * zeta).powi(2)).sqrt() / 20.3;
         let found = rise(2.0) / rise(peak as f64 * 2.5 / (width as f64 - 1.0));
         assert!((found / wanted - 1.0).abs() < 0.03, "{protocol:?}: {found} for {wanted}");
@@ -96,7 +98,7 @@ fn every_protocol_draws_the_resonance_where_it_is() {
         assert!(pty.count() < 60_000, "{protocol:?}: {} bytes", pty.count());
         // Whatever is on the screen stays as it is.
         let before = pty.count();
-        std::thread::sleep(Duration::from_millis(500));
+        std::thread::sleep(REST);
         assert_eq!(pty.count(), before, "{protocol:?}");
     }
 }
@@ -116,7 +118,7 @@ fn strokes_have_soft_edges_in_the_colours_of_the_theme() {
     let pty = launch(FAN).env("XDG_CONFIG_HOME", folder.path().to_str().expect("a readable path"));
     let pty = pty.env("COLORTERM", "truecolor").answering(Duration::ZERO, KITTY).start();
     pty.expect("dalembert");
-    pty.idle(Duration::from_millis(400));
+    pty.idle(REST);
     let sent = pictures(&pty.raw());
     assert!(
         !sent.is_empty() && sent.iter().all(|sent| (0..sent.size.0).all(|x| height(sent, x, CYAN).is_none()))
@@ -148,14 +150,14 @@ fn every_problem_has_a_picture_of_its_own_and_words_stay_text() {
 #[test]
 fn a_picture_is_sent_when_it_changes_and_hidden_without_that() {
     let mut pty = at(KITTY, FAN);
-    pty.types(":plot<enter>");
-    pty.idle(Duration::from_millis(300));
-    // The plot has its cursor, and its readout.
-    pty.types("<right>");
-    pty.idle(Duration::from_millis(300));
+    pty.types("<a-3>");
+    pty.idle(REST);
+    // The plot has its cursor, away from the mark, and its readout.
+    pty.types("<right><right><right><right>");
+    pty.idle(REST);
     let before = pty.count();
     pty.types("<right>");
-    pty.idle(Duration::from_millis(300));
+    pty.idle(REST);
     let sent = pictures(&pty.since(before));
     let is_strip = |sent: &SentPicture| sent.cells.is_some_and(|(columns, _)| columns <= 3);
     assert!(!sent.is_empty() && sent.iter().all(is_strip), "a cursor that moves is a strip");
@@ -163,20 +165,21 @@ fn a_picture_is_sent_when_it_changes_and_hidden_without_that() {
     let before = pty.count();
     pty.types("?");
     pty.expect("Keyboard shortcuts");
-    pty.idle(Duration::from_millis(300));
+    pty.idle(REST);
     let commands = kitty_commands(&pty.since(before));
     assert!(commands.iter().any(|(data, _)| data.contains("a=d")), "{commands:?}");
     assert!(commands.iter().all(|(data, _)| !data.contains("a=T")), "{commands:?}");
     let before = pty.count();
     pty.types("<esc>");
-    pty.idle(Duration::from_millis(300));
+    pty.expect("Mass of the machine");
+    pty.idle(REST);
     let commands = kitty_commands(&pty.since(before));
     assert!(commands.iter().any(|(data, _)| data.contains("a=p")), "{commands:?}");
     assert!(pictures(&pty.since(before)).is_empty(), "what the terminal keeps was sent again");
     // Another size: everything is deleted, and sent for its new room.
     let before = pty.count();
     pty.resize(30, 110);
-    pty.idle(Duration::from_millis(400));
+    pty.idle(REST);
     let since = String::from_utf8_lossy(&pty.since(before)).into_owned();
     assert!(since.find(FORGET) < since.find("a=T") && since.contains(FORGET), "{since:?}");
     for SentPicture { at, cells, .. } in pictures(&pty.since(before)) {
@@ -199,7 +202,7 @@ fn no_picture_outlives_the_program() {
         let pty = launch(FAN).env("DALEMBERT_FAULTS", "1").answering(Duration::ZERO, KITTY).start();
         let mut pty = pty;
         pty.expect("dalembert");
-        pty.idle(Duration::from_millis(400));
+        pty.idle(REST);
         assert!(!pictures(&pty.raw()).is_empty(), "{name}");
         let before = pty.count();
         end(&mut pty);
@@ -213,25 +216,25 @@ fn no_picture_outlives_the_program() {
 
 #[test]
 fn no_picture_is_left_to_the_shell_while_the_program_is_suspended() {
-    let launch = Launch::new(pty::program()).size(40, 140).under_shell();
+    let launch = Launch::new(pty::program()).size(50, 200).under_shell();
     let mut pty = launch.answering(Duration::ZERO, KITTY).start();
     pty.expect("dalembert");
     pty.types(":quit<enter>");
     pty.expect("PTY$");
     pty.types(&format!("clear; \"$PROGRAM\" {FAN}<enter>"));
     pty.expect("dalembert");
-    pty.idle(Duration::from_millis(400));
+    pty.idle(REST);
     assert!(!pictures(&pty.raw()).is_empty());
     let before = pty.count();
     pty.types("<c-z>");
     pty.expect("Stopped");
-    pty.idle(Duration::from_millis(200));
+    pty.idle(REST);
     let since = String::from_utf8_lossy(&pty.since(before)).into_owned();
     assert!(since.contains(FORGET) && since.find(FORGET) < since.find(LEAVE), "{since:?}");
     let before = pty.count();
     pty.types("fg<enter>");
     pty.expect("dalembert");
-    pty.idle(Duration::from_millis(400));
+    pty.idle(REST);
     assert!(!pictures(&pty.since(before)).is_empty(), "{}", pty.screen());
 }
 
@@ -243,7 +246,7 @@ fn a_dialog_over_a_picture_in_cells_writes_over_it() {
         let before = pty.count();
         pty.types("?");
         pty.expect("Keyboard shortcuts");
-        pty.idle(Duration::from_millis(300));
+        pty.idle(REST);
         assert!(pictures(&pty.since(before)).is_empty());
         // As many cells as the pictures had are written again.
         let cells: usize =
@@ -251,7 +254,8 @@ fn a_dialog_over_a_picture_in_cells_writes_over_it() {
         assert!(pty.since(before).len() >= cells, "{} bytes over {cells} cells", pty.since(before).len());
         let before = pty.count();
         pty.types("<esc>");
-        pty.idle(Duration::from_millis(300));
+        pty.expect("Mass of the machine");
+        pty.idle(REST);
         assert!(!pictures(&pty.since(before)).is_empty() && !has_braille(&pty.screen()), "{}", pty.screen());
     }
 }
@@ -304,7 +308,7 @@ fn nothing_is_asked_over_ssh_in_ascii_or_where_pixels_are_off() {
     let asks = |launch: Launch| {
         let pty = launch.answering(Duration::ZERO, KITTY).start();
         pty.expect("dalembert");
-        pty.idle(Duration::from_millis(300));
+        pty.idle(REST);
         (pty.raw().windows(4).any(|bytes| bytes == b"a=q,"), pictures(&pty.raw()).len())
     };
     let launch = || launch("vibration/free-vibration");
