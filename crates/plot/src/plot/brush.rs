@@ -46,7 +46,7 @@ impl Brush {
             '◆' | '◇' => (1.25 * radius - across.abs() - down.abs()) / std::f64::consts::SQRT_2,
             '■' | '□' => 0.85 * radius - across.abs().max(down.abs()),
             // Through the upper corner with a slope of 2, and above the base.
-            '▲' | '△' => (0.9 * ((radius + down) / 2.0 - across.abs())).min(0.8 * radius - down),
+            '▲' | '△' => (0.9 * (f64::midpoint(radius, down) - across.abs())).min(0.8 * radius - down),
             _ => radius - across.hypot(down),
         };
         let is_hollow = matches!(sign, '◇' | '□' | '△' | '○');

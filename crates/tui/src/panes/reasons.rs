@@ -163,7 +163,9 @@ pub(super) fn dim_stale(
     if problem.is_stale() {
         buffer.set_style(room, ui.look.dim());
         let dim = ui.look.stroke(ui.look.dim().into());
-        pictures.iter_mut().for_each(|picture| picture.raster.change_inks(|_| dim));
+        for picture in &mut pictures {
+            picture.raster.change_inks(|_| dim);
+        }
     }
     pictures
 }
