@@ -170,14 +170,14 @@ pub struct Picture {
     pub raster: Raster,
 }
 
-/// What a terminal shows pictures with.
+/// Means of a terminal to show pictures.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Graphics {
     /// The way in which it takes them.
     pub protocol: Protocol,
     /// Pixels across a cell and down a cell.
     pub cell: (u16, u16),
-    /// Its colours.
+    /// The colours of the terminal.
     pub colors: TerminalColors,
 }
 

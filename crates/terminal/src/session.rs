@@ -242,7 +242,7 @@ impl Session {
         self.shared.waker.clone()
     }
 
-    /// What the terminal shows pictures with, since [`TerminalInput::Graphics`]; nothing, without the feature `pixels`.
+    /// Means of the terminal to show pictures, since [`TerminalInput::Graphics`]; nothing, without the feature `pixels`.
     pub fn graphics(&self) -> Option<&Graphics> {
         #[cfg(feature = "pixels")]
         return self.display.as_ref().map(Display::graphics);

@@ -44,8 +44,6 @@ const PATIENCE: Duration = Duration::from_millis(12);
 const KEEP_AFTER: Duration = Duration::from_secs(1);
 /// While a user goes on typing, so often.
 const KEEP_WHILE_TYPING: Duration = Duration::from_secs(10);
-/// A terminal that shows pictures says so in this time, and in the second one where they are asked for in the settings.
-const ANSWERED: (Duration, Duration) = (Duration::from_millis(20), Duration::from_secs(1));
 /// Interval at which the progress of a job under way is examined.
 const PROGRESS_EVERY: Duration = Duration::from_millis(250);
 /// Nothing is expected: until then the loop sleeps.
@@ -144,16 +142,13 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
         capabilities.colors = Colors::None;
     }
     let mouse = settings.mouse.unwrap_or(!is_remote());
-    let pictures =
-        !basic && capabilities.glyphs == Glyphs::Unicode && settings.pixels.unwrap_or(!is_remote());
-    let patience = if settings.pixels.is_some() { ANSWERED.1 } else { ANSWERED.0 };
     let (autosave, trouble) = if readonly { (Autosave::default(), None) } else { Autosave::open() };
     let autosave = Arc::new(autosave);
     let last_words = autosave.clone();
     let session = Session::enter(terminal::Options {
         mouse,
         plain: basic,
-        pictures: pictures.then_some(patience),
+        pictures: settings.wait_for_pixels(&capabilities, is_remote()),
         capabilities,
         autosave: Some(Box::new(move || {
             // Nobody is left to be reported.
@@ -495,7 +490,7 @@ impl Runtime {
                     continue;
                 }
                 Effect::Redraw => {
-                    // Every cell changes, and changes back with the next frame: whatever was there is written over.
+                    // Every cell changes, and changes back with the next frame; pictures that the terminal keeps are sent anew.
                     match self.session.draw(|frame| {
                         for cell in &mut frame.buffer_mut().content {
                             cell.set_char('.');
@@ -503,7 +498,6 @@ impl Runtime {
                     }) {
                         Ok(()) => {
                             if model.look.pixels.is_some() {
-                                // Pictures that the terminal keeps may be lost too.
                                 self.session.repaint();
                             }
                             continue;

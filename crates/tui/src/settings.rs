@@ -8,6 +8,7 @@ mod write;
 use std::{
     ops::Range,
     path::{Path, PathBuf},
+    time::Duration,
 };
 
 use dalembert_core::{Language, Text, nearest};
@@ -18,6 +19,7 @@ use toml_edit::{Document, Item, TableLike};
 pub use self::write::default_file;
 use crate::{
     files::{self, FileError},
+    glyphs::{Capabilities, Glyphs},
     keys::{Key, KeyChange, KeyContext, KeyMap},
     look::Theme,
     panes::places,
@@ -122,6 +124,18 @@ impl Default for Settings {
             editor: None,
             keys: KeyMap::default(),
         }
+    }
+}
+
+impl Settings {
+    /// The time in which a terminal has to answer that it shows pictures in pixels; `None` where it is not asked.
+    pub(crate) fn wait_for_pixels(&self, capabilities: &Capabilities, is_remote: bool) -> Option<Duration> {
+        let wait = match self.pixels {
+            Some(true) => Duration::from_secs(1),
+            None if !is_remote => Duration::from_millis(20),
+            _ => return None,
+        };
+        (capabilities.glyphs == Glyphs::Unicode).then_some(wait)
     }
 }
 

@@ -70,7 +70,9 @@ fn drawn(
     locale: &Locale,
     (width, height): (u16, u16),
 ) -> String {
-    screen(width, height, |area, buffer| plot::render(plot, None, state, look, locale, area, buffer))
+    screen(width, height, |area, buffer| {
+        plot::render(plot, None, state, look, locale, area, buffer);
+    })
 }
 
 fn screen(width: u16, height: u16, draw: impl FnOnce(Rect, &mut Buffer)) -> String {

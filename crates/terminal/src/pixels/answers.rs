@@ -51,7 +51,7 @@ impl Answers {
         answers
     }
 
-    /// What a terminal with these answers shows pictures with. `cell` is the size that the system reports, which is newer
+    /// Means of a terminal with these answers to show pictures. `cell` is the size that the system reports, which is newer
     /// than the answer.
     pub fn graphics(self, cell: Option<(u16, u16)>) -> Option<Graphics> {
         Some(Graphics { protocol: self.protocol?, cell: cell.or(self.cell)?, colors: self.colors })

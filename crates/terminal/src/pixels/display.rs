@@ -22,10 +22,10 @@ const DEPTH: i32 = -1000;
 /// The longest part of a picture that Kitty's protocol takes in one sequence.
 const PART: usize = 4096;
 
-/// What the terminal shows of pictures.
+/// Pictures that the terminal shows.
 pub(crate) struct Display {
     graphics: Graphics,
-    /// What Kitty keeps under each number, and where it is seen.
+    /// Pictures that Kitty keeps under their numbers, and where each is seen.
     kept: Vec<(Raster, Option<Rect>)>,
     /// Pictures in place of cells, with the text over them.
     shown: Vec<(Picture, Vec<Cell>)>,

@@ -22,7 +22,7 @@ impl Shown {
         Self { display, bytes: FrameBytes::default(), frame: Buffer::empty(Rect::new(0, 0, 40, 12)) }
     }
 
-    /// What is sent for these pictures.
+    /// Bytes that are sent for these pictures.
     fn sent(&mut self, pictures: Vec<Picture>) -> String {
         let mut backend = MinimalBackend::new(self.bytes.clone());
         self.display.show(pictures, &self.frame, &mut backend, &mut self.bytes).unwrap();
