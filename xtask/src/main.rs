@@ -3,7 +3,7 @@
 use std::{env, process::ExitCode};
 
 use xtask::{
-    bench, cluster, contact_sheet, docs, errors, find, first_entry, new_analysis, new_plugin, parquet,
+    bench, cluster, contact_sheet, dist, docs, errors, find, first_entry, new_analysis, new_plugin, parquet,
     pictures, python, root, soak, teaching, tidy, verify, words,
 };
 
@@ -27,6 +27,9 @@ usage: cargo xtask COMMAND
   soak chains                chains of 1 to 100 four-bars through singular positions
   soak perturb --draws N     every case N times with its numbers changed at random: answered or refused with reason?
   soak nets --times N        N times the points of each plot, every extreme value: path independence and invariance
+  dist [--without-wheel]     the static program as archive, Debian package and wheel, with checksums and bill of materials
+  dist --prove               and run in an empty root, installed in an old Debian; needs root and debootstrap
+  dist --reproduce           and built once more in another folder: the same bytes?
   python                     the wheel of the Python module, built and installed, its tests, notebook and Dask example
   parquet                    the program built with Parquet: clippy, and tables written and read back
   teaching                   1000 variants of 20 problems graded; files for Moodle, QTI and PrairieLearn read by them
@@ -60,6 +63,7 @@ fn main() -> ExitCode {
         ["pictures", "--check"] => pictures::check(&root()).map(|_| ()),
         ["pictures", "--sheet", words @ ..] => contact_sheet::write(&root(), words),
         ["soak", words @ ..] => soak::run(&root(), words),
+        ["dist", words @ ..] => dist::run(&root(), words),
         ["python"] => python::run(&root()),
         ["parquet"] => parquet::run(&root()),
         ["errors", words @ ..] => errors::run_corpus(&root(), words),

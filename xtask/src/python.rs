@@ -63,7 +63,7 @@ pub fn run(root: &Path) -> Result<()> {
 const EXTENSION: [&str; 2] = ["--features", "pyo3/extension-module"];
 
 /// The wheel in a folder.
-fn built(wheels: &Path) -> Result<PathBuf> {
+pub(crate) fn built(wheels: &Path) -> Result<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(wheels)? {
         found.push(entry?.path());

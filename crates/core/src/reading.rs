@@ -124,7 +124,11 @@ fn wrong_kind(wrong: &WrongKind) -> Text {
         [first, ..] if default.text.is_empty() => (*first).to_owned(),
         _ => default.ascii(),
     };
+    let expects_number = *kind == Kind::Ratio && default.text.is_empty();
     let sentence = match hint {
+        None if expects_number => {
+            Text::new("`{text}` is {found}; a number without a unit expected, e.g. 0.05")
+        }
         None => Text::new("`{text}` is {found}; {expected} expected, e.g. in {example}"),
         Some(hint) => Text::new("`{text}` is {found}; {expected} expected, e.g. in {example}; {hint}")
             .with_text("hint", self::hint(hint)),

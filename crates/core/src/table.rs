@@ -88,15 +88,64 @@ fn headed(
     };
     let units: Vec<String> = columns.iter().zip(table.units.iter().zip(&table.assumed)).map(one).collect();
     let heading = units.iter().map(|unit| format!("[{unit}]")).collect::<Vec<_>>().join("; ");
-    let is_row = |line: &str| {
+    let mut lines: Vec<&str> = text.lines().collect();
+    let first = first_row(text, columns)?;
+    lines.insert(first, &heading);
+    Some((lines.join("\n"), units.join(", ")))
+}
+
+/// Rows and units of a table, as its heading and its first row give them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TableOutline {
+    /// Number of rows.
+    pub rows: usize,
+    /// Units of the columns, beside each other: `Hz, m/N`; empty where the columns are pure numbers.
+    pub units: String,
+    /// Those that are assumed because neither heading nor cell names them; empty where none is.
+    pub assumed: String,
+}
+
+impl TableOutline {
+    /// Outline of the text of a table; `None` where its beginning cannot be read as one, and for a universal file.
+    pub fn of(text: &str, columns: &'static [Field]) -> Option<Self> {
+        if uff::is_universal(text.as_bytes()) {
+            return None;
+        }
+        let first = first_row(text, columns)?;
+        let head: Vec<&str> = text.lines().take(first + 1).collect();
+        let ReadTable { table, faults, .. } = read(&head.join("\n"), columns);
+        if !faults.is_empty() {
+            return None;
+        }
+        let named = |wanted: &dyn Fn(bool) -> bool| {
+            let units = table.units.iter().zip(&table.assumed).filter(|(_, assumed)| wanted(**assumed));
+            let units = units.map(|(unit, _)| unit.pretty()).filter(|unit| !unit.is_empty());
+            units.collect::<Vec<_>>().join(", ")
+        };
+        let is_row = |line: &&str| !matches!(line.trim_start().chars().next(), None | Some('#'));
+        let rows = text.lines().skip(first).filter(is_row).count();
+        Some(Self { rows, units: named(&|_| true), assumed: named(&|assumed| assumed) })
+    }
+
+    /// `161 rows · Hz, m/N`, with the units that are assumed.
+    pub fn text(&self) -> Text {
+        let text = match (&*self.units, &*self.assumed) {
+            ("", _) => Text::new("{rows} rows"),
+            (_, "") => Text::new("{rows} rows · {units}"),
+            (units, assumed) if units == assumed => Text::new("{rows} rows · {units} assumed"),
+            _ => Text::new("{rows} rows · {units} ({assumed} assumed)"),
+        };
+        text.with("rows", self.rows).with("units", &self.units).with("assumed", &self.assumed)
+    }
+}
+
+/// Index of the first line with a row of numbers.
+fn first_row(text: &str, columns: &'static [Field]) -> Option<usize> {
+    text.lines().position(|line| {
         let line = line.trim();
         let (cells, _) = cells(line, columns.len(), None);
         !line.is_empty() && !line.starts_with('#') && !is_above(line, &cells, columns)
-    };
-    let mut lines: Vec<&str> = text.lines().collect();
-    let first = lines.iter().position(|line| is_row(line))?;
-    lines.insert(first, &heading);
-    Some((lines.join("\n"), units.join(", ")))
+    })
 }
 
 /// Reads a table.
@@ -390,7 +439,8 @@ fn is_heading(cells: &[Cow<'_, str>], columns: &'static [Field]) -> bool {
 
 /// Returns true if a cell is a number without a unit.
 fn is_bare(cell: &str) -> bool {
-    units::read_quantity(cell, &Unit::ONE, Kind::Other).is_ok_and(|number| number.unit.text.is_empty())
+    units::read_quantity(&units::with_point(cell), &Unit::ONE, Kind::Other)
+        .is_ok_and(|number| number.unit.text.is_empty())
 }
 
 /// Returns true if a cell that is no number may be a formula: it has a letter, a bracket or an operator.

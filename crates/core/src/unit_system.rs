@@ -139,13 +139,9 @@ impl ShownUnits {
     }
 }
 
-/// The system that the inputs are written in; `None` where they show none.
-///
-/// Every length, mass and force is in US customary units: ft·slug·s where some are of feet and none of inches, in·lbf·s
-/// otherwise. Pounds and ounces of mass without a force beside them show a system only where an answer is of force
-/// (`forces`): a balancing mass in ounces is wanted in ounces. Zero and standard gravity are the same in every system.
-pub(crate) fn found(draft: &Draft, shape: &Shape, forces: bool) -> Option<UnitSystem> {
-    let mut units: Vec<Unit> = Vec::new();
+/// The units that the inputs are written in, and those of the columns of their tables. Zero is the same in every unit.
+fn written(draft: &Draft, shape: &Shape) -> (Vec<Unit>, Vec<Unit>) {
+    let (mut units, mut columns_of_tables): (Vec<Unit>, Vec<Unit>) = Default::default();
     gravity::written(draft, shape, &mut |text, shape| {
         let is_zero = !text.contains(|c: char| c.is_alphabetic() || ('1'..='9').contains(&c));
         match shape {
@@ -154,7 +150,7 @@ pub(crate) fn found(draft: &Draft, shape: &Shape, forces: bool) -> Option<UnitSy
                 let head = text.lines().take(TABLE_LINES).collect::<Vec<_>>().join("\n");
                 let read = table::read(&head, columns());
                 if read.faults.is_empty() {
-                    units.extend(read.table.units);
+                    columns_of_tables.extend(read.table.units);
                 }
             }
             Shape::Quantity(measure) => {
@@ -165,6 +161,17 @@ pub(crate) fn found(draft: &Draft, shape: &Shape, forces: bool) -> Option<UnitSy
             shape => units.extend(gravity::unit_of(text, shape)),
         }
     });
+    (units, columns_of_tables)
+}
+
+/// The system that the inputs are written in; `None` where they show none.
+///
+/// Every length, mass and force is in US customary units: ft·slug·s where some are of feet and none of inches, in·lbf·s
+/// otherwise. Pounds and ounces of mass without a force beside them show a system only where an answer is of force
+/// (`forces`): a balancing mass in ounces is wanted in ounces. Standard gravity is the same in every system.
+pub(crate) fn found(draft: &Draft, shape: &Shape, forces: bool) -> Option<UnitSystem> {
+    let (mut units, columns) = written(draft, shape);
+    units.extend(columns);
     let is_material = |unit: &Unit| unit.dim.length != 0 || unit.dim.mass != 0;
     units.retain(|unit| is_material(unit) && !GRAVITIES.contains(&&*unit.text));
     let words: Vec<&str> = units.iter().flat_map(gravity::words).collect();
@@ -191,12 +198,50 @@ fn is_of_force(dim: Dim) -> bool {
 }
 
 impl Solution {
-    /// The same solution in the units of a setting: in the system that it names or the inputs show, or as it is.
+    /// The same solution in the units of a setting: in the system that it names or the inputs show; where they show none,
+    /// with answers in the customary units of inputs of the same dimension.
     #[must_use]
     pub fn in_units_of(self, setting: UnitSetting, draft: &Draft, shape: &Shape) -> Self {
-        match setting.shown(draft, shape, &self) {
-            Some(units) => self.in_units(units),
-            None => self,
+        match (setting.shown(draft, shape, &self), setting) {
+            (Some(units), _) => self.in_units(units),
+            (None, UnitSetting::Auto) => self.in_units_of_inputs(draft, shape),
+            (None, _) => self,
+        }
+    }
+
+    /// Answers in the unit that every input of their dimension has, where that is US customary, as in a correction mass
+    /// in ounces from a trial weight in ounces, or the unit of a measured table in hertz. A metric unit of the inputs
+    /// says less: lengths in millimetres do not ask for a deflection in millimetres.
+    fn in_units_of_inputs(mut self, draft: &Draft, shape: &Shape) -> Self {
+        let (units, columns) = written(draft, shape);
+        let asks = |unit: &Unit| gravity::words(unit).any(is_customary);
+        let wanted: Vec<&Unit> = units
+            .iter()
+            .filter(|unit| asks(unit))
+            .chain(columns.iter().filter(|unit| asks(unit) || unit.text == "Hz"))
+            .collect();
+        for at in 0..self.answers.len() {
+            let answer = &self.answers[at];
+            let is_of_answer = |unit: &&Unit| unit.dim.agrees(answer.unit.dim);
+            let Some(unit) = wanted.iter().copied().find(is_of_answer) else { continue };
+            let mut alike = units.iter().chain(&columns).filter(is_of_answer);
+            if answer.is_unit_asked || is_named(&answer.unit) || !alike.all(|other| other.text == unit.text) {
+                continue;
+            }
+            self.show_answer_in(at, unit);
+        }
+        self
+    }
+
+    /// Shows an answer, by its place, and the step that found it in another unit. In a system of units the step keeps its
+    /// unit, so that numbers can be put into later formulas as they are.
+    pub fn show_answer_in(&mut self, at: usize, unit: &Unit) {
+        let answer = &mut self.answers[at];
+        answer.unit = unit.clone();
+        if let (AnswerValue::Number(_, id), None) = (&answer.value, self.units)
+            && let Op::Step(step) = self.trace.node(*id).op
+        {
+            self.steps[step].unit = unit.clone();
         }
     }
 

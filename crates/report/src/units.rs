@@ -1,6 +1,6 @@
 //! The units that answers are shown in.
 
-use dalembert_core::{Answer, AnswerValue, Display, Solution, Text, nearest, trace::Op, unit_hint};
+use dalembert_core::{Answer, Display, Solution, Text, nearest, unit_hint};
 use dalembert_units::{self as units, Kind, Unit};
 
 /// Answers that a name means: one of them, a family, or those that a word is about.
@@ -65,14 +65,9 @@ pub fn show_answer_in(solution: &mut Solution, name: &str, unit: &str) -> Result
         return Err(unfit_one(&answers[*unfit], wanted));
     }
     for at in places {
-        let answer = &mut solution.answers[at];
-        answer.digits = display.digits;
-        let Some(wanted) = &wanted else { continue };
-        answer.unit = wanted.clone();
-        if let (AnswerValue::Number(_, id), None) = (&answer.value, solution.units)
-            && let Op::Step(step) = solution.trace.node(*id).op
-        {
-            solution.steps[step].unit = wanted.clone();
+        solution.answers[at].digits = display.digits;
+        if let Some(wanted) = &wanted {
+            solution.show_answer_in(at, wanted);
         }
     }
     Ok(())

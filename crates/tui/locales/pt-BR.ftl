@@ -125,6 +125,11 @@ hidden-until-every-step-is-revealed-key-shows-the-results = oculto até que todo
 hidden-until-yours-is-correct = oculto até que a sua resposta esteja correta
 in-a-problem = Em um problema
 in-every-tab = Em toda aba
+table-no-unit-in-the-heading = { $table }: sem unidade no cabeçalho
+maximised-key-restores-all-panes = painel ampliado; { $key } restaura todos
+a-list-key-adds-a-row = uma lista: { $key } acrescenta uma linha
+a-heading-key-goes-to-its-fields = um título: { $key } vai aos seus campos
+the-heading-of-the-table-gives-its-units-as-in-hz-mm-key-edits-it = o cabeçalho da tabela dá as unidades, como em `[Hz]; [mm]`: { $key } abre a edição
 key-once-more-shows-the-next-one-beside-it = { $key } mais uma vez mostra o próximo ao lado
 next-plot-or-drawing = próximo gráfico ou desenho
 move-the-plot-cursor-far-left = mover o cursor do gráfico bem para a esquerda
@@ -526,8 +531,8 @@ name-removed-key-takes-that-back = { $name } removido; { $key } desfaz
 
 # Planos de estudo
 point-point-why = ponto { $point }: { $why }
-range-equal-steps = faixa, passos iguais
-range-equal-ratios = faixa, razões iguais
+range-linear = faixa, linear
+range-logarithmic = faixa, logarítmica
 list-of-values = lista de valores
 uniform-within-a-tolerance = uniforme dentro de uma tolerância
 normal-by-its-standard-deviation = normal, pelo desvio padrão

@@ -167,7 +167,8 @@ impl Picker {
         }
         let leaf = |found: &Found| Leaf { under: None, listing: found.place, case: found.case };
         let field = of.leads_to_field(filter).then_some(Row::Heading(Heading::Field));
-        field.into_iter().chain(found.1.iter().map(|found| Row::Leaf(leaf(found)))).collect()
+        let exercises = of.exercises_of_lists(filter).into_iter().map(Row::Leaf);
+        field.into_iter().chain(exercises).chain(found.1.iter().map(|found| Row::Leaf(leaf(found)))).collect()
     }
 
     /// The chosen row.
@@ -242,11 +243,25 @@ impl<'m> Contents<'m> {
     fn leads_to_field(self, filter: &str) -> bool {
         let is_known = self.place(ANALYSIS).is_some();
         is_known
-            && [Locale::default(), Locale::portuguese()].iter().any(|locale| {
+            && in_either_language(|locale| {
                 let name = Text::from(FIELD).render(locale);
                 let balancing = search::family("balancing").render(locale);
                 search::has_words(&name, filter) && !search::has_words(&balancing, filter)
             })
+    }
+
+    /// The exercises of the lists that a filter names, as exercise lists or by two words of a title, in either language.
+    /// One word, as of *Mechanical vibration*, asks for analyses.
+    fn exercises_of_lists(self, filter: &str) -> Vec<Leaf> {
+        let is_one_word = filter.split_whitespace().nth(1).is_none();
+        let is_named = |heading: &Heading| {
+            in_either_language(|locale| {
+                let of = Contents { locale, ..self };
+                search::has_words(&of.name(Heading::Exercises), filter)
+                    || !is_one_word && search::has_words(&of.name(*heading), filter)
+            })
+        };
+        self.below(Heading::Exercises).into_iter().filter(is_named).flat_map(|set| self.leaves(set)).collect()
     }
 
     /// The headings under a heading.
@@ -353,6 +368,11 @@ impl<'m> Contents<'m> {
     fn place(self, id: &str) -> Option<usize> {
         self.listings.iter().position(|listing| listing.entry.about.id == id)
     }
+}
+
+/// True if something holds in English or in Portuguese.
+fn in_either_language(holds: impl Fn(&Locale) -> bool) -> bool {
+    [Locale::default(), Locale::portuguese()].iter().any(holds)
 }
 
 impl Heading {

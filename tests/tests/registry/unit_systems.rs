@@ -135,6 +135,30 @@ fn an_answer_is_in_the_coherent_unit() {
 }
 
 #[test]
+fn an_answer_takes_the_customary_unit_that_all_inputs_of_its_dimension_have() {
+    let one_plane = r#"
+analysis = "balancing/field"
+format = 2
+
+[inputs]
+phase = "lead"
+angles = "with"
+method = "least-squares"
+[inputs.measured]
+first = [{ amplitude = "4 mil", phase = "45 deg" }]
+influence.runs.after = "taken-off"
+influence.runs.runs = [{ plane = "1", mass = "4 oz", angle = "-20 deg", readings = [{ amplitude = "8 mil", phase = "145 deg" }] }]
+"#;
+    let mass = |text: &str| shown(&solved(text), "correction[1]");
+    // Rao's example: 1.676 oz.
+    assert_eq!(mass(one_plane), "1.6762 oz");
+    let metric = with(one_plane, &[("4 oz", "113.398 g")]);
+    assert!(mass(&metric).ends_with(" g"), "{}", mass(&metric));
+    let set = with(one_plane, &[("format = 2", "format = 2\nunits = \"as-typed\"")]);
+    assert!(mass(&set).ends_with(" g"), "{}", mass(&set));
+}
+
+#[test]
 fn a_question_keeps_the_unit_that_it_asks_for() {
     let asks = "\n[ask]\nforce = { value = \"k*X\", unit = \"N\", key = \"chosen\" }\nother = { value = \"k*X\", key = \"free\" }\n";
     let solution = solved(&format!("{OSCILLATOR}{asks}"));

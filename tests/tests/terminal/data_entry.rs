@@ -136,6 +136,59 @@ fn broken_data_files_are_reported_by_what_is_in_them() {
     assert_eq!(text(&person, PARTS), kept);
 }
 
+#[test]
+fn rows_and_units_of_a_table_are_seen_and_what_is_assumed_is_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let bare = write(folder.path(), "bare.csv", "10;0,512;0,125\n12;1,503;2,501\n14;-2,001;1,500\n");
+    let named = write(
+        folder.path(),
+        "named.csv",
+        "f [Hz]; Re [1/kg]; Im [1/kg]\n10; 0.5; 0.1\n12; 1.5; 2.5\n\n14; -2; 1.5\n",
+    );
+    let mut person = before(Person::at(140, 40).opens(RESPONSE), "accelerance", PARTS);
+    for _ in 0..2 {
+        person.pastes(&format!("@{bare}"));
+        let seen = words(&mut person);
+        let units = "3 rows · Hz, 1/kg, 1/kg assumed";
+        assert_eq!(seen.matches(units).count(), 2, "row and message: {}", person.sees());
+        assert!(seen.contains("assumed: no unit in the heading"), "{}", person.sees());
+        person.pastes(&format!("@{named}"));
+        let seen = words(&mut person);
+        assert_eq!(seen.matches("3 rows · Hz, 1/kg, 1/kg").count(), 2, "{}", person.sees());
+        assert!(!seen.contains("assumed"), "{}", person.sees());
+    }
+    person.types("u");
+    assert!(words(&mut person).contains("the heading of the table gives its units"), "{}", person.sees());
+}
+
+#[test]
+fn a_path_typed_behind_the_import_key_is_never_keys_of_the_form() {
+    let mut person = Person::at(80, 24).opens("vibration/rotating-unbalance");
+    let before = person.model.bench.as_ref().map(|bench| bench.problem.inputs.form.draft.clone());
+    let why = "this problem has no table of numbers";
+    person.types("@");
+    assert!(words(&mut person).contains(why), "{}", person.sees());
+    person.types("v.toml");
+    assert!(person.sees().contains("@v.toml"), "{}", person.sees());
+    person.types("<enter>");
+    assert!(words(&mut person).contains(why), "{}", person.sees());
+    person.types("<esc>");
+    assert!(person.model.dialog.is_none());
+    let after = person.model.bench.as_ref().map(|bench| bench.problem.inputs.form.draft.clone());
+    assert_eq!(before, after);
+}
+
+#[test]
+fn a_digit_on_a_heading_is_answered_by_the_key_that_serves_there() {
+    let mut person = Person::at(80, 24).opens("balancing/field");
+    move_to(&mut person, "measured.influence.runs.runs");
+    person.types("9");
+    assert!(words(&mut person).contains("a list: a adds a row"), "{}", person.sees());
+    move_to(&mut person, "measured");
+    person.types("1");
+    assert!(words(&mut person).contains("a heading: Enter goes to its fields"), "{}", person.sees());
+}
+
 const ROTOR: &str = "vibration/rotor-dynamics";
 
 /// A user before the first case of an analysis, on the line of a path.
@@ -341,7 +394,7 @@ fn typed_at(person: &Person, path: &str) -> String {
 fn numbers_of_other_inputs_do_not_stand_beside_a_half_filled_form() {
     for size in [(80, 40), (200, 60)] {
         let mut person = on(Person::at(size.0, size.1).opens("balancing/field"), "measured.influence");
-        let correction = "47.52";
+        let correction = "1.6762 oz";
         assert!(person.sees().contains(correction), "{}", person.sees());
         person.types("<enter><down><enter>");
         let screen = person.sees();

@@ -200,8 +200,20 @@ fn a_job_is_shown_on_screens_of_any_size() {
 #[test]
 fn results_of_another_problem_do_not_stand_beside_a_half_filled_form() {
     let mut person = Person::at(120, 36).knows(&["balancing/field"]).opens("balancing/field");
-    assert!(person.sees().contains("47.52"), "{}", person.sees());
+    assert!(person.sees().contains("1.6762"), "{}", person.sees());
     person.types("<down><down><down><down><down><down><right>");
     let screen = person.sees();
-    assert!(screen.contains("No result yet") && !screen.contains("47.52"), "{screen}");
+    assert!(screen.contains("No result yet") && !screen.contains("1.6762"), "{screen}");
+}
+
+#[test]
+fn what_is_typed_after_a_refused_line_takes_its_place() {
+    let mut person = begun(Person::at(80, 24));
+    TO_CORRECTION[..3].iter().for_each(|keys| _ = person.types(keys));
+    person.types("4,2 kg<enter>");
+    let screen = person.sees();
+    assert_eq!(screen.matches('✗').count(), 1, "one mark: {screen}");
+    person.types("4@30");
+    let screen = person.sees();
+    assert!(screen.contains("4@30") && !screen.contains("kg4@30"), "{screen}");
 }

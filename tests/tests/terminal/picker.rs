@@ -417,6 +417,18 @@ fn exercises_are_opened_and_marked() {
 }
 
 #[test]
+fn lists_of_exercises_are_found_by_their_name() {
+    let exercise = "Slider-crank with given vectors";
+    for search in ["exercise lists", "dynamics machinery"] {
+        let screen = Person::at(120, 30).types(search).sees();
+        assert!(screen.contains(exercise), "{search}: {screen}");
+    }
+    // One word of a title asks for analyses.
+    let screen = Person::at(120, 30).types("machinery").sees();
+    assert!(!screen.contains(exercise), "{screen}");
+}
+
+#[test]
 fn every_exercise_of_the_lists_is_there() {
     for list in exercises::bundled() {
         let list = list.expect("the list can be read");

@@ -768,6 +768,9 @@ fn the_help_is_the_table_of_keys() {
             assert!(help.contains(binding.name), "{}:\n{help}", binding.name);
         }
     }
+    // A section is found by its name.
+    let found = fan(80, 24).types("?sens").sees();
+    assert!(found.contains("Check, sensitivity"), "{found}");
     assert!(person.types("<esc>").sees().contains("Inputs"));
 }
 
@@ -807,26 +810,26 @@ fn tables_are_edited_and_pasted() {
         matches!(line.role, dalembert_tui::form::Role::Table { .. }).then(|| line.path.clone())
     });
     form.go_to(&table.expect("the case has a table"));
-    let lines = |person: &mut Person| -> usize {
+    let rows = |person: &mut Person| -> usize {
         let screen = person.sees();
-        line_with(&screen, " lines")
+        line_with(&screen, " rows")
             .split_whitespace()
             .rev()
-            .skip_while(|word| *word != "lines")
+            .skip_while(|word| *word != "rows")
             .nth(1)
             .unwrap()
             .parse()
             .unwrap()
     };
-    let before = lines(&mut person);
+    let before = rows(&mut person);
     person.types("<enter>");
     assert!(person.sees().contains("accept and close"), "{}", person.sees());
-    person.types("# a remark<enter><esc>");
-    assert_eq!(lines(&mut person), before + 1);
+    person.types("<down># a remark<enter>30; 0.1<enter><esc>");
+    assert_eq!(rows(&mut person), before + 1);
     person.types("z");
-    assert_eq!(lines(&mut person), before);
+    assert_eq!(rows(&mut person), before);
     person.pastes("1; 2\n3");
-    assert_eq!(lines(&mut person), 2);
+    assert_eq!(rows(&mut person), 2);
     assert!(person.sees().contains("line 2"), "the line of the fault is named:\n{}", person.sees());
 }
 
@@ -874,7 +877,7 @@ fn a_table_is_read_from_the_file_it_names() {
     person.pastes(&format!("@{}", good.display()));
     let read = text(&person);
     assert!(
-        read.contains("[Hz]; [(m/s^2)/(N)]; [(m/s^2)/(N)]\n10; 0.5; 0.1\n12; 1.5; 2.5\n14; -2; 1.5"),
+        read.contains("[Hz]; [(m/s^2)/N]; [(m/s^2)/N]\n10; 0.5; 0.1\n12; 1.5; 2.5\n14; -2; 1.5"),
         "{read}"
     );
     // A file that is not there leaves the table as it is, and reports it.

@@ -518,7 +518,7 @@ fn cases_are_shown_with_their_verdicts() {
     let waiting = CheckedCase { verdicts: None, ..cases[0].clone() };
     let shown =
         text(&sources::lines(entry, &[waiting], None, Some(&[]), &UNICODE, &Locale::english(), 90).lines);
-    assert!(shown.contains("not solved yet"));
+    assert!(shown.contains("not compared yet"));
 }
 
 #[test]
@@ -702,7 +702,7 @@ fn the_panes_speak_portuguese() {
         "Solution cancelled.",
         "Published cases",
         "Books and notes",
-        "not solved yet",
+        "not compared yet",
         "published",
         "closed form",
         "other program",

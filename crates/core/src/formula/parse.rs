@@ -211,7 +211,13 @@ impl<'t> Parser<'t> {
         let start = self.at;
         self.number();
         if self.rest().starts_with(',') && self.rest()[1..].starts_with(|c: char| c.is_ascii_digit()) {
-            let why = "write a decimal point in formulas, and a blank after a comma between arguments: `1.5`, `max(1, 5)`";
+            let digits = self.rest()[1..].bytes().take_while(u8::is_ascii_digit).count();
+            let number = &self.text[start..self.at + 1 + digits];
+            // `1,000` may be a thousand.
+            let why = match units::read_any(number) {
+                Err(error @ units::ReadError::Ambiguous { .. }) => reading::text(&error),
+                _ => "write a decimal point in formulas, and a blank after a comma between arguments: `1.5`, `max(1, 5)`".into(),
+            };
             return Err(FormulaError::at(start..self.at + 1, why));
         }
         let number_end = self.at;

@@ -20,7 +20,10 @@ impl Answer {
             AnswerValue::List(numbers) => {
                 let clean = |x: &f64| if x.abs() <= self.noise { 0.0 } else { *x };
                 let numbers: Vec<f64> = numbers.iter().map(clean).collect();
-                units::write_components(&numbers, &self.unit, locale.style)
+                match numbers[..] {
+                    [one] => units::write_quantity(one, &self.unit, locale.style),
+                    _ => units::write_components(&numbers, &self.unit, locale.style),
+                }
             }
         }
     }

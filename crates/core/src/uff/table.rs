@@ -179,7 +179,11 @@ fn ordinate(function: &UffFunction) -> Option<(String, bool)> {
         _ => unit_of(&function.denominator)?,
     };
     let assumed = top_assumed || below_assumed;
-    Some((if below == "1" { top } else { format!("({top})/({below})") }, assumed))
+    if below == "1" {
+        return Some((top, assumed));
+    }
+    let in_brackets = |unit: String| if unit.contains(['/', '*', ' ']) { format!("({unit})") } else { unit };
+    Some((format!("{}/{}", in_brackets(top), in_brackets(below)), assumed))
 }
 
 /// The unit of an axis: the one it names where that is one of its kind, else that of the SI.

@@ -1,6 +1,6 @@
 //! A draft as lines: what a form shows from top to bottom.
 
-use dalembert_core::{Draft, Field, Shape, Variant};
+use dalembert_core::{Draft, Field, Shape, Text, Variant, table::TableOutline};
 
 /// A line of a form.
 #[derive(Clone, Debug)]
@@ -33,8 +33,8 @@ pub enum Role {
     },
     /// A table, as a text of many lines.
     Table {
-        /// Number of lines.
-        lines: usize,
+        /// Rows and units; number of lines where it cannot be read.
+        content: Text,
     },
     /// The heading of fields that belong together; of a row, with its texts.
     Group {
@@ -62,8 +62,8 @@ impl PartialEq for FormLine {
         let same_role = match (&self.role, &other.role) {
             (Role::Leaf { text: a, .. }, Role::Leaf { text: b, .. }) => a == b,
             (Role::Choice { chosen: a, .. }, Role::Choice { chosen: b, .. }) => a == b,
-            (Role::Rows { count: a }, Role::Rows { count: b })
-            | (Role::Table { lines: a }, Role::Table { lines: b }) => a == b,
+            (Role::Rows { count: a }, Role::Rows { count: b }) => a == b,
+            (Role::Table { content: a }, Role::Table { content: b }) => a == b,
             // The lines of the row follow, and tell.
             (Role::Group { .. }, Role::Group { .. }) | (Role::Absent, Role::Absent) => true,
             _ => false,
@@ -154,14 +154,23 @@ fn push(mut line: FormLine, shape: &Shape, draft: &Draft, lines: &mut Vec<FormLi
                 push(line, item(), row, lines);
             }
         }
-        (Shape::Table(_), Draft::Leaf(text)) => {
-            let filled = text.lines().filter(|line| !line.trim().is_empty()).count();
-            lines.push(FormLine { role: Role::Table { lines: filled }, ..line });
+        (Shape::Table(columns), Draft::Leaf(text)) => {
+            let content =
+                TableOutline::of(text, columns()).map_or_else(|| lines_of(text), |table| table.text());
+            lines.push(FormLine { role: Role::Table { content }, ..line });
         }
         (_, Draft::Leaf(text)) => {
             lines.push(FormLine { role: Role::Leaf { shape: *shape, text: text.clone() }, ..line });
         }
         _ => lines.push(line),
+    }
+}
+
+/// Number of lines of a text.
+fn lines_of(text: &str) -> Text {
+    match text.lines().filter(|line| !line.trim().is_empty()).count() {
+        1 => "one line".into(),
+        lines => Text::new("{count} lines").with("count", lines),
     }
 }
 

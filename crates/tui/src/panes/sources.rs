@@ -233,13 +233,13 @@ fn case(checked: &CheckedCase, n: usize, chosen: bool, words: &Words, lines: &mu
             lines.extend(wrap::hanging(space(0), &words, look.dim(), width));
         }
         None => {
-            let words = Text::new("not solved yet").render(locale);
+            let words = Text::new("not compared yet").render(locale);
             lines.extend(wrap::hanging(space(0), &words, look.dim(), width));
         }
         Some(Err(error)) => {
             let words = match error {
                 SolveError::Refused(Refusal::NoAnswer(why)) => why.render(locale),
-                SolveError::Refused(Refusal::Stopped) => Text::new("not solved yet").render(locale),
+                SolveError::Refused(Refusal::Stopped) => Text::new("not compared yet").render(locale),
                 SolveError::Fields(_) => error.to_string(),
             };
             let mut head = space(0);

@@ -61,11 +61,13 @@ pub(super) fn act(model: &mut Model, place: KeyContext, action: Action) -> Optio
                 (true, false) if has_next => (true, true),
                 _ => (false, false),
             };
-            if bench.expanded && has_next && !bench.beside {
-                let text = Text::new("{key} once more shows the next one beside it");
-                return Some(vec![Intent::Say(text.with("key", model.key(place, action)))]);
-            }
-            Vec::new()
+            let next = match bench.focus {
+                _ if !bench.expanded => return Some(Vec::new()),
+                Focus::Form => "maximised; {key} restores all panes",
+                Focus::Pane if has_next && !bench.beside => "{key} once more shows the next one beside it",
+                Focus::Pane => return Some(Vec::new()),
+            };
+            vec![Intent::Say(Text::new(next).with("key", model.key(place, action)))]
         }
         Action::Statement => statement(model),
         Action::NextPane | Action::PreviousPane => {

@@ -9,6 +9,7 @@ use crate::{
     keys::Action,
     model::{Model, Screen},
     problem::Problem,
+    text_entry::TextEntry,
 };
 
 /// The longest name of a proposed file.
@@ -132,6 +133,9 @@ fn settled(model: &mut Model, then: impl FnOnce(&mut Model) -> Vec<Intent>) -> V
             }
             Err(why) => {
                 field.fault = Some(why);
+                // What is typed next takes its place; an arrow keeps it.
+                let original = field.input.original().to_owned();
+                field.input = TextEntry::selected(field.input.value()).begun_from(original);
                 return Vec::new();
             }
         }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use dalembert_core::{Draft, Shape, Text, suggestions::Suggestion};
+use dalembert_core::{Draft, Field, Shape, Text, suggestions::Suggestion, table::TableOutline};
 use dalembert_units::Decimal;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
@@ -56,6 +56,11 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
             return after(model, |form| form.nudge(tenths), "+ and - change numbers only");
         }
         Action::Repair => return repair(model),
+        Action::NextUnit if matches!(form.line(), Some(FormLine { role: Role::Table { .. }, .. })) => {
+            let text =
+                Text::new("the heading of the table gives its units, as in `[Hz]; [mm]`: {key} edits it");
+            return Intent::say(text.with("key", model.key(KeyContext::Form, Action::Enter)));
+        }
         Action::NextUnit => {
             return after(model, Form::next_unit, "no other unit available");
         }
@@ -262,6 +267,8 @@ pub(super) fn instead_of_number(model: &Model) -> Vec<Intent> {
             (text.with("import", model.key(KeyContext::Form, Action::Import)), Action::Enter)
         }
         Some(Role::Absent) => (Text::new("{key} includes it"), Action::Toggle),
+        Some(Role::Rows { .. }) => (Text::new("a list: {key} adds a row"), Action::AddRow),
+        Some(Role::Group { .. }) => (Text::new("a heading: {key} goes to its fields"), Action::Enter),
         _ => return Vec::new(),
     };
     Intent::say(instead.with("key", model.key(KeyContext::Form, action)))
@@ -307,10 +314,15 @@ pub(super) fn take_table(model: &mut Model, path: &str, text: String) -> Vec<Int
 /// The effect that reads the file that the text of a table names, as in `@measured.csv`; `None` for any other text.
 fn file_of_table(model: &Model, field: &str, text: &str) -> Option<Effect> {
     let name = text.trim().strip_prefix('@').filter(|name| !name.contains('\n'))?;
+    let columns = columns_of(model, field)?;
+    Some(Effect::ReadTable { field: field.to_owned(), path: PathBuf::from(name.trim()), columns })
+}
+
+/// Columns of the table at a path; `None` where there is no table.
+fn columns_of(model: &Model, path: &str) -> Option<&'static [Field]> {
     let bench = model.bench.as_ref()?;
-    let (_, shape) = bench.problem.inputs.form.draft.at(&bench.problem.entry().shape(), field).ok()?;
-    let Shape::Table(columns) = shape.present() else { return None };
-    Some(Effect::ReadTable { field: field.to_owned(), path: PathBuf::from(name.trim()), columns: columns() })
+    let (_, shape) = bench.problem.inputs.form.draft.at(&bench.problem.entry().shape(), path).ok()?;
+    if let Shape::Table(columns) = shape.present() { Some(columns()) } else { None }
 }
 
 /// The file of a table takes the place of its text.
@@ -324,7 +336,19 @@ pub(super) fn table_read(model: &mut Model, field: &str, result: Result<String, 
             if asked.is_some() {
                 model.dialog = None;
             }
-            after(model, |form| form.set(field, text, Decimal::Point), "the table already contains this file")
+            let outline = columns_of(model, field).and_then(|columns| TableOutline::of(&text, columns));
+            let mut intents = after(
+                model,
+                |form| form.set(field, text, Decimal::Point),
+                "the table already contains this file",
+            );
+            if let (Some(outline), [Intent::Changed]) = (outline, &intents[..]) {
+                intents.push(Intent::Say(match outline.assumed.as_str() {
+                    "" => outline.text(),
+                    _ => Text::new("{table}: no unit in the heading").with_text("table", outline.text()),
+                }));
+            }
+            intents
         }
         // The path stays there to be corrected.
         (Err(err), Some(error)) => {
@@ -338,34 +362,50 @@ pub(super) fn table_read(model: &mut Model, field: &str, result: Result<String, 
     }
 }
 
-/// Asks for the file of the table under the cursor, or of the only one there is.
+/// Asks for the file of the table under the cursor, or of the only one there is. The line opens without a table too:
+/// what is typed behind `@` is a path, and never keys of the form.
 fn ask_import(model: &mut Model) -> Vec<Intent> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
+    model.dialog = Some(match table_to_fill(&mut bench.problem.inputs.form) {
+        Ok(_) => Dialog::prompt_asking(Purpose::Import, "@"),
+        Err(why) => Dialog::prompt_again(Purpose::Import, "@".into(), why.into()),
+    });
+    Vec::new()
+}
+
+/// Path of the table under the cursor, or of the only one there is, to which the cursor goes.
+fn table_to_fill(form: &mut Form) -> Result<String, &'static str> {
     let is_table = |line: &FormLine| matches!(line.role, Role::Table { .. });
-    let tables: Vec<FormLine> = bench.problem.inputs.form.lines().into_iter().filter(is_table).collect();
-    let under_cursor = bench.problem.inputs.form.line().filter(is_table);
-    match (under_cursor, tables.as_slice()) {
-        (None, []) => model.say("this problem has no table of numbers; choose a table option first"),
-        (None, [_, _, ..]) => model.say("several tables: move to one of them first"),
-        (table, all) => {
-            if let Some(line) = table.or(all.first().cloned()) {
-                bench.problem.inputs.form.go_to(&line.path);
-            }
-            model.dialog = Some(Dialog::prompt_asking(Purpose::Import, "@"));
+    if let Some(line) = form.line().filter(is_table) {
+        return Ok(line.path);
+    }
+    let mut tables = form.lines().into_iter().filter(is_table);
+    match (tables.next(), tables.next()) {
+        (None, _) => Err("this problem has no table of numbers; choose a table option first"),
+        (_, Some(_)) => Err("several tables: move to one of them first"),
+        (Some(line), None) => {
+            form.go_to(&line.path);
+            Ok(line.path)
         }
     }
-    Vec::new()
 }
 
 /// Reads the file that was asked for; the path stays where it is typed until that is done.
 pub(super) fn import(model: &mut Model, typed: &str) -> Vec<Intent> {
     let named = format!("@{}", typed.trim_start_matches('@').trim());
-    let field = model.bench.as_ref().and_then(|bench| bench.problem.inputs.form.line()).map(|line| line.path);
-    model.dialog = Some(Dialog::prompt_asking(Purpose::Import, &named));
-    match field.and_then(|field| file_of_table(model, &field, &named)) {
-        Some(effect) if named.len() > 1 => vec![Intent::Do(effect)],
-        _ => {
-            model.dialog = Some(Dialog::prompt_again(Purpose::Import, named, "enter a file name".into()));
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let read = match table_to_fill(&mut bench.problem.inputs.form) {
+        Ok(_) if named.len() == 1 => Err("enter a file name"),
+        Ok(field) => file_of_table(model, &field, &named).ok_or("enter a file name"),
+        Err(why) => Err(why),
+    };
+    match read {
+        Ok(effect) => {
+            model.dialog = Some(Dialog::prompt_asking(Purpose::Import, &named));
+            vec![Intent::Do(effect)]
+        }
+        Err(why) => {
+            model.dialog = Some(Dialog::prompt_again(Purpose::Import, named, why.into()));
             Vec::new()
         }
     }

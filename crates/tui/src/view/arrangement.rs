@@ -25,6 +25,8 @@ const TWO_COLUMNS: u16 = 100;
 const THREE_COLUMNS: u16 = 160;
 /// Columns of the narrowest and of the widest form beside a pane.
 const FORM: (u16, u16) = (40, 66);
+/// Share of the middle one of three columns in what the form leaves: answers with their symbols beside them.
+const MIDDLE: (u16, u16) = (11, 20);
 /// Rows of the lowest picture, frame included, and of the lowest one of two above each other.
 const PICTURE: (u16, u16) = (10, 18);
 /// Rows of the lowest text that is worth a frame of its own.
@@ -190,7 +192,8 @@ impl Screen<'_> {
         let share = if has_three { body.width * 3 / 8 } else { body.width * 9 / 20 };
         let wanted = form::columns_wanted(self.model, self.bench);
         let [left, rest] = split(body, wanted.clamp(FORM.0, FORM.1.min(share)));
-        let [middle, right] = if has_three { split(rest, rest.width / 2) } else { [rest, Rect::ZERO] };
+        let [middle, right] =
+            if has_three { split(rest, rest.width * MIDDLE.0 / MIDDLE.1) } else { [rest, Rect::ZERO] };
         let mut of_left = vec![self.form(left.width)];
         if sharing == Sharing::PictureBelowForm && waiting.len() > 1 {
             of_left.extend(waiting.remove(1).map(|tab| self.pane(tab, left.width)));

@@ -36,12 +36,11 @@ pub(super) fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
     if let Some(bench) = model.shown_bench() {
         let gap = format!(" {} ", look.glyph(Glyph::Closed));
         spans.push(Span::styled(gap.clone(), look.dim()));
-        spans.push(Span::styled(
-            Text::from(bench.problem.entry().about.title).render(&model.locale),
-            look.title(),
-        ));
+        let title = Text::from(bench.problem.entry().about.title).render(&model.locale);
         let name = bench.problem.name().render(&model.locale);
-        if !name.is_empty() {
+        spans.push(Span::styled(title.clone(), look.title()));
+        // The only case of an exam problem has its title.
+        if !name.is_empty() && name != title {
             spans.push(Span::styled(gap, look.dim()));
             spans.push(Span::raw(filter_untrusted(&name).into_owned()));
         }

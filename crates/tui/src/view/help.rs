@@ -92,13 +92,15 @@ struct Section {
 /// Lines of the help in so many cells, of what a search finds, in two columns where there is room.
 fn lines(model: &Model, search: &str, room: usize) -> Vec<Line<'static>> {
     let words: Vec<String> = search.split_whitespace().map(str::to_lowercase).collect();
-    let is_found = |row: &(String, String)| {
-        let text = format!("{} {}", row.0, row.1).to_lowercase();
+    // A section is found by its name too, with all of its keys.
+    let is_found = |name: &str, row: &(String, String)| {
+        let text = format!("{name} {} {}", row.0, row.1).to_lowercase();
         words.iter().all(|word| text.contains(word))
     };
-    let sections = sections(model)
-        .into_iter()
-        .map(|section| Section { rows: section.rows.into_iter().filter(is_found).collect(), ..section });
+    let sections = sections(model).into_iter().map(|mut section| {
+        section.rows.retain(|row| is_found(&section.name, row));
+        section
+    });
     let sections: Vec<Section> = sections.filter(|section| !section.rows.is_empty()).collect();
     let is_wide = room >= TWO_COLUMNS;
     let column = if is_wide { (room - GAP) / 2 } else { room };

@@ -397,7 +397,13 @@ impl RotorDynamics {
                 FRISWELL.at("ch. 3"),
             );
             let whirl = sheet.numerical(("b/a", n), "1", ratio, how);
-            sheet.answer(("whirl", n), "Whirl direction and ellipticity (+ forward, − backward)", whirl);
+            let label = match mode.direction() {
+                WhirlDirection::Forward => "Axis ratio b/a, forward whirl",
+                WhirlDirection::Backward => "Axis ratio b/a, backward whirl",
+                WhirlDirection::Mixed => "Axis ratio b/a of the largest orbit, mixed whirl",
+                WhirlDirection::Planar => "Axis ratio b/a, motion in a plane",
+            };
+            sheet.answer(("whirl", n), label, whirl);
             sheet.verify(|| {
                 let Some((node, _)) = widest else { return };
                 let [x, _, y, _] = exact.shape[node];
@@ -650,7 +656,12 @@ impl RotorDynamics {
             );
         });
         sheet.answer("response_major", "Semi-major axis of the orbit", major);
-        sheet.answer("response_minor", "Semi-minor axis of the orbit (+ forward, − backward)", minor);
+        let label = if minor.value() < 0.0 {
+            "Semi-minor axis of the orbit, backward whirl"
+        } else {
+            "Semi-minor axis of the orbit, forward whirl"
+        };
+        sheet.answer("response_minor", label, minor);
         sheet.answer("response_x", "Amplitude along x", along_x);
         sheet.answer("response_y", "Amplitude along y", along_y);
         if along_x.value() > 0.0 {

@@ -482,7 +482,7 @@ fn sketched<T: Suspended>(springs: &T, carried: Option<(&'static str, &'static s
             (1.0, low - 0.2),
             (1.0, low - 0.9),
         ),
-        None => sketch.force("F", (0.0, low), (0.0, low - 0.8)),
+        None => sketch.force("F", (0.0, low), (0.0, low - 0.5)),
     };
     sketch.finish()
 }

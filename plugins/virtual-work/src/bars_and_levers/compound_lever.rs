@@ -224,6 +224,9 @@ impl Analysis for CompoundLever {
     }
 }
 
+/// Length of a drawn link over that of the levers.
+const SHORT: f64 = 0.35;
+
 impl CompoundLever {
     /// The turns of the levers from the second one on, for a unit turn of the first.
     fn turns<W: Worksheet>(&self, given: &CompoundLeverGiven<W>, sheet: W) -> Result<Vec<W::Num>, Refusal> {
@@ -344,7 +347,9 @@ impl CompoundLever {
     }
 
     fn drawing(&self) -> Drawing {
-        let (pivots, size) = (self.pivots(), self.size());
+        let size = self.size();
+        // The links are drawn short: any length is as good, and arms are what counts.
+        let pivots: Vec<[f64; 2]> = self.pivots().into_iter().map(|[x, y]| [x, SHORT * y]).collect();
         let mut sketch = Sketch::new("The levers, horizontal, with vertical links");
         let place =
             |lever: u32, arm: f64| pivots.get((lever as usize).wrapping_sub(1)).map(|[x, y]| (x + arm, *y));
@@ -383,7 +388,7 @@ impl CompoundLever {
         for (row, load) in (1..).zip(&self.loads) {
             let LoadKind::Force { force, arm } = load.kind else { continue };
             let Some(at) = place(load.lever, arm) else { continue };
-            let up = 0.4 * size * force.signum();
+            let up = 0.2 * size * force.signum();
             let tail = (at.0, at.1 - up);
             let pivot = (at.0 - arm, at.1);
             let name = format!("{} {}", letter("F", row), load.name);
@@ -398,7 +403,7 @@ impl CompoundLever {
             sketch.dimension("c_P", (at.0 - arm, at.1), at, -2.0 * arm.signum()).force(
                 "P",
                 at,
-                (at.0, at.1 + 0.4 * size),
+                (at.0, at.1 + 0.2 * size),
             );
         }
         sketch.finish()

@@ -432,7 +432,7 @@ impl RollingDisc {
                         .joint("A", a)
                         .joint("C", centre)
                         .angle("θ₂", o, 0.0, angle.rem_euclid(TAU));
-                    let (unit, high) = (sketch.symbol(), 0.7 * radius);
+                    let (unit, high) = (sketch.symbol(), 1.25 * radius);
                     let bracket = (centre.0, high);
                     if let Some(spring) = &there.spring {
                         let wall = (spring.wall, high);
@@ -441,7 +441,7 @@ impl RollingDisc {
                         sketch
                             .bars([centre, bracket])
                             .spring(name, wall, bracket)
-                            .dimension("x_w", o, (spring.wall, 0.0), -(radius / unit - 2.0))
+                            .dimension("x_w", o, (spring.wall, 0.0), -(radius / unit + 2.5))
                             .ground((wall.0, wall.1 + 3.0 * unit), (wall.0, wall.1 - 3.0 * unit));
                     }
                     if there.damping > 0.0 {

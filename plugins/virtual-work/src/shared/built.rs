@@ -288,8 +288,7 @@ pub(crate) fn check_pin<W: Worksheet>(
     sheet: W,
 ) {
     let Some((efforts, size)) = released(system, state, dynamics, joint, 2) else { return };
-    let what =
-        Text::new("force in the pin {point} by virtual power, with the pin released").with("point", point);
+    let what = Text::new("force at {point} by virtual power, with this joint released").with("point", point);
     let by_power = efforts[0].hypot(efforts[1]);
     sheet.check_sum(what, force, by_power.into(), size.max(by_power));
 }

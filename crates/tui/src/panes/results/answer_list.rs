@@ -17,10 +17,10 @@ use crate::{
     },
 };
 
-/// The widest column of labels: longer ones go on below.
+/// The widest column of labels in a pane of less than twice that; in wider ones half of it. Longer labels go on below.
 const WIDEST_LABELS: usize = 40;
-/// The narrowest column of labels that is worth having: where there is less room, there are no columns.
-const NARROWEST_LABELS: usize = 24;
+/// The narrowest column of labels beside symbols, and without: where there is less room, symbols give way, then columns.
+const NARROWEST_LABELS: (usize, usize) = (20, 24);
 /// The widest symbol that stands beside its answer.
 const WIDEST_SYMBOL: usize = 9;
 /// So many lists of the same name are shown; of more their number.
@@ -195,10 +195,10 @@ impl Columns {
         let room = width.saturating_sub(2 + values.max(16));
         // Labels go on in a second line beside symbols, which give way where that would be many.
         let with_symbols = room.saturating_sub(symbol + 1);
-        let symbol = if with_symbols >= longest.min(NARROWEST_LABELS) { symbol } else { 0 };
+        let symbol = if with_symbols >= longest.min(NARROWEST_LABELS.0) { symbol } else { 0 };
         let room = if symbol > 0 { with_symbols } else { room };
-        (room >= longest.min(NARROWEST_LABELS)).then(|| Self {
-            label: longest.min(room).min(WIDEST_LABELS),
+        (room >= longest.min(NARROWEST_LABELS.1)).then(|| Self {
+            label: longest.min(room).min(WIDEST_LABELS.max(width / 2)),
             symbol,
             numbers,
         })

@@ -79,8 +79,8 @@ pub(super) enum Way {
 impl Way {
     /// Every way, with its name.
     pub(super) const ALL: [(Way, &str); 8] = [
-        (Way::Range, "range, equal steps"),
-        (Way::LogRange, "range, equal ratios"),
+        (Way::Range, "range, linear"),
+        (Way::LogRange, "range, logarithmic"),
         (Way::List, "list of values"),
         (Way::Uniform, "uniform within a tolerance"),
         (Way::Normal, "normal, by its standard deviation"),

@@ -249,8 +249,10 @@ impl Writer<'_> {
         self.push(spans);
         let Some(fault) = &self.field.fault else { return };
         let (fault, glyph) = (fault.render(&self.model.locale), look.glyph(Glyph::Bad));
-        for text in wrapped(&filter_untrusted(&fault), self.room.saturating_sub(BELOW)) {
-            self.push(Line::styled(format!("    {glyph} {text}"), look.error()));
+        let rows = wrapped(&filter_untrusted(&fault), self.room.saturating_sub(BELOW));
+        for (n, text) in rows.into_iter().enumerate() {
+            let mark = if n == 0 { glyph } else { " " };
+            self.push(Line::styled(format!("    {mark} {text}"), look.error()));
         }
     }
 

@@ -208,12 +208,8 @@ impl LineView<'_> {
                 }
                 LineRows { rows, cursor: None }
             }
-            Role::Table { lines } => {
-                let count = match lines {
-                    1 => Text::from("one line"),
-                    lines => Text::new("{count} lines").with("count", lines),
-                };
-                let value = text(count.render(&model.locale), picked, open);
+            Role::Table { content } => {
+                let value = text(content.render(&model.locale), picked, open);
                 LineRows { rows: self.beside(self.columns, Style::new(), &value, None), cursor: None }
             }
             Role::Group { summary } => {

@@ -36,6 +36,8 @@ type ComplexAmplitude = Complex<f64>;
 /// A speed and the motion along x and y; none where it is unbounded.
 type Sample = (f64, Option<[ComplexAmplitude; 2]>);
 
+/// Critical speeds that are nearer to each other than this share of the highest speed have one label.
+const ONE_LABEL: f64 = 0.04;
 /// Speeds of the response.
 const POINTS: u16 = 240;
 
@@ -132,11 +134,19 @@ impl RotorFigures<'_> {
             series,
         )
         .over("speed");
-        for (n, critical) in self.criticals.iter().enumerate() {
-            plot = plot.mark(
-                Text::new("critical speed {n}").with("n", n + 1),
-                (critical.speed, slope * critical.speed),
-            );
+        // Speeds too near each other for two labels share one.
+        let near = |a: &Critical, b: &Critical| b.speed - a.speed < ONE_LABEL * last;
+        let mut first = 1;
+        for group in self.criticals.chunk_by(near) {
+            let (end, mut label) =
+                (first + group.len() - 1, Text::new("critical speed {n}").with("n", first));
+            if group.len() > 1 {
+                label = Text::new("critical speeds {first}–{last}").with("first", first).with("last", end);
+            }
+            for critical in group {
+                plot = plot.mark(std::mem::take(&mut label), (critical.speed, slope * critical.speed));
+            }
+            first = end + 1;
         }
         plot
     }

@@ -80,9 +80,28 @@ impl Suspended for TorsionalSpring {
     }
 }
 
-/// True for a beam, which has supports of its own.
+/// True for a beam, which has supports of its own, and for what hangs on beams alone.
 pub(crate) fn stands_alone<T: Suspended>(spring: &T) -> bool {
-    matches!(spring.hanging(), Hanging::Beam { .. })
+    match spring.hanging() {
+        Hanging::Beam { .. } => true,
+        Hanging::Series(members) => members.first().is_some_and(stands_alone),
+        Hanging::Parallel(members) => !members.is_empty() && members.iter().all(stands_alone),
+        Hanging::One(_) => false,
+    }
+}
+
+/// Kind of a single spring that is drawn with coils.
+fn coil<T: Suspended>(spring: &T) -> Option<&'static str> {
+    match spring.hanging() {
+        Hanging::One(kind) if kind != "shaft" => Some(kind),
+        _ => None,
+    }
+}
+
+/// True for cantilevers side by side, which stand on one wall with their tips joined.
+fn are_cantilevers<T: Suspended>(members: &[T]) -> bool {
+    members.len() > 1
+        && members.iter().all(|member| matches!(member.hanging(), Hanging::Beam { cantilever: true }))
 }
 
 /// The size of a spring or a network that is drawn hanging down: width and height.
@@ -91,6 +110,7 @@ pub(crate) fn size<T: Suspended>(spring: &T) -> (f64, f64) {
         Hanging::Series(members) => {
             members.iter().map(size).fold((0.0, 0.0), |all, one| (f64::max(all.0, one.0), all.1 + one.1))
         }
+        Hanging::Parallel(members) if are_cantilevers(members) => (BEAM, HEIGHT * members.len() as f64),
         Hanging::Parallel(members) => {
             members.iter().map(size).fold((0.0, 0.0), |all, one| (all.0 + one.0, f64::max(all.1, one.1)))
         }
@@ -118,6 +138,13 @@ pub(crate) fn hanging<T: Suspended>(
                 at.1 -= height;
             }
         }
+        Hanging::Parallel(members) if are_cantilevers(members) => {
+            let each = height / members.len() as f64;
+            for (n, member) in members.iter().enumerate() {
+                let top = (top.0, top.1 - n as f64 * each);
+                hanging(member, top, each, &[place, &[n + 1]].concat(), sketch);
+            }
+        }
         Hanging::Parallel(members) => {
             let gap = 0.1 * height;
             let widths: Vec<f64> = members.iter().map(|member| size(member).0).collect();
@@ -130,7 +157,14 @@ pub(crate) fn hanging<T: Suspended>(
                 let share =
                     if matches!(member.hanging(), Hanging::Beam { cantilever: true }) { 0.85 } else { 0.5 };
                 let x = left + share * width;
-                hanging(member, (x, top.1 - gap), height - 2.0 * gap, &[place, &[n + 1]].concat(), sketch);
+                let (top, end) = ((x, top.1 - gap), (x, end.1 + gap));
+                let place = [place, &[n + 1]].concat();
+                // Coil springs of one kind say it once.
+                if n > 0 && coil(member).is_some() && coil(member) == coil(&members[0]) {
+                    sketch.spring(caption("", &symbol(T::SYMBOL, &place)), top, end);
+                } else {
+                    hanging(member, top, top.1 - end.1, &place, sketch);
+                }
                 lower.push(x);
                 if !bends {
                     upper.push(x);

@@ -27,7 +27,6 @@ pub(super) fn draw(
     };
     let mut sketch = Sketch::new("The slider-crank with given velocities and forces");
     sketch
-        .circle(o, crank, Ink::Faint)
         .axis(o, (0.9 * crank, 0.0))
         .guide((b.0 - 3.0 * size, b.1), (b.0 + 5.0 * size, b.1))
         .slider("", b, 0.0)
