@@ -55,6 +55,12 @@ impl Brush {
             depth.min(2.0 * half - depth)
         };
         if is_hollow {
+            // The curve that it stands on is hidden inside.
+            self.each(at, 1.3 * radius, solid, |raster, (x, y), depth| {
+                if depth > half {
+                    raster.erase(y, x, x + 1);
+                }
+            });
             self.fill(at, 1.3 * radius, ink, hollow);
         } else {
             self.fill(at, 1.3 * radius, ink, solid);
@@ -132,15 +138,51 @@ impl Brush {
     }
 
     /// Covers the pixels round a point by how deep inside a shape they are.
-    fn fill(&mut self, (x, y): (f64, f64), radius: f64, ink: Ink, depth: impl Fn(f64, f64) -> f64) {
+    fn fill(&mut self, at: (f64, f64), radius: f64, ink: Ink, depth: impl Fn(f64, f64) -> f64) {
         let ink = self.raster.ink(ink);
+        self.each(at, radius, depth, |raster, at, depth| {
+            raster.cover(at, ink, (depth + 0.5).clamp(0.0, 1.0))
+        });
+    }
+
+    /// Changes the pixels round a point by how deep inside a shape they are.
+    fn each(
+        &mut self,
+        (x, y): (f64, f64),
+        radius: f64,
+        depth: impl Fn(f64, f64) -> f64,
+        mut change: impl FnMut(&mut Raster, (usize, usize), f64),
+    ) {
         let range =
             |at: f64| (at - radius - 1.0).ceil().max(0.0) as usize..=(at + radius + 1.0).max(0.0) as usize;
         for row in range(y) {
             for column in range(x) {
-                let share = depth(column as f64 - x, row as f64 - y) + 0.5;
-                self.raster.cover((column, row), ink, share.clamp(0.0, 1.0));
+                change(&mut self.raster, (column, row), depth(column as f64 - x, row as f64 - y));
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_hollow_sign_hides_the_curve_inside_and_a_solid_one_covers_it() {
+        for (sign, degree) in
+            [('○', 0), ('◇', 0), ('□', 0), ('△', 0), ('●', 15), ('◆', 15), ('■', 15), ('▲', 15)]
+        {
+            let mut brush = Brush::new(Rect::new(0, 0, 4, 2), (10, 20));
+            let (curve, own) = (Ink { faint: true, ..Ink::default() }, Ink::default());
+            for x in 0..40 {
+                brush.spot((f64::from(x), 20.0), brush.radius(), curve);
+            }
+            brush.sign((20.0, 20.0), sign, own);
+            // The middle of a triangle is below its point.
+            let inside = brush.raster.pixel((20, 21));
+            assert_eq!(inside, (degree > 0).then_some((own, degree)), "{sign}");
+            // Beside the sign the curve is as it was.
+            assert_eq!(brush.raster.pixel((5, 20)), Some((curve, 15)), "{sign}");
         }
     }
 }

@@ -195,18 +195,17 @@ impl Dots {
         self.brush.as_mut()
     }
 
-    /// The picture in pixels, with the signs of curves.
+    /// The picture in pixels.
     pub(crate) fn picture(&mut self, look: &Appearance) -> Option<Picture> {
-        let mut brush = self.brush.take()?;
-        for (_, at, mark, style) in &self.marks {
-            brush.sign(*at, *mark, (*style).into());
-        }
-        Some(brush.picture(look))
+        Some(self.brush.take()?.picture(look))
     }
 
-    /// Draws the cells that hold dots.
-    pub(crate) fn draw(&self, buffer: &mut Buffer) {
-        if self.brush.is_some() {
+    /// Draws the cells that hold dots, and the signs of curves; in pixels, the signs alone.
+    pub(crate) fn draw(&mut self, buffer: &mut Buffer) {
+        if let Some(brush) = &mut self.brush {
+            for (_, at, mark, style) in self.marks.drain(..) {
+                brush.sign(at, mark, style.into());
+            }
             return;
         }
         for (n, cell) in self.cells.iter().enumerate().filter(|(_, cell)| cell.mask != 0) {

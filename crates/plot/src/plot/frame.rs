@@ -148,11 +148,12 @@ impl Frame {
     }
 
     pub(crate) fn draw(&self, is_picture: bool, look: &Appearance, buffer: &mut Buffer) {
-        // In pixels they are lines of the picture.
+        // In pixels they are lines of the picture, at the place of the tick and not in the middle of its cell.
         for at in self.grid.iter().filter(|_| !is_picture) {
             buffer[*at].set_char(if look.ascii { '.' } else { '·' }).set_style(look.dim());
         }
         for (x, y, symbol) in &self.lines {
+            let symbol = if is_picture && *symbol == "┬" { "─" } else { symbol };
             buffer[(*x, *y)].set_symbol(symbol).set_style(look.dim());
         }
         for (x, y, words, style) in &self.words {

@@ -366,14 +366,22 @@ fn in_pixels_the_cursor_is_a_picture_of_three_columns_and_leaves_the_curves() {
 
 #[test]
 fn in_pixels_words_have_their_cells_for_themselves() {
-    let plot = lines(2).mark("peak", (50.0, 0.5));
-    let (pictures, buffer) = pictures(&plot, &PlotState::default(), (70, 24));
-    let area = pictures[0].area;
-    let words: Vec<_> = area.positions().filter(|at| buffer[*at].symbol() != " ").collect();
-    assert_eq!(words.iter().map(|at| buffer[*at].symbol()).collect::<String>(), "peak");
-    for at in words {
-        let (x, y) = (usize::from(at.x - area.x) * 10, usize::from(at.y - area.y) * 20);
-        // Letters leave an eighth of a cell above and below.
-        assert!(pictures[0].raster.is_free(y + 2..y + 18, x..x + 10), "{at}");
+    let mut found = 0;
+    // Of eight curves, those without a colour of their own have signs.
+    for (curves, x) in (0..100).flat_map(|n| [(2, f64::from(n)), (8, f64::from(n))]) {
+        let plot = lines(curves).mark("peak", (x, 0.93 * x));
+        let (pictures, buffer) = pictures(&plot, &PlotState::default(), (70, 24));
+        let area = pictures[0].area;
+        let words: Vec<_> = area.positions().filter(|at| buffer[*at].symbol() != " ").collect();
+        let written = words.iter().map(|at| buffer[*at].symbol()).collect::<String>();
+        // Where there is no room, they are left out.
+        assert!(["", "peak"].contains(&&*written), "{curves} curves, {x}: {written}");
+        found += usize::from(!words.is_empty());
+        for at in words {
+            let (x, y) = (usize::from(at.x - area.x) * 10, usize::from(at.y - area.y) * 20);
+            // Letters leave an eighth of a cell above and below.
+            assert!(pictures[0].raster.is_free(y + 2..y + 18, x..x + 10), "{curves} curves, {at}");
+        }
     }
+    assert!(found > 150, "{found} of 200");
 }
