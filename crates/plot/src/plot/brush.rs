@@ -141,7 +141,7 @@ impl Brush {
     fn fill(&mut self, at: (f64, f64), radius: f64, ink: Ink, depth: impl Fn(f64, f64) -> f64) {
         let ink = self.raster.ink(ink);
         self.each(at, radius, depth, |raster, at, depth| {
-            raster.cover(at, ink, (depth + 0.5).clamp(0.0, 1.0))
+            raster.cover(at, ink, (depth + 0.5).clamp(0.0, 1.0));
         });
     }
 
