@@ -73,16 +73,20 @@ pub fn pictures(raw: &[u8]) -> Vec<SentPicture> {
             let (data, payload) = kitty_commands(&whole).swap_remove(0);
             let values = values(&data, ',');
             assert_eq!(values["f"], "100", "{data}");
-            let cells = Some((values["c"].parse().unwrap(), values["r"].parse().unwrap()));
+            let cells =
+                Some((values["c"].parse().expect("a number"), values["r"].parse().expect("a number")));
             found.push(png(Protocol::Kitty, at, cells, &payload));
         } else if let Some(image) = rest.strip_prefix("]1337;File=") {
             let (head, data) = image.split_once(':').expect("a picture has data");
             let values = values(head, ';');
             assert_eq!((values["inline"], values["preserveAspectRatio"]), ("1", "0"), "{head}");
-            let cells = Some((values["width"].parse().unwrap(), values["height"].parse().unwrap()));
+            let cells = Some((
+                values["width"].parse().expect("a number"),
+                values["height"].parse().expect("a number"),
+            ));
             let data = data.split('\x07').next().unwrap_or_default();
             found.push(png(Protocol::Iterm2, at, cells, data));
-            assert_eq!(values["size"].parse(), Ok(STANDARD.decode(data).unwrap().len()));
+            assert_eq!(values["size"].parse(), Ok(STANDARD.decode(data).expect("base64").len()));
         } else if rest.starts_with('P')
             && let Some((_, inside)) = rest.split("\x1b\\").next().unwrap_or_default().split_once("q\"")
         {
@@ -107,7 +111,7 @@ fn values(text: &str, between: char) -> BTreeMap<&str, &str> {
 fn png(protocol: Protocol, at: (usize, usize), cells: Option<(usize, usize)>, data: &str) -> SentPicture {
     let png = STANDARD.decode(data).expect("base64");
     assert_eq!(&png[..8], b"\x89PNG\r\n\x1a\n");
-    let number = |at: usize| u32::from_be_bytes(png[at..at + 4].try_into().unwrap()) as usize;
+    let number = |at: usize| u32::from_be_bytes(png[at..at + 4].try_into().expect("four bytes")) as usize;
     let (size, mut next, mut chunks) = ((number(16), number(20)), 8, BTreeMap::new());
     assert_eq!(&png[24..29], [8, 3, 0, 0, 0], "eight bits of a palette");
     while next < png.len() {

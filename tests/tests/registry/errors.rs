@@ -239,18 +239,21 @@ const RECOMPUTED: [Recomputed; 18] = [
 
 /// First cause of an error, with inputs so many times as large.
 fn first_cause((id, case, written, _): &Recomputed, factor: &dyn Fn(usize) -> f64) -> String {
-    let entry = find(id).unwrap();
-    let printed = cases::cases(entry).unwrap()[case - 1].record(entry).unwrap();
+    let entry = find(id).expect("the problem and its answers are known");
+    let printed = cases::cases(entry).expect("the problem and its answers are known")[case - 1]
+        .record(entry)
+        .expect("the problem and its answers are known");
     let mut record = printed.clone();
     for (place, input) in vary::inputs(&printed).iter().enumerate() {
-        record = vary::changed(&record, &input.path, factor(place) * input.si).unwrap();
+        record = vary::changed(&record, &input.path, factor(place) * input.si)
+            .expect("the problem and its answers are known");
     }
-    let solution = entry.solve(&record, &Stop::new()).unwrap();
+    let solution = entry.solve(&record, &Stop::new()).expect("the problem and its answers are known");
     let inputs = vary::inputs(&record);
     let text = |(answer, sign, of, recipe): &(&str, &str, &str, Recipe)| {
         let number = write_quantity(
             recipe(&Inputs(&inputs)),
-            &unit(of).unwrap(),
+            &unit(of).expect("the problem and its answers are known"),
             Style { digits: 6, ..Style::default() },
         );
         ((*answer).to_owned(), format!("{sign}{number}"))
@@ -280,9 +283,11 @@ fn the_errors_of_the_course_have_their_cause_first_with_other_inputs() {
 
 /// Causes of an answer to the first case of an analysis or another one, in words, each reading of a number on its own.
 fn readings(id: &str, case: usize, answer: &str, typed: &str) -> Vec<Vec<String>> {
-    let entry = find(id).unwrap();
-    let record = cases::cases(entry).unwrap()[case - 1].record(entry).unwrap();
-    let solution = entry.solve(&record, &Stop::new()).unwrap();
+    let entry = find(id).expect("the problem and its answers are known");
+    let record = cases::cases(entry).expect("the problem and its answers are known")[case - 1]
+        .record(entry)
+        .expect("the problem and its answers are known");
+    let solution = entry.solve(&record, &Stop::new()).expect("the problem and its answers are known");
     let typed = [(answer.to_owned(), typed.to_owned())];
     let causes = check::causes(entry, &record, &solution, &typed, &Stop::new(), None);
     let of_cause = |cause: &check::Cause| {
