@@ -164,12 +164,15 @@ impl Canvas<'_> {
         dots.draw(buffer);
         for (n, series) in plot.series.iter().enumerate().filter(|(_, series)| !series.joined) {
             for at in &series.points {
-                self.sign(*at, point(n, look.ascii), look.series(n), &mut dots, buffer);
+                if let Some(cell) = self.cell(&dots, *at) {
+                    self.sign((*at, cell), point(n, look.ascii), look.series(n), &mut dots, buffer);
+                }
             }
         }
         for mark in self.axes.pinned.iter().flat_map(|pinned| &pinned.marks) {
             let sign = if look.ascii { 'o' } else { '○' };
-            if let Some(cell) = self.sign(mark.at, sign, faint.style, &mut dots, buffer) {
+            if let Some(cell) = self.cell(&dots, mark.at) {
+                self.sign((mark.at, cell), sign, faint.style, &mut dots, buffer);
                 labels.reserve(cell);
             }
         }
@@ -177,10 +180,7 @@ impl Canvas<'_> {
         let style = Style::new().add_modifier(Modifier::BOLD);
         let marks = self.marks(&dots);
         for (cell, mark) in &marks {
-            match dots.dot_of(self.place(mark.at)) {
-                Some((at, brush)) => brush.sign(at, '●', style.into()),
-                None => over(buffer, *cell, if look.ascii { '@' } else { '●' }, style),
-            }
+            self.sign((mark.at, *cell), if look.ascii { '@' } else { '●' }, style, &mut dots, buffer);
             labels.reserve(*cell);
         }
         for (cell, mark) in &marks {
@@ -202,21 +202,19 @@ impl Canvas<'_> {
         Some((self.axes.x.of(x)?, self.axes.y.of(y)?))
     }
 
-    /// Draws a sign at a point inside the axes; its cell.
+    /// Draws a sign at a point in pixels, or in the cell that is its own.
     fn sign(
         &self,
-        at: (f64, f64),
+        (at, cell): ((f64, f64), (u16, u16)),
         sign: char,
         style: Style,
         dots: &mut Dots,
         buffer: &mut Buffer,
-    ) -> Option<(u16, u16)> {
-        let cell = self.cell(dots, at)?;
+    ) {
         match dots.dot_of(self.place(at)) {
             Some((at, brush)) => brush.sign(at, sign, style.into()),
             None => over(buffer, cell, sign, style),
         }
-        Some(cell)
     }
 
     /// The dot of a point, for any finite point the scales can show.
@@ -296,12 +294,11 @@ impl Canvas<'_> {
     }
 
     fn levels(&self, dots: &mut Dots) {
-        let right = f64::from(dots.size().0) - 1.0;
         let mut level = |y: f64, pen: Pen| {
             if let Some(place) = self.axes.y.of(y).filter(|place| (0.0..=1.0).contains(place)) {
-                let y = (1.0 - place) * (f64::from(dots.size().1) - 1.0);
+                let [left, right] = [0.0, 1.0].map(|across| dots.at_place((across, place)));
                 dots.lift();
-                dots.line((0.0, y), (right, y), pen);
+                dots.line(left, right, pen);
             }
         };
         let stamp = if self.look.ascii { '-' } else { '╌' };
@@ -333,8 +330,7 @@ impl Canvas<'_> {
                 _ => (beyond(Glyph::Up), &[0, 1, 2]),
             };
             let words = self.look.shortened(&words, self.area.width.into());
-            let down = (1.0 - place.clamp(0.0, 1.0)) * (f64::from(dots.size().1) - 1.0);
-            let row = i32::from(dots.cell_of((0.0, down)).1);
+            let row = i32::from(dots.cell_of(dots.at_place((0.0, place.clamp(0.0, 1.0)))).1);
             let right = i32::from(self.area.right()) - words.width() as i32;
             let left = i32::from(self.area.x);
             let places = rows.iter().flat_map(|up| [right, left].map(|x| (x, row + up)));
@@ -400,9 +396,9 @@ impl Canvas<'_> {
 
     /// The name of each band in it; of bands of one name the first that is seen is named.
     fn band_labels(&self, dots: &Dots, locale: &Locale, labels: &mut Labels) {
-        let seen = self.axes.plot.bands.iter().filter(|band| self.columns(band.from, band.to).is_some());
-        for band in seen.unique_by(|band| band.label.render(locale)) {
-            let Some((first, last)) = self.columns(band.from, band.to) else { continue };
+        let bands = self.axes.plot.bands.iter();
+        let seen = bands.filter_map(|band| Some((band, self.columns(band.from, band.to)?)));
+        for (band, (first, last)) in seen.unique_by(|(band, _)| band.label.render(locale)) {
             let style = if band.permitted { self.look.good() } else { self.look.error() };
             let words = self.look.shortened(&band.label.render(locale), self.area.width.into());
             let middle = (i32::from(first) + i32::from(last) + 1 - words.width() as i32) / 2;

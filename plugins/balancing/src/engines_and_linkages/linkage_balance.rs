@@ -306,15 +306,14 @@ impl Analysis for LinkageBalance {
             again(what, [first, last], at, 1.0, &|on| on.joints[joint][0].hypot(on.joints[joint][1]));
         }
         sheet.show(|| Exhibit::Table(joint_forces(names, &before, &after)));
-        // What is left of forces and moments that balance is rounding, and is drawn as none.
-        let force = ROUNDING * most_of_joints(&before).max(most_of_joints(&after));
-        let moment = force * (linkage.crank + linkage.coupler);
-        for (title, label, unit, least, of) in [
-            ("Shaking force", "Force", "N", force, size as fn(&Shaking) -> f64),
-            ("Shaking moment about the crank pivot", "Moment", "N*m", moment, |s| s.moment),
-            ("Torque on the crank", "Torque", "N*m", moment, |s| s.torque),
+        for (title, label, unit, arm, of) in [
+            ("Shaking force", "Force", "N", 1.0, size as fn(&Shaking) -> f64),
+            ("Shaking moment about the crank pivot", "Moment", "N*m", reach, |s| s.moment),
+            ("Torque on the crank", "Torque", "N*m", reach, |s| s.torque),
         ] {
             sheet.show(|| {
+                // What is left of forces and moments that balance is rounding, and is drawn as none.
+                let least = ROUNDING * effort * arm;
                 let seen = |value: f64| if value.abs() <= least { 0.0 } else { value };
                 let curve = |all: &[Shaking]| {
                     let points = all.iter().chain([&all[0]]).enumerate();
@@ -348,22 +347,14 @@ const SLIDER_CRANK_JOINTS: [&str; 4] = [
     "Force of the guide",
 ];
 
-/// Share of the largest force in a joint below which a resultant is rounding.
+/// Share of the forces that cancel below which what is left of them is rounding.
 const ROUNDING: f64 = 1e-12;
-
-/// Largest force in any joint over a turn.
-fn most_of_joints(all: &[Shaking]) -> f64 {
-    (0..4).map(|joint| largest_in(all, joint)).fold(0.0, f64::max)
-}
-
-/// Largest force in a joint over a turn.
-fn largest_in(all: &[Shaking], joint: usize) -> f64 {
-    largest(all, |s| s.joints[joint][0].hypot(s.joints[joint][1]))
-}
 
 /// The largest force in each joint over a turn.
 fn joint_forces(names: [&'static str; 4], before: &[Shaking], after: &[Shaking]) -> TableExhibit {
-    let most = |all: &[Shaking], joint: usize| Cell::Number(largest_in(all, joint));
+    let most = |all: &[Shaking], joint: usize| {
+        Cell::Number(largest(all, |s| s.joints[joint][0].hypot(s.joints[joint][1])))
+    };
     TableExhibit {
         title: "Maximum joint forces".into(),
         columns: vec![

@@ -329,9 +329,7 @@ fn over_time(motions: &[Harmonic], wave: Wave, last: f64, two: bool) -> Plot {
             let across: f64 = motions.iter().map(|one| one.amplitude * angle(one).sin()).sum();
             along.hypot(across)
         };
-        let side = |sign: f64| times().map(move |t| (t, sign * envelope(t)));
-        let gap = std::iter::once((f64::INFINITY, f64::INFINITY));
-        series.push(Series::line("envelope", side(1.0).chain(gap).chain(side(-1.0)).collect()));
+        series.push(Series::line("envelope", times().map(|t| (t, envelope(t))).collect()).mirrored());
     }
     let (x, y) = (Axis::linear("time", "s"), Axis::linear("displacement", "mm"));
     Plot::new("Sum against time", x, y, series).over("question.sum.time")
