@@ -73,19 +73,13 @@ pub fn pictures(raw: &[u8]) -> Vec<SentPicture> {
             let (data, payload) = kitty_commands(&whole).swap_remove(0);
             let values = values(&data, ',');
             assert_eq!(values["f"], "100", "{data}");
-            let cells =
-                Some((values["c"].parse().expect("a number"), values["r"].parse().expect("a number")));
-            found.push(png(Protocol::Kitty, at, cells, &payload));
+            found.push(png(Protocol::Kitty, at, Some(cells(&values, ["c", "r"])), &payload));
         } else if let Some(image) = rest.strip_prefix("]1337;File=") {
             let (head, data) = image.split_once(':').expect("a picture has data");
             let values = values(head, ';');
             assert_eq!((values["inline"], values["preserveAspectRatio"]), ("1", "0"), "{head}");
-            let cells = Some((
-                values["width"].parse().expect("a number"),
-                values["height"].parse().expect("a number"),
-            ));
             let data = data.split('\x07').next().unwrap_or_default();
-            found.push(png(Protocol::Iterm2, at, cells, data));
+            found.push(png(Protocol::Iterm2, at, Some(cells(&values, ["width", "height"])), data));
             assert_eq!(values["size"].parse(), Ok(STANDARD.decode(data).expect("base64").len()));
         } else if rest.starts_with('P')
             && let Some((_, inside)) = rest.split("\x1b\\").next().unwrap_or_default().split_once("q\"")
@@ -105,6 +99,11 @@ fn place(rest: &str) -> Option<(usize, usize)> {
 
 fn values(text: &str, between: char) -> BTreeMap<&str, &str> {
     text.split(between).filter_map(|pair| pair.split_once('=')).collect()
+}
+
+/// Cells across and down that a picture is given.
+fn cells(values: &BTreeMap<&str, &str>, names: [&str; 2]) -> (usize, usize) {
+    names.map(|name| values[name].parse().expect("a number")).into()
 }
 
 /// A PNG with a palette of colours and opacities.

@@ -83,16 +83,15 @@ impl Display {
         for (n, Picture { area, raster }) in pictures.into_iter().enumerate() {
             let (id, depth) = (FIRST + n, DEPTH + n as i32);
             let place = format!("p=1,C=1,z={depth},c={},r={}", area.width, area.height);
-            let at = |out: &mut dyn Write| write!(out, "\x1b[{};{}H", area.y + 1, area.x + 1);
             match self.kept.get(n) {
                 Some((same, seen)) if *same == raster => {
                     if *seen != Some(area) {
-                        at(out)?;
+                        go_to(out, area)?;
                         write!(out, "\x1b_Ga=p,q=2,i={id},{place}\x1b\\")?;
                     }
                 }
                 _ => {
-                    at(out)?;
+                    go_to(out, area)?;
                     let ground = self.ground(frame, area);
                     let data = STANDARD.encode(png(&raster, |pixel| self.color(&raster, pixel, ground))?);
                     let mut first = format!("a=T,q=2,f=100,i={id},{place},");
@@ -205,7 +204,6 @@ impl Display {
             let ground = ground.unwrap_or([0; 3]);
             std::array::from_fn(|n| (share * f64::from(rgb[n]) + (1.0 - share) * f64::from(ground[n])) as u8)
         };
-        let at = |out: &mut dyn Write| write!(out, "\x1b[{};{}H", part.y + 1, part.x + 1);
         match self.graphics.protocol {
             Protocol::Sixel => {
                 // What is not drawn is the ground of these cells, without the picture that was there.
@@ -213,7 +211,7 @@ impl Display {
                 let blanks: Vec<(u16, u16, Cell)> =
                     part.positions().map(|at| (at.x, at.y, blank(at))).collect();
                 backend.draw(blanks.iter().map(|(x, y, cell)| (*x, *y, cell)))?;
-                at(out)?;
+                go_to(out, part)?;
                 out.write_all(&sixel(&raster, opaque))
             }
             _ => {
@@ -221,7 +219,7 @@ impl Display {
                     Some(_) => (opaque(pixel), 255),
                     None => self.color(&raster, pixel, ground),
                 })?;
-                at(out)?;
+                go_to(out, part)?;
                 write!(
                     out,
                     "\x1b]1337;File=inline=1;size={};width={};height={};preserveAspectRatio=0;doNotMoveCursor=1:{}\x07",
@@ -264,6 +262,11 @@ impl Display {
         let index = index_of(color)?;
         self.graphics.colors.sixteen.get(usize::from(index)).copied().flatten().or(Some(rgb(index)))
     }
+}
+
+/// Moves the cursor to the upper left corner of an area.
+fn go_to(out: &mut impl Write, area: Rect) -> io::Result<()> {
+    write!(out, "\x1b[{};{}H", area.y + 1, area.x + 1)
 }
 
 /// Pictures without any over another.
