@@ -5,6 +5,7 @@
 
 use std::{path::Path, time::Instant};
 
+use dalembert_core::check::Causes;
 use dalembert_plugins as _;
 use dalembert_tests::errors::{Solved, corpus};
 
@@ -18,11 +19,12 @@ fn main() {
         for typed in problem.errors.iter().filter_map(|error| solved.written(error, DIGITS)) {
             let begun = Instant::now();
             let mut seen = None;
-            let causes = solved.searched(&typed, &mut |so_far| {
+            let mut report = |so_far: Causes| {
                 if so_far.iter().any(|(_, causes)| !causes.is_empty()) {
                     seen.get_or_insert(begun.elapsed());
                 }
-            });
+            };
+            let causes = solved.searched(&typed, Some(&mut report));
             let end = begun.elapsed();
             last.push(end.as_secs_f64());
             if !causes.is_empty() {

@@ -32,6 +32,7 @@ fn main() {
     cancel();
     idle();
     slow_line();
+    pixels();
 }
 
 /// From the start of the process to the end of its first frame.
@@ -207,6 +208,52 @@ fn slow_line() {
         row(&format!("key to screen at 9600 baud, {what}"), &p95(times), "p95 ≤ 1.5 s");
         row("  bytes a second meanwhile", &format!("{rate:.0} B/s"), "");
     }
+}
+
+/// Pictures in pixels at a terminal that answers as Kitty does: keys that change what they show, a cursor, an animation.
+fn pixels() {
+    let like_kitty =
+        |id, columns| opened(id, |launch| launch.size(50, columns).answering(Duration::ZERO, pty::KITTY));
+    let has_picture = |pty: &Pty| pty.raw().windows(5).any(|bytes| bytes == b"a=T,q");
+    for (id, keys, what) in [
+        (FAN, "<down>", "key to results with a picture"),
+        ("virtual-work/four-bar", "<down>", "key to results with a picture"),
+        (FAN, "<a-3><right><right><right>", "cursor of a plot in pixels"),
+    ] {
+        let mut pty = like_kitty(id, 200);
+        if !has_picture(&pty) {
+            row(what, "is not built: feature `pixels`", "");
+            return;
+        }
+        pty.types(keys);
+        quiet(&pty, Duration::from_millis(300));
+        let moves = keys.contains("right");
+        let (times, bytes): (Vec<_>, Vec<_>) = (0..ROUNDS)
+            .map(|n| {
+                let (count, start) = (pty.count(), Instant::now());
+                pty.types(match (moves, n % 2 == 0) {
+                    (true, _) => "<right>",
+                    (false, true) => "+",
+                    (false, false) => "-",
+                });
+                let first = frame_after(&pty, count, start);
+                quiet(&pty, SILENCE);
+                let (last, all) = last_frame(&pty, count, start);
+                (last.max(first.0), all)
+            })
+            .unzip();
+        row(&format!("{what}, {id}, 200×50"), &figures(times), "≤ 30 ms");
+        row("  bytes of it", &most(&bytes), "≤ 60 kB");
+    }
+    let mut pty = like_kitty("vibration/modal-analysis", 160);
+    pty.types("]]]np");
+    thread::sleep(Duration::from_secs(1));
+    let before = pty.count();
+    thread::sleep(Duration::from_secs(3));
+    let sent = pty.since(before);
+    let frames = sent.windows(END.len()).filter(|bytes| *bytes == END).count();
+    let rate = format!("{:.0} frames/s, {} B a frame", frames as f64 / 3.0, sent.len() / frames.max(1));
+    row("animation in pixels, 160×50", &rate, "≤ 60 kB a frame");
 }
 
 /// Text of the screen beside the form, where it is wide.

@@ -253,14 +253,13 @@ impl<'p> Solved<'p> {
     /// Causes that the search finds for an answer.
     #[must_use]
     pub fn causes(&self, typed: &str) -> Vec<Cause> {
-        self.searched(typed, &mut |_| {})
+        self.searched(typed, None)
     }
 
     /// The same; `report` receives what is found on the way.
-    pub fn searched(&self, typed: &str, report: &mut dyn FnMut(Causes)) -> Vec<Cause> {
+    pub fn searched(&self, typed: &str, report: Option<&mut dyn FnMut(Causes)>) -> Vec<Cause> {
         let typed = [(self.problem.answer.0.clone(), typed.to_owned())];
-        let found =
-            check::causes(self.entry, &self.record, &self.solution, &typed, &Stop::new(), Some(report));
+        let found = check::causes(self.entry, &self.record, &self.solution, &typed, &Stop::new(), report);
         found.into_iter().next().map_or_else(Vec::new, |(_, causes)| causes)
     }
 

@@ -2,6 +2,7 @@
 
 pub mod errors;
 pub mod person;
+pub mod pictures;
 pub mod pty;
 
 use dalembert_core::{Entry, registry};

@@ -10,7 +10,8 @@
 //! assert_eq!(pty.leftovers(), [""; 0]);
 //! ```
 //!
-//! The terminal is mute: it answers no question of the program, as a serial line does not. Programs run with a home
+//! The terminal is mute: it answers no question of the program, as a serial line does not, unless it is given answers
+//! ([`Launch::answering`]). Programs run with a home
 //! folder of their own, which is removed in the end.
 
 mod keys;
@@ -41,6 +42,12 @@ use rustix::{
 /// Timeout of [`Pty::expect`] and [`Pty::exit_code`]. Long enough for a machine that is busy with a build.
 pub const PATIENCE: Duration = Duration::from_secs(10);
 
+/// Answers of Kitty, with cells of 10 × 20 pixels, to the question for pictures, name, size of a cell, colours and
+/// attributes.
+pub const KITTY: &[u8] =
+    b"\x1b_Gi=31;OK\x1b\\\x1bP>|kitty(0.36.4)\x1b\\\x1b[6;20;10t\x1b]10;rgb:dddd/dddd/dddd\x1b\\\
+      \x1b]11;rgb:0000/0000/0000\x1b\\\x1b]4;6;rgb:0d0d/cdcd/cdcd\x1b\\\x1b[?62;c";
+
 /// Bits of a serial line for a byte: eight, a start and a stop.
 const BITS: u32 = 10;
 
@@ -54,7 +61,11 @@ pub struct Launch {
     arguments: Vec<OsString>,
     front: Front,
     baud: Option<u32>,
+    answer: Option<Answer>,
 }
+
+/// Answer of the terminal to the question for its device attributes, and after how long it comes.
+type Answer = (Duration, Vec<u8>);
 
 /// Process between the terminal and the program.
 #[derive(Clone, Debug)]
@@ -75,6 +86,7 @@ impl Launch {
             arguments: Vec::new(),
             front: Front::Nothing,
             baud: None,
+            answer: None,
         };
         let launch = [
             "LC_ALL",
@@ -144,16 +156,26 @@ impl Launch {
         self
     }
 
+    /// At a terminal that answers the question for its device attributes (`CSI c`), and those before it, after a time.
+    #[must_use]
+    pub fn answering(mut self, after: Duration, answer: &[u8]) -> Self {
+        self.answer = Some((after, answer.to_vec()));
+        self
+    }
+
     /// Starts it.
     pub fn start(self) -> Pty {
         Pty::start(&self)
     }
 }
 
+/// The keyboard, while the terminal is there.
+type Writer = Arc<Mutex<Option<Box<dyn Write + Send>>>>;
+
 /// A program at its pseudo-terminal. It is killed, with its children, when this is dropped.
 pub struct Pty {
     master: Option<Box<dyn MasterPty + Send>>,
-    writer: Option<Box<dyn Write + Send>>,
+    writer: Writer,
     child: Box<dyn Child + Send + Sync>,
     reader: Option<JoinHandle<()>>,
     seen: Arc<Seen>,
@@ -172,6 +194,7 @@ struct Seen {
     paused: AtomicBool,
     /// The bytes that the line carries in a second; 0 is any number.
     rate: u32,
+    answer: Option<(Answer, Writer)>,
     closing: AtomicBool,
 }
 
@@ -216,7 +239,10 @@ impl Pty {
             tcsetattr(&line, OptionalActions::Now, &modes).expect("the line takes its speed");
         }
         let termios = tcgetattr(&line).expect("the line has modes");
+        let writer = pair.master.take_writer().expect("a writer");
+        let writer: Writer = Arc::new(Mutex::new(Some(writer)));
         let seen = Arc::new(Seen {
+            answer: launch.answer.clone().map(|answer| (answer, writer.clone())),
             output: Mutex::new(Output {
                 parser: vt100::Parser::new(launch.rows, launch.columns, 0),
                 raw: Vec::new(),
@@ -235,7 +261,7 @@ impl Pty {
         let started = Instant::now();
         let child = pair.slave.spawn_command(command).expect("the program starts");
         let mut pty = Self {
-            writer: Some(pair.master.take_writer().expect("a writer")),
+            writer,
             master: Some(pair.master),
             child,
             reader: Some(reader),
@@ -264,7 +290,8 @@ impl Pty {
 
     /// Sends bytes as they are.
     pub fn send(&mut self, bytes: &[u8]) {
-        let writer = self.writer.as_mut().expect("the terminal is there");
+        let mut writer = self.writer.lock().unwrap_or_else(PoisonError::into_inner);
+        let writer = writer.as_mut().expect("the terminal is there");
         writer.write_all(bytes).and_then(|()| writer.flush()).expect("the line takes bytes");
     }
 
@@ -355,7 +382,7 @@ impl Pty {
         if let Some(reader) = self.reader.take() {
             reader.join().expect("the reader does not panic");
         }
-        self.writer = None;
+        *self.writer.lock().unwrap_or_else(PoisonError::into_inner) = None;
         self.master = None;
     }
 
@@ -448,7 +475,19 @@ impl Seen {
             }
             let now = Instant::now();
             let mut output = self.output();
+            let asked = b"\x1b[c";
+            let from = output.raw.len().saturating_sub(asked.len() - 1);
             output.raw.extend_from_slice(&buffer[..count]);
+            if let Some(((after, answer), writer)) = &self.answer
+                && output.raw[from..].windows(asked.len()).any(|bytes| bytes == asked)
+            {
+                let (after, answer, writer) = (*after, answer.clone(), writer.clone());
+                thread::spawn(move || {
+                    thread::sleep(after);
+                    let mut writer = writer.lock().unwrap_or_else(PoisonError::into_inner);
+                    writer.as_mut().map(|writer| writer.write_all(&answer))
+                });
+            }
             output.last = now;
             let length = output.raw.len();
             output.arrivals.push((length, now));

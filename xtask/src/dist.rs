@@ -1,6 +1,6 @@
 //! `cargo xtask dist`: the program for people without a Rust toolchain, and the proof that it runs where they are.
 //!
-//! | file in `dist` of the target directory | content |
+//! | file in `artifacts` of the target directory | content |
 //! |---|---|
 //! | `dalembert-VERSION-ARCH-linux.tar.xz` | static program, manual pages, completions, licences |
 //! | `dalembert_VERSION_ARCH.deb` | the same as a Debian package |
@@ -37,21 +37,21 @@ struct Release {
 }
 
 /// Options of `cargo xtask dist`.
-const USAGE: &str = "cargo xtask dist [--without-wheel] [--prove] [--reproduce]";
+const OPTIONS: [&str; 4] = ["--without-wheel", "--prove", "--reproduce", "--packages"];
 
 /// Builds the files that are handed out; `--prove` installs and runs them in an empty root and in an old Debian,
-/// `--reproduce` builds the program once more from another folder and compares the bytes.
+/// `--reproduce` builds the program once more from another folder and compares the bytes, `--packages` packs every crate for a
+/// registry and builds it from its package.
 ///
 /// # Errors
 /// A tool is missing, something does not build, or a proof fails.
 pub fn run(root: &Path, words: &[&str]) -> Result<()> {
-    if let Some(unknown) =
-        words.iter().find(|word| !["--without-wheel", "--prove", "--reproduce"].contains(word))
-    {
-        bail!("{unknown} is no option: {USAGE}");
+    if let Some(unknown) = words.iter().find(|word| !OPTIONS.contains(word)) {
+        bail!("{unknown} is no option of dist; these are: {}", OPTIONS.join(", "));
     }
     needed(&["tar", "xz", "dpkg-deb", "sha256sum"])?;
-    let folder = target(root).join("dist");
+    // Not `dist`: there the compiler keeps what the profile of that name needs.
+    let folder = target(root).join("artifacts");
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder)?;
     let program = program(root, &target(root))?;
@@ -73,7 +73,16 @@ pub fn run(root: &Path, words: &[&str]) -> Result<()> {
     if words.contains(&"--reproduce") {
         release.reproduce()?;
     }
+    if words.contains(&"--packages") {
+        packages(root)?;
+    }
     Ok(())
+}
+
+/// Packs every crate but those of this repository alone, and builds each from its package.
+fn packages(root: &Path) -> Result<()> {
+    let others = ["--exclude", "xtask", "--exclude", "dalembert-tests"];
+    run_command(cargo(root).args(["package", "--workspace", "--locked"]).args(others))
 }
 
 /// Refuses to begin without the programs that are called.

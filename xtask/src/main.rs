@@ -32,6 +32,7 @@ usage: cargo xtask COMMAND
   dist [--without-wheel]     the static program as archive, Debian package and wheel, with checksums and bill of materials
   dist --prove               and run in an empty root, installed in an old Debian; needs root and debootstrap
   dist --reproduce           and built once more in another folder: the same bytes?
+  dist --packages            and every crate packed for a registry, and built from its package
   python                     the wheel of the Python module, built and installed, its tests, notebook and Dask example
   parquet                    the program built with Parquet: clippy, and tables written and read back
   teaching                   1000 variants of 20 problems graded; files for Moodle, QTI and PrairieLearn read by them

@@ -11,6 +11,9 @@ use crate::{
 
 const LIBRARY: &str = include_str!("new_plugin/lib.rs");
 
+/// Version of the crates of the workspace.
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
 const MANIFEST: &str = "\
 [package]
 name = \"dalembert-FAMILY\"
@@ -34,6 +37,11 @@ dalembert-core.workspace = true
 dalembert-mechanics.workspace = true
 ";
 
+/// Line of the bundle's manifest by which it depends on a family.
+pub fn dependency(family: &str) -> String {
+    format!("dalembert-{family} = {{ version = \"{VERSION}\", path = \"../{family}\" }}")
+}
+
 /// Writes the crate of a new family.
 ///
 /// # Errors
@@ -50,12 +58,8 @@ pub fn run(root: &Path, name: &str) -> Result<()> {
         bail!("`{name}` cannot name a family; take another word");
     }
     let bundle = root.join("plugins/bundle");
-    let manifest = with_line(
-        &read(&bundle.join("Cargo.toml"))?,
-        "dalembert-",
-        &format!("dalembert-{name} = {{ path = \"../{name}\" }}"),
-    )
-    .context("plugins/bundle/Cargo.toml has no plugin")?;
+    let manifest = with_line(&read(&bundle.join("Cargo.toml"))?, "dalembert-", &dependency(name))
+        .context("plugins/bundle/Cargo.toml has no plugin")?;
     let library = with_line(
         &read(&bundle.join("src/lib.rs"))?,
         "use dalembert_",

@@ -442,6 +442,17 @@ impl Series {
         Self { label: label.into(), points, joined: true, of: None, with: Vec::new(), at: Vec::new() }
     }
 
+    /// The same curve with its reflection in the axis of zero: an envelope.
+    #[must_use]
+    pub fn mirrored(mut self) -> Self {
+        // A point that is not finite parts the two.
+        self.points.push((f64::INFINITY, f64::INFINITY));
+        let above = self.points.len() - 1;
+        self.points.extend_from_within(..above);
+        self.points[above + 1..].iter_mut().for_each(|(_, y)| *y = -*y);
+        self
+    }
+
     /// Separate points.
     pub fn dots(label: impl Into<Text>, points: Vec<(f64, f64)>) -> Self {
         Self { label: label.into(), points, joined: false, of: None, with: Vec::new(), at: Vec::new() }

@@ -1,3 +1,5 @@
+#![doc = include_str!("../README.md")]
+//!
 //! Numerical methods on `f64`: no mechanics, no text, no units, no input and no output.
 //!
 //! Every method refuses what has no answer with a typed error, and never returns NaN or infinity.
@@ -15,20 +17,6 @@
 //! | random numbers, points that fill a cube | [`random`], [`sampling`] |
 //! | probability distributions | [`distribution`] |
 //! | formulas for several samples at once | [`simd`] |
-//!
-//! The natural frequencies of two equal masses between three equal springs, `K x = ω² M x`:
-//!
-//! ```
-//! use dalembert_numerics::linalg::generalised_eigenvalues;
-//! use nalgebra::DMatrix;
-//!
-//! let stiffness = DMatrix::from_row_slice(2, 2, &[200.0, -100.0, -100.0, 200.0]);
-//! let mass = DMatrix::identity(2, 2);
-//! let squares = generalised_eigenvalues(&stiffness, &mass)?;
-//! assert!((squares[0].sqrt() - 10.0).abs() < 1e-12);
-//! assert!((squares[1].sqrt() - 300f64.sqrt()).abs() < 1e-12);
-//! # Ok::<(), dalembert_numerics::linalg::LinalgError>(())
-//! ```
 
 pub mod bessel;
 pub mod differentiation;

@@ -2,6 +2,7 @@
 
 use dalembert_core::{Drawing, DrawnShape, Ink, LabelSide, Locale, Point, Text};
 use dalembert_report::figure::strokes::{Box2, Stroke, StrokeRole, strokes};
+use dalembert_terminal::pixels::Picture;
 use ratatui::{buffer::Buffer, layout::Rect, style::Style};
 use unicode_width::UnicodeWidthStr;
 
@@ -24,6 +25,8 @@ pub struct PlacedLabel {
     pub listed: Vec<String>,
     /// Cells of the heads of arrows, which no words cover.
     pub heads: Vec<(u16, u16)>,
+    /// The strokes, where the look has pixels in place of braille.
+    pub picture: Option<Picture>,
 }
 
 /// Draws a sketch as large as it fits, with equal scales across and up; any size will do. Words that have no free place
@@ -72,7 +75,11 @@ pub fn render(
     }
     drawn.dots.draw(buffer);
     drawn.words.draw(buffer);
+    if let Some(brush) = drawn.dots.brush() {
+        drawn.words.cells().for_each(|cells| brush.clear(cells));
+    }
     PlacedLabel {
+        picture: drawn.dots.picture(look),
         beside: drawn.words.placed(),
         listed: drawn.listed.into_iter().map(|(_, words)| words).collect(),
         heads: drawn.heads,
@@ -107,7 +114,7 @@ struct Drawn {
 impl Sketch<'_> {
     fn drawn(&self, area: Rect) -> Drawn {
         let look = self.look;
-        let marker = if look.ascii { Marker::Ascii } else { Marker::Braille };
+        let marker = look.marker(Marker::Braille);
         let mut dots = Dots::new(area, marker);
         let fit = Fit::of(self.bounds, self.labels, &dots, area);
         for stroke in self.strokes {
@@ -357,12 +364,13 @@ impl Fit {
         let (width, height) = (f64::from(dots.size().0), f64::from(dots.size().1));
         let room_across = (width - 1.0 - (left + right) * across).max(1.0);
         let room_down = (height - 1.0 - down.min(height / 4.0)).max(1.0);
-        // In widths of a cell to a metre; a cell is twice as high as wide.
-        let scale = (room_across / across / bounds.width()).min(2.0 * room_down / down / bounds.height());
+        // In widths of a cell to a metre.
+        let aspect = dots.aspect();
+        let scale = (room_across / across / bounds.width()).min(aspect * room_down / down / bounds.height());
         Self {
             middle: (f64::midpoint(bounds.left, bounds.right), f64::midpoint(bounds.bottom, bounds.top)),
             centre: (f64::midpoint(left * across, width - 1.0 - right * across), (height - 1.0) / 2.0),
-            scale: (scale * across, scale * down / 2.0),
+            scale: (scale * across, scale * down / aspect),
         }
     }
 

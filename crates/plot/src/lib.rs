@@ -1,9 +1,10 @@
 //! Plots and drawings of machines in the cells of a terminal.
 //!
 //! A [`Plot`](dalembert_core::Plot) or [`Drawing`](dalembert_core::Drawing) is plain data; [`plot::render`] and
-//! [`drawing::render`] draw it into a buffer of any size, in braille, blocks, dots or ASCII. Axes, ticks and strokes
-//! are those of the same figure on paper (`dalembert_report::figure`). Nothing here reads keys or holds a screen:
-//! what a user has set on a plot is a value, [`plot::PlotState`].
+//! [`drawing::render`] draw it into a buffer of any size, in braille, blocks, dots or ASCII, or give back its strokes in
+//! pixels where [`look::Appearance`] has the size of a cell. Axes, ticks and strokes are those of the same figure on
+//! paper (`dalembert_report::figure`). Nothing here reads keys or holds a screen: what a user has set on a plot is a
+//! value, [`plot::PlotState`].
 //!
 //! ```
 //! use dalembert_core::{Axis, Locale, Plot, Series};

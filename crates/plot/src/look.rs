@@ -5,7 +5,10 @@ mod theme;
 use std::borrow::Cow;
 
 use dalembert_core::Ink;
-use dalembert_terminal::glyphs::{Capabilities, Colors, Glyphs};
+use dalembert_terminal::{
+    glyphs::{Capabilities, Colors, Glyphs, PlotMarker},
+    pixels,
+};
 use ratatui::{
     buffer::Buffer,
     style::{Color, Modifier, Style},
@@ -26,6 +29,8 @@ pub struct Appearance {
     pub theme: Theme,
     /// For serial lines and screen readers: no frames around panes, and the cursor where the focus is.
     pub basic: bool,
+    /// Pixels across a cell and down a cell, where pictures are shown in pixels instead of braille.
+    pub pixels: Option<(u16, u16)>,
 }
 
 /// A pictogram of one cell.
@@ -76,6 +81,23 @@ impl Appearance {
     pub fn new(capabilities: &Capabilities) -> Self {
         let ascii = capabilities.glyphs == Glyphs::Ascii;
         Self { ascii, colors: capabilities.colors, ..Self::default() }
+    }
+
+    /// The finest marker in place of a wanted one: pixels for braille, ASCII where there is nothing else.
+    pub fn marker(&self, wanted: PlotMarker) -> PlotMarker {
+        match (self.ascii, self.pixels, wanted) {
+            (true, ..) => PlotMarker::Ascii,
+            (false, Some((across, down)), PlotMarker::Braille) => PlotMarker::Pixels { across, down },
+            _ => wanted,
+        }
+    }
+
+    /// The colour of strokes, where that of text is the theme's.
+    pub fn stroke(&self, ink: pixels::Ink) -> pixels::Ink {
+        match self.palette() {
+            Some(palette) if ink.color == Color::Reset => pixels::Ink { color: palette.text, ..ink },
+            _ => ink,
+        }
     }
 
     /// Headings and titles.

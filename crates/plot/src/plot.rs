@@ -1,5 +1,6 @@
 //! Curves over an axis, in the cells of a terminal.
 
+pub(crate) mod brush;
 pub(crate) mod dots;
 mod frame;
 pub(crate) mod labels;
@@ -8,6 +9,8 @@ mod state;
 
 use dalembert_core::{Locale, Plot, Series, exhibit::Mark};
 use dalembert_report::figure::axes::Axes;
+use dalembert_terminal::pixels::Picture;
+use itertools::Itertools as _;
 use ratatui::{
     buffer::Buffer,
     layout::Rect,
@@ -16,6 +19,7 @@ use ratatui::{
 use unicode_width::UnicodeWidthStr;
 
 use self::{
+    brush::Brush,
     dots::{Dots, Pen, over},
     frame::{Frame, Setting},
     labels::Labels,
@@ -32,7 +36,8 @@ pub fn readout(plot: &Plot, state: &PlotState, locale: &Locale) -> Option<String
 }
 
 /// Draws a plot, over the faint curves and marks of one that is pinned; any size will do. What there is no room for is left out
-/// in this order: titles, names of curves and axes, ticks, axes; the curves last.
+/// in this order: titles, names of curves and axes, ticks, axes; the curves last. Where the look has pixels in place of
+/// braille, the curves are pictures over the cells left blank for them, and the cursor is one of its own.
 pub fn render(
     plot: &Plot,
     pinned: Option<&Plot>,
@@ -41,26 +46,26 @@ pub fn render(
     locale: &Locale,
     area: Rect,
     buffer: &mut Buffer,
-) {
+) -> Vec<Picture> {
     let area = area.intersection(buffer.area);
     if area.is_empty() {
-        return;
+        return Vec::new();
     }
     let locale = locale.ascii(look.ascii);
-    let marker = if look.ascii { Marker::Ascii } else { state.marker };
+    let marker = look.marker(state.marker);
     let Some(mut axes) = Axes::seen(plot, pinned, &state.view) else {
         let words = dalembert_core::Text::new("nothing to draw").render(&locale);
         let words = look.shortened(&words, area.width.into());
         let x = area.x + (area.width - words.width() as u16) / 2;
         buffer.set_string(x, area.y + area.height / 2, words, look.dim());
-        return;
+        return Vec::new();
     };
     let frame = Frame::of(&axes, state, Setting { area, marker, look, locale: &locale });
-    frame.draw(look, buffer);
+    frame.draw(matches!(marker, Marker::Pixels { .. }), look, buffer);
     let zero = axes.y.passes_zero();
     (axes.x.span, axes.y.span) = (frame.across, frame.up);
-    let canvas = Canvas { axes: &axes, area: frame.canvas, marker, look, zero };
-    canvas.draw(state, &locale, buffer);
+    let canvas = Canvas { axes: &axes, area: frame.canvas, marker, look, zero, ticks: &frame.ticks };
+    canvas.draw(state, &locale, buffer)
 }
 
 /// The part of the axis at a column of the screen, from 0 to 1, and the cells of the whole of it.
@@ -73,7 +78,7 @@ pub fn place_at(
     column: u16,
 ) -> Option<(f64, u16)> {
     let locale = locale.ascii(look.ascii);
-    let marker = if look.ascii { Marker::Ascii } else { state.marker };
+    let marker = look.marker(state.marker);
     let axes = Axes::seen(plot, None, &state.view)?;
     let Frame { canvas, across, .. } =
         Frame::of(&axes, state, Setting { area, marker, look, locale: &locale });
@@ -90,7 +95,7 @@ pub(crate) fn pen(n: usize, marker: Marker, look: &Appearance) -> Pen {
         _ if colored => '•',
         _ => point(n, false),
     };
-    let finer = matches!(marker, Marker::Braille | Marker::HalfBlock);
+    let finer = matches!(marker, Marker::Braille | Marker::HalfBlock | Marker::Pixels { .. });
     // Not at the same place on every curve: some begin at one point.
     let mark = (finer && !colored).then(|| (point(n, false), 3 + 5 * (n as u32 % 4)));
     Pen { mark, curve: Some(n), ..Pen::solid(look.series(n), stamp) }
@@ -125,16 +130,20 @@ struct Canvas<'a> {
     look: &'a Appearance,
     /// True where zero lies among the values.
     zero: bool,
+    /// The labelled ticks, as parts of the axes: across and up.
+    ticks: &'a [Vec<f64>; 2],
 }
 
 impl Canvas<'_> {
-    fn draw(&self, state: &PlotState, locale: &Locale, buffer: &mut Buffer) {
+    fn draw(&self, state: &PlotState, locale: &Locale, buffer: &mut Buffer) -> Vec<Picture> {
         if self.area.is_empty() {
-            return;
+            return Vec::new();
         }
         let (plot, look) = (self.axes.plot, self.look);
         let mut labels = Labels::new(self.area);
-        self.bands(buffer);
+        if !matches!(self.marker, Marker::Pixels { .. }) {
+            self.bands(buffer);
+        }
         let mut dots = Dots::new(self.area, self.marker);
         self.levels(&mut dots);
         let faint = pinned_pen(look);
@@ -154,21 +163,24 @@ impl Canvas<'_> {
         }
         dots.draw(buffer);
         for (n, series) in plot.series.iter().enumerate().filter(|(_, series)| !series.joined) {
-            for cell in series.points.iter().filter_map(|at| self.cell(&dots, *at)) {
-                over(buffer, cell, point(n, look.ascii), look.series(n));
+            for at in &series.points {
+                if let Some(cell) = self.cell(&dots, *at) {
+                    self.sign((*at, cell), point(n, look.ascii), look.series(n), &mut dots, buffer);
+                }
             }
         }
         for mark in self.axes.pinned.iter().flat_map(|pinned| &pinned.marks) {
+            let sign = if look.ascii { 'o' } else { '○' };
             if let Some(cell) = self.cell(&dots, mark.at) {
-                over(buffer, cell, if look.ascii { 'o' } else { '○' }, faint.style);
+                self.sign((mark.at, cell), sign, faint.style, &mut dots, buffer);
                 labels.reserve(cell);
             }
         }
-        self.cursor(state, &dots, &mut labels, buffer);
+        let cursor = self.cursor(state, &dots, &mut labels, buffer);
         let style = Style::new().add_modifier(Modifier::BOLD);
         let marks = self.marks(&dots);
-        for (cell, _) in &marks {
-            over(buffer, *cell, if look.ascii { '@' } else { '●' }, style);
+        for (cell, mark) in &marks {
+            self.sign((mark.at, *cell), if look.ascii { '@' } else { '●' }, style, &mut dots, buffer);
             labels.reserve(*cell);
         }
         for (cell, mark) in &marks {
@@ -178,13 +190,36 @@ impl Canvas<'_> {
         self.level_labels(&dots, locale, &mut labels);
         self.band_labels(&dots, locale, &mut labels);
         labels.draw(buffer);
+        if let Some(brush) = dots.brush() {
+            self.ground(brush);
+            labels.cells().for_each(|cells| brush.clear(cells));
+        }
+        dots.picture(look).into_iter().chain(cursor).collect()
+    }
+
+    /// The part of the axes at a point, for any finite point the scales can show.
+    fn place(&self, (x, y): (f64, f64)) -> Option<(f64, f64)> {
+        Some((self.axes.x.of(x)?, self.axes.y.of(y)?))
+    }
+
+    /// Draws a sign at a point in pixels, or in the cell that is its own.
+    fn sign(
+        &self,
+        (at, cell): ((f64, f64), (u16, u16)),
+        sign: char,
+        style: Style,
+        dots: &mut Dots,
+        buffer: &mut Buffer,
+    ) {
+        match dots.dot_of(self.place(at)) {
+            Some((at, brush)) => brush.sign(at, sign, style.into()),
+            None => over(buffer, cell, sign, style),
+        }
     }
 
     /// The dot of a point, for any finite point the scales can show.
-    fn dot(&self, dots: &Dots, (x, y): (f64, f64)) -> Option<(f64, f64)> {
-        let (across, down) = dots.size();
-        let (x, y) = (self.axes.x.of(x)?, self.axes.y.of(y)?);
-        Some((x * (f64::from(across) - 1.0), (1.0 - y) * (f64::from(down) - 1.0)))
+    fn dot(&self, dots: &Dots, at: (f64, f64)) -> Option<(f64, f64)> {
+        Some(dots.at_place(self.place(at)?))
     }
 
     /// The cell of a point inside the axes.
@@ -259,16 +294,19 @@ impl Canvas<'_> {
     }
 
     fn levels(&self, dots: &mut Dots) {
-        let right = f64::from(dots.size().0) - 1.0;
         let mut level = |y: f64, pen: Pen| {
             if let Some(place) = self.axes.y.of(y).filter(|place| (0.0..=1.0).contains(place)) {
-                let y = (1.0 - place) * (f64::from(dots.size().1) - 1.0);
+                let [left, right] = [0.0, 1.0].map(|across| dots.at_place((across, place)));
                 dots.lift();
-                dots.line((0.0, y), (right, y), pen);
+                dots.line(left, right, pen);
             }
         };
         let stamp = if self.look.ascii { '-' } else { '╌' };
-        let across = dots::per_cell(self.marker).0.into();
+        // In pixels, dashes are as long as in braille.
+        let across = match self.marker {
+            Marker::Pixels { .. } => 2,
+            marker => dots::per_cell(marker).0.into(),
+        };
         if self.zero {
             level(0.0, Pen { dash: (1, 2 * across - 1), ..Pen::solid(self.look.dim(), stamp) });
         }
@@ -277,9 +315,10 @@ impl Canvas<'_> {
         }
     }
 
-    /// The name of each level at its right end; at the edge, with an arrow and its value, where it lies beyond.
+    /// The name of each level at its right end; at the edge, with an arrow and its value, where it lies beyond. Of levels of one
+    /// name the first is named.
     fn level_labels(&self, dots: &Dots, locale: &Locale, labels: &mut Labels) {
-        for level in &self.axes.plot.levels {
+        for level in self.axes.plot.levels.iter().unique_by(|level| level.label.render(locale)) {
             let Some(place) = self.axes.y.of(level.y) else { continue };
             let words = level.label.render(locale);
             let beyond = |glyph| {
@@ -291,8 +330,7 @@ impl Canvas<'_> {
                 _ => (beyond(Glyph::Up), &[0, 1, 2]),
             };
             let words = self.look.shortened(&words, self.area.width.into());
-            let down = (1.0 - place.clamp(0.0, 1.0)) * (f64::from(dots.size().1) - 1.0);
-            let row = i32::from(dots.cell_of((0.0, down)).1);
+            let row = i32::from(dots.cell_of(dots.at_place((0.0, place.clamp(0.0, 1.0)))).1);
             let right = i32::from(self.area.right()) - words.width() as i32;
             let left = i32::from(self.area.x);
             let places = rows.iter().flat_map(|up| [right, left].map(|x| (x, row + up)));
@@ -328,9 +366,39 @@ impl Canvas<'_> {
         }
     }
 
-    fn band_labels(&self, dots: &Dots, locale: &Locale, labels: &mut Labels) {
+    /// Ranges and lines of the ticks, under whatever is drawn in pixels already.
+    fn ground(&self, brush: &mut Brush) {
+        let (width, height) = brush.size();
         for band in &self.axes.plot.bands {
-            let Some((first, last)) = self.columns(band.from, band.to) else { continue };
+            let Some([from, to]) = self.axes.band(band.from, band.to) else { continue };
+            let across = (from * (width - 1.0), to * (width - 1.0) + 1.0);
+            let (_, style) = shade(band.permitted, self.look);
+            if band.permitted {
+                brush.shade(across, (0.0, height), style.into(), |_, _| 0.13);
+            } else {
+                // Hatched, as in cells.
+                let pitch = (width / f64::from(self.area.width)).max(4.0) as usize;
+                brush.shade(across, (0.0, height), style.into(), |x, y| {
+                    if (x + y) % pitch < pitch.div_ceil(8) { 0.4 } else { 0.07 }
+                });
+            }
+        }
+        let faint = self.look.dim();
+        for place in &self.ticks[0] {
+            let x = (place * (width - 1.0)).round();
+            brush.shade((x, x + 1.0), (0.0, height), faint.into(), |_, y| if y % 4 < 2 { 0.5 } else { 0.0 });
+        }
+        for place in &self.ticks[1] {
+            let y = ((1.0 - place) * (height - 1.0)).round();
+            brush.shade((0.0, width), (y, y + 1.0), faint.into(), |x, _| if x % 4 < 2 { 0.5 } else { 0.0 });
+        }
+    }
+
+    /// The name of each band in it; of bands of one name the first that is seen is named.
+    fn band_labels(&self, dots: &Dots, locale: &Locale, labels: &mut Labels) {
+        let bands = self.axes.plot.bands.iter();
+        let seen = bands.filter_map(|band| Some((band, self.columns(band.from, band.to)?)));
+        for (band, (first, last)) in seen.unique_by(|(band, _)| band.label.render(locale)) {
             let style = if band.permitted { self.look.good() } else { self.look.error() };
             let words = self.look.shortened(&band.label.render(locale), self.area.width.into());
             let middle = (i32::from(first) + i32::from(last) + 1 - words.width() as i32) / 2;
@@ -343,23 +411,48 @@ impl Canvas<'_> {
         }
     }
 
-    /// A line down the plot, with a point on every curve it reads.
-    fn cursor(&self, state: &PlotState, dots: &Dots, labels: &mut Labels, buffer: &mut Buffer) {
-        let Some(cursor) = state.read_at().and_then(|cursor| self.axes.within(cursor)) else { return };
-        let Some(place) = self.axes.x.of(cursor) else { return };
-        let (x, _) = dots.cell_of((place * (f64::from(dots.size().0) - 1.0), 0.0));
+    /// A line down the plot, with a point on every curve it reads; in pixels a picture of its own, so that a cursor that
+    /// moves leaves the curves as they are.
+    fn cursor(
+        &self,
+        state: &PlotState,
+        dots: &Dots,
+        labels: &mut Labels,
+        buffer: &mut Buffer,
+    ) -> Option<Picture> {
+        let cursor = self.axes.within(state.read_at()?)?;
+        let place = self.axes.x.of(cursor)?;
+        let (x, _) = dots.cell_of(dots.at_place((place, 0.0)));
         let style = Style::new().add_modifier(Modifier::BOLD);
-        for y in (self.area.y..self.area.bottom()).filter(|y| dots.is_free(x, *y)) {
-            over(buffer, (x, y), if self.look.ascii { '|' } else { '│' }, style);
+        let strip = Rect { x: x.saturating_sub(1), width: 3, ..self.area }.intersection(self.area);
+        let mut strip = match self.marker {
+            Marker::Pixels { across, down } => Some((Brush::new(strip, (across, down)), strip)),
+            _ => None,
+        };
+        let in_strip = |(across, down): (f64, f64), strip: Rect| {
+            (across - f64::from(strip.x - self.area.x) * f64::from(dots.per_cell().0), down)
+        };
+        if let Some((brush, strip)) = &mut strip {
+            let (at, _) = in_strip(dots.at_place((place, 0.0)), *strip);
+            let (_, height) = brush.size();
+            brush.shade((at.round(), at.round() + 1.0), (0.0, height), style.into(), |_, _| 1.0);
+        } else {
+            for y in (self.area.y..self.area.bottom()).filter(|y| dots.is_free(x, *y)) {
+                over(buffer, (x, y), if self.look.ascii { '|' } else { '│' }, style);
+            }
         }
         for (n, series) in self.axes.plot.series.iter().enumerate() {
             let Some(reading) = self.axes.read(series, cursor) else { continue };
-            if let Some(cell) = self.cell(dots, (cursor, reading.y)) {
-                let symbol = if self.look.ascii { 'O' } else { point(n, false) };
-                over(buffer, cell, symbol, self.look.series(n).add_modifier(Modifier::BOLD));
-                labels.reserve(cell);
+            let at = (cursor, reading.y);
+            let (Some(cell), Some(dot)) = (self.cell(dots, at), self.dot(dots, at)) else { continue };
+            let style = self.look.series(n).add_modifier(Modifier::BOLD);
+            match &mut strip {
+                Some((brush, strip)) => brush.sign(in_strip(dot, *strip), point(n, false), style.into()),
+                None => over(buffer, cell, if self.look.ascii { 'O' } else { point(n, false) }, style),
             }
+            labels.reserve(cell);
         }
+        strip.map(|(brush, _)| brush.picture(self.look))
     }
 }
 

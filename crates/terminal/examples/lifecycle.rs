@@ -52,6 +52,7 @@ fn run() -> Result<(), TerminalError> {
     let mut session = Session::enter(Options {
         mouse: true,
         plain: false,
+        pictures: None,
         capabilities: Capabilities::detect(&Environment::of_process()),
         autosave: Some(Box::new(autosave)),
     })?;
@@ -88,7 +89,10 @@ fn run() -> Result<(), TerminalError> {
                     }
                 }
                 TerminalInput::Notice(notice) => model.message = notice,
-                TerminalInput::Mouse(_) | TerminalInput::Resize { .. } | TerminalInput::Redraw => {}
+                TerminalInput::Mouse(_)
+                | TerminalInput::Resize { .. }
+                | TerminalInput::Graphics
+                | TerminalInput::Redraw => {}
             }
         }
         while let Ok(message) = solved.try_recv() {

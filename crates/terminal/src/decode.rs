@@ -20,6 +20,8 @@ pub const PASTE_LIMIT: usize = 8 * 1024 * 1024;
 /// A lone `ESC` is the Escape key when nothing follows it for this long. A serial line of 9600 baud sends a byte a
 /// millisecond.
 pub const ESCAPE_PATIENCE: Duration = Duration::from_millis(25);
+/// The rest of an answer to a question is dropped if it comes no later than this. Nobody types its beginning so fast.
+pub const ANSWER_PATIENCE: Duration = Duration::from_millis(100);
 /// A paste whose end never comes is over after this much silence.
 pub const PASTE_PATIENCE: Duration = Duration::from_secs(2);
 
@@ -40,6 +42,8 @@ pub enum TerminalInput {
         /// Rows.
         rows: u16,
     },
+    /// The terminal has answered that it shows pictures.
+    Graphics,
     /// The screen was lost (the program was suspended): draw again.
     Redraw,
     /// Something to tell the user that no screen of the model caused: a paste cut short, a thread that panicked.
@@ -98,6 +102,8 @@ impl Decoder {
         match self.state {
             DecoderState::Ground => None,
             DecoderState::Paste | DecoderState::PasteOverflow => Some(PASTE_PATIENCE),
+            DecoderState::Control if !self.held.is_empty() => Some(ANSWER_PATIENCE),
+            DecoderState::Answer if self.held.len() > 1 => Some(ANSWER_PATIENCE),
             _ => Some(ESCAPE_PATIENCE),
         }
     }

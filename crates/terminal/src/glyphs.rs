@@ -12,6 +12,8 @@ use std::borrow::Cow;
 use ratatui::buffer::Buffer;
 
 pub use ascii::ascii_sweep;
+#[cfg(feature = "pixels")]
+pub(crate) use colors::{index_of, rgb};
 pub use untrusted::filter_untrusted;
 
 /// The variables of the environment that say what the terminal is; an empty one is `None`.
@@ -85,6 +87,13 @@ pub enum PlotMarker {
     Dot,
     /// One `*` a cell.
     Ascii,
+    /// As many dots as a cell has pixels, in a picture of its own.
+    Pixels {
+        /// Pixels across a cell.
+        across: u16,
+        /// Pixels down a cell.
+        down: u16,
+    },
 }
 
 /// Characters and colours that a terminal can show.

@@ -17,7 +17,11 @@ use signal_hook::{
     iterator::Signals,
 };
 
-use super::shared::LEAVE;
+use super::{
+    glyphs::{Capabilities, Environment, Glyphs},
+    pixels::FORGET,
+    shared::LEAVE,
+};
 
 /// Environment variable of the child: the process number of its guard.
 pub const GUARDED: &str = "DALEMBERT_GUARDED";
@@ -125,6 +129,10 @@ fn reap(words: &Guarded, child: Pid, saved: &Termios) -> Option<ExitCode> {
 fn repair(saved: &Termios) {
     let mut stdout = io::stdout().lock();
     // Whatever fails here, there is nothing better left to do than to go on with the rest.
-    let _ = stdout.write_all(LEAVE.as_bytes()).and_then(|()| stdout.flush());
+    // A picture was cut off, or may be there, where the terminal could be asked whether it shows any.
+    let asked = Capabilities::detect(&Environment::of_process()).glyphs == Glyphs::Unicode;
+    let pictures =
+        if cfg!(feature = "pixels") && asked { ["\x1b\\", FORGET].concat() } else { String::new() };
+    let _ = stdout.write_all((pictures + LEAVE).as_bytes()).and_then(|()| stdout.flush());
     let _ = tcsetattr(rustix::stdio::stdin(), OptionalActions::Now, saved);
 }

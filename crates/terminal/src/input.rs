@@ -10,6 +10,8 @@ use std::{
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 
 use super::decode::{Decoder, TerminalInput};
+#[cfg(feature = "pixels")]
+use super::pixels::Answers;
 
 /// Ends a wait of [`Session::next_events`](super::Session::next_events) from another thread: a solver calls it after
 /// it has left its result where the drawing thread looks.
@@ -32,6 +34,34 @@ pub(super) struct Reader {
     deadline: Option<Instant>,
     wakes: UnixStream,
     buffer: Box<[u8]>,
+    /// Question whether the terminal shows pictures, while an answer is waited for.
+    #[cfg(feature = "pixels")]
+    pub(super) asked: Option<Asked>,
+}
+
+/// A question to the terminal, and what has come since.
+#[cfg(feature = "pixels")]
+#[derive(Debug)]
+pub(super) struct Asked {
+    patience: Duration,
+    /// End of the patience, from the first time that anybody waits.
+    deadline: Option<Instant>,
+    bytes: Vec<u8>,
+    answers: Option<Answers>,
+}
+
+#[cfg(feature = "pixels")]
+impl Asked {
+    /// Asked just now.
+    pub(super) fn new(patience: Duration) -> Self {
+        Self { patience, deadline: None, bytes: Vec::new(), answers: None }
+    }
+
+    /// Takes bytes of the terminal, which are keys or answers.
+    fn take(&mut self, bytes: &[u8]) {
+        self.bytes.extend_from_slice(bytes);
+        self.answers = Some(Answers::of(&self.bytes)).filter(|answers| answers.complete);
+    }
 }
 
 /// End of a wait.
@@ -56,6 +86,8 @@ impl Reader {
             deadline: None,
             wakes: near,
             buffer: vec![0; 64 * 1024].into_boxed_slice(),
+            #[cfg(feature = "pixels")]
+            asked: None,
         };
         Ok((reader, Waker(Arc::new(far))))
     }
@@ -68,6 +100,13 @@ impl Reader {
     ) -> io::Result<WaitResult> {
         let start = Instant::now();
         let mut first = None;
+        #[cfg(feature = "pixels")]
+        {
+            if let Some(asked) = &mut self.asked {
+                asked.deadline.get_or_insert(start + asked.patience);
+            }
+            self.asked.take_if(|asked| asked.deadline.is_some_and(|deadline| deadline < start));
+        }
         loop {
             let patience = self.deadline.map(|deadline| deadline.saturating_duration_since(Instant::now()));
             let left = timeout.saturating_sub(start.elapsed());
@@ -85,8 +124,18 @@ impl Reader {
                     Err(rustix::io::Errno::INTR | rustix::io::Errno::AGAIN) => 0,
                     Err(error) => return Err(error.into()),
                 };
+                // To the decoder, answers are nothing.
                 self.decoder.feed(&self.buffer[..count], inputs);
                 self.deadline = self.decoder.patience().map(|patience| Instant::now() + patience);
+                #[cfg(feature = "pixels")]
+                if let Some(asked) = &mut self.asked
+                    && asked.deadline.is_some_and(|deadline| Instant::now() <= deadline)
+                {
+                    asked.take(&self.buffer[..count]);
+                    if asked.answers.is_some() {
+                        return Ok(WaitResult::Alive);
+                    }
+                }
             } else if gone {
                 return Ok(WaitResult::HungUp);
             } else if self.deadline.is_some_and(|deadline| deadline <= Instant::now()) {
@@ -105,6 +154,14 @@ impl Reader {
                 return Ok(WaitResult::Alive);
             }
         }
+    }
+
+    /// Answers to [`QUERY`](super::pixels::QUERY), once, if they came within the time that is given them.
+    #[cfg(feature = "pixels")]
+    pub(super) fn answers(&mut self) -> Option<Answers> {
+        let answers = self.asked.as_ref()?.answers.clone()?;
+        self.asked = None;
+        Some(answers)
     }
 
     /// Polls: standard input can be read, another thread woke us, the terminal is gone.

@@ -73,6 +73,7 @@ pub mod glyphs;
 mod guard;
 mod input;
 mod panics;
+pub mod pixels;
 mod session;
 mod shared;
 mod signals;

@@ -19,8 +19,14 @@ use crate::{
     guard,
     input::{Reader, WaitResult},
     panics,
+    pixels::{Graphics, Picture},
     shared::{Autosave, Shared},
     signals, usable,
+};
+#[cfg(feature = "pixels")]
+use crate::{
+    input::Asked,
+    pixels::{Protocol, QUERY, display::Display, is_sane},
 };
 
 /// A signal that the guard passes on comes no later than this.
@@ -33,6 +39,9 @@ pub struct Options {
     pub mouse: bool,
     /// Frames are sent as they are, not marked as synchronized updates: for terminals that print what they do not know.
     pub plain: bool,
+    /// The terminal is asked whether it shows pictures. Its answer counts if it comes no later than so long after the
+    /// first call of [`Session::next_events`], which reports it as [`TerminalInput::Graphics`]; nothing waits for it.
+    pub pictures: Option<Duration>,
     /// Characters and colours that the terminal can show; every finished frame is reduced to them.
     pub capabilities: Capabilities,
     /// Keeps the work when the program ends without asking: a signal, a lost terminal, a panic of the thread that
@@ -51,14 +60,17 @@ pub struct Session {
     shared: Arc<Shared>,
     capabilities: Capabilities,
     plain: bool,
+    #[cfg(feature = "pixels")]
+    display: Option<Display>,
 }
 
 impl Session {
     /// Takes the terminal. Fails, without having touched it, where [`usable`] does.
     pub fn enter(options: Options) -> Result<Self, TerminalError> {
         usable()?;
-        let Options { mouse, plain, capabilities, autosave } = options;
-        let (reader, waker) = Reader::new().map_err(failed("open a pipe for its input"))?;
+        let Options { mouse, plain, pictures, capabilities, autosave } = options;
+        #[cfg_attr(not(feature = "pixels"), expect(unused_mut, reason = "it takes questions about pictures"))]
+        let (mut reader, waker) = Reader::new().map_err(failed("open a pipe for its input"))?;
         let autosave: Option<Autosave> = autosave;
         let shared = Arc::new(Shared::new(mouse, autosave, waker));
         let bytes = FrameBytes::default();
@@ -66,15 +78,47 @@ impl Session {
         panics::watch(&shared);
         signals::watch(&shared, guard::parent()).map_err(failed("let its signals be watched"))?;
         shared.take().map_err(failed("switch to raw mode"))?;
-        Ok(Self { terminal, bytes, reader, shared, capabilities, plain })
+        #[cfg(not(feature = "pixels"))]
+        let _ = pictures;
+        #[cfg(feature = "pixels")]
+        if let Some(patience) = pictures {
+            shared.ask(QUERY).map_err(failed("take a question"))?;
+            reader.asked = Some(Asked::new(patience));
+        }
+        Ok(Self {
+            terminal,
+            bytes,
+            reader,
+            shared,
+            capabilities,
+            plain,
+            #[cfg(feature = "pixels")]
+            display: None,
+        })
     }
 
     /// Draws a frame: nothing of it is written before it is whole, and it is written as one synchronized update.
     /// While the program is suspended nothing is drawn. A terminal that is gone ends the process, as in
     /// [`next_events`](Self::next_events).
     pub fn draw(&mut self, render: impl FnOnce(&mut Frame<'_>)) -> Result<(), TerminalError> {
+        self.draw_pictures(|frame| {
+            render(frame);
+            Vec::new()
+        })
+    }
+
+    /// Draws a frame with pictures, as [`draw`](Self::draw) does. The raster of each has as many pixels to a cell of its
+    /// area as [`Graphics::cell`] says; text over it is drawn over it. Pictures of the last frame that are not among
+    /// these are gone. Without [`graphics`](Self::graphics) none is shown.
+    pub fn draw_pictures(
+        &mut self,
+        render: impl FnOnce(&mut Frame<'_>) -> Vec<Picture>,
+    ) -> Result<(), TerminalError> {
         self.bytes.0.borrow_mut().clear();
-        if self.shared.repaint.swap(false, SeqCst) {
+        let repaint = self.shared.repaint.swap(false, SeqCst);
+        #[cfg(feature = "pixels")]
+        let size_before = self.terminal.get_frame().area();
+        if repaint {
             // Not `clear`: it asks the terminal for its cursor and waits 2 s for one that does not answer.
             let size = self.terminal.size().map_err(failed("tell its size"))?;
             self.terminal
@@ -82,12 +126,28 @@ impl Session {
                 .map_err(failed("take a new size"))?;
         }
         let capabilities = &self.capabilities;
-        self.terminal
+        let mut pictures = Vec::new();
+        let drawn = self
+            .terminal
             .draw(|frame| {
-                render(frame);
+                pictures = render(frame);
                 sweep(frame.buffer_mut(), capabilities);
             })
             .map_err(failed("draw a frame"))?;
+        #[cfg(feature = "pixels")]
+        if let Some(display) = &mut self.display {
+            // A screen that is painted anew, or cleared for another size, has lost its pictures.
+            let lost = repaint || drawn.area != size_before;
+            let shown = if lost { display.forget(&mut self.bytes) } else { Ok(()) };
+            shown.map_err(failed("draw a frame"))?;
+            if !display.is_idle(&pictures) {
+                let frame = drawn.buffer.clone();
+                let shown = display.show(pictures, &frame, self.terminal.backend_mut(), &mut self.bytes);
+                shown.map_err(failed("draw a frame"))?;
+            }
+        }
+        #[cfg(not(feature = "pixels"))]
+        let _ = (drawn, pictures);
         let frame = self.shared.frame();
         if self.shared.is_active() {
             if let Err(error) = self.bytes.write_to(&mut io::stdout().lock(), self.plain) {
@@ -133,6 +193,12 @@ impl Session {
         if self.shared.repaint.load(SeqCst) {
             inputs.push(TerminalInput::Redraw);
         }
+        #[cfg(feature = "pixels")]
+        if let Some(graphics) = self.reader.answers().and_then(|answers| answers.graphics(cell_of_window())) {
+            self.shared.pictures.store(graphics.protocol == Protocol::Kitty, SeqCst);
+            self.display = Some(Display::new(graphics));
+            inputs.push(TerminalInput::Graphics);
+        }
         inputs.extend(self.shared.notices().into_iter().map(TerminalInput::Notice));
         Ok(inputs)
     }
@@ -176,6 +242,31 @@ impl Session {
         self.shared.waker.clone()
     }
 
+    /// Means of the terminal to show pictures, since [`TerminalInput::Graphics`]; nothing, without the feature `pixels`.
+    pub fn graphics(&self) -> Option<&Graphics> {
+        #[cfg(feature = "pixels")]
+        return self.display.as_ref().map(Display::graphics);
+        #[cfg(not(feature = "pixels"))]
+        None
+    }
+
+    /// Pixels across a cell and down a cell after the window or its font has changed; `None` where there are no pictures.
+    pub fn cell(&mut self) -> Option<(u16, u16)> {
+        #[cfg(feature = "pixels")]
+        {
+            let display = self.display.as_mut()?;
+            match cell_of_window() {
+                Some(cell) => display.set_cell(cell),
+                // Of a size that nobody reports again, only Kitty's pictures are scaled to their cells.
+                None if display.graphics().protocol == Protocol::Kitty => {}
+                None => return None,
+            }
+            Some(display.graphics().cell)
+        }
+        #[cfg(not(feature = "pixels"))]
+        None
+    }
+
     /// Characters and colours that the terminal can show.
     pub fn capabilities(&self) -> &Capabilities {
         &self.capabilities
@@ -199,6 +290,14 @@ impl Drop for Session {
         self.shared.give_back();
         panics::forget();
     }
+}
+
+/// Pixels across a cell and down a cell, where the system knows them.
+#[cfg(feature = "pixels")]
+fn cell_of_window() -> Option<(u16, u16)> {
+    let window = rustix::termios::tcgetwinsize(rustix::stdio::stdout()).ok()?;
+    let cell = (window.ws_xpixel.checked_div(window.ws_col)?, window.ws_ypixel.checked_div(window.ws_row)?);
+    is_sane(cell).then_some(cell)
 }
 
 /// Collects the bytes of a frame; [`Session::draw`] writes them when it is whole.

@@ -13,7 +13,7 @@ use std::{
 
 use ratatui::crossterm::terminal::{disable_raw_mode, enable_raw_mode};
 
-use super::{catch_panic, input::Waker};
+use super::{catch_panic, input::Waker, pixels::FORGET};
 
 /// Alternate screen, bracketed paste, no cursor.
 const ENTER: &str = "\x1b[?1049h\x1b[?2004h\x1b[?25l";
@@ -43,6 +43,8 @@ pub(super) struct Shared {
     frame: Mutex<()>,
     /// The next frame must paint every cell.
     pub(super) repaint: AtomicBool,
+    /// Pictures may be at the terminal, which it is to forget when it is given back.
+    pub(super) pictures: AtomicBool,
     /// The window changed its size.
     pub(super) resized: AtomicBool,
     /// Messages of other threads for the user.
@@ -60,6 +62,7 @@ impl Shared {
             released: AtomicBool::new(false),
             frame: Mutex::new(()),
             repaint: AtomicBool::new(true),
+            pictures: AtomicBool::new(false),
             resized: AtomicBool::new(false),
             notices: Mutex::new(Vec::new()),
             ending: AtomicBool::new(false),
@@ -84,6 +87,13 @@ impl Shared {
         write(if self.mouse.load(SeqCst) { &[ENTER, ENTER_MOUSE] } else { &[ENTER] })
     }
 
+    /// Asks the terminal something.
+    #[cfg(feature = "pixels")]
+    pub(super) fn ask(&self, question: &str) -> io::Result<()> {
+        let _frame = self.frame();
+        if self.is_active() { write(&[question]) } else { Ok(()) }
+    }
+
     /// Takes the mouse, or leaves it to the terminal, now and whenever the terminal is taken again.
     pub(super) fn set_mouse(&self, taken: bool) -> io::Result<()> {
         let _frame = self.frame();
@@ -98,7 +108,8 @@ impl Shared {
             return;
         }
         // A terminal that is gone needs nothing; there is nobody to tell.
-        let _ = write(&[LEAVE]);
+        let pictures = if self.pictures.load(SeqCst) { FORGET } else { "" };
+        let _ = write(&[pictures, LEAVE]);
         let _ = disable_raw_mode();
     }
 

@@ -38,6 +38,7 @@ language-known-default-that-of-the-environment = Língua: { $known }; padrão: a
 theme-known-terminal-uses-the-palette-of-your-terminal = Tema: { $known }. `terminal` usa a paleta do seu terminal.
 ascii-characters-only = Só caracteres ASCII.
 mouse-true-or-false-default-true-over-ssh-false-with-the-mouse-in-use-selecting-text-needs-shift = Mouse: true ou false; padrão: true, por ssh false. Com o mouse em uso, selecionar texto exige Shift.
+pictures-in-pixels-true-or-false-default-true-where-the-terminal-shows-them-over-ssh-false = Figuras em pixels: true ou false; padrão: true onde o terminal as mostra, por ssh false.
 curve-markers-known-default-the-finest-that-the-terminal-supports = Marcadores das curvas: { $known }; padrão: os mais finos que o terminal aceita.
 decimal-mark-known-default-that-of-the-language = Sinal decimal: { $known }; padrão: o da língua.
 significant-digits-of-results-1-to-17 = Algarismos significativos dos resultados, de 1 a 17.

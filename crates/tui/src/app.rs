@@ -1,13 +1,14 @@
 //! The run loop: the one place where effects happen.
 
 mod editor;
+mod pace;
 mod playing;
 mod watch;
 mod wheel;
 
 use std::{
     fs, io,
-    path::{Path, PathBuf},
+    path::PathBuf,
     process::ExitCode,
     sync::{Arc, mpsc},
     time::{Duration, Instant},
@@ -17,6 +18,7 @@ use crossterm::{Command, clipboard::CopyToClipboard};
 use dalembert_core::{Entry, Language, Text, catalogue};
 
 use self::{
+    pace::Pace,
     watch::WatchedFile,
     wheel::{is_moved, limit_wheel},
 };
@@ -42,10 +44,6 @@ const PATIENCE: Duration = Duration::from_millis(12);
 const KEEP_AFTER: Duration = Duration::from_secs(1);
 /// While a user goes on typing, so often.
 const KEEP_WHILE_TYPING: Duration = Duration::from_secs(10);
-/// Bytes a second that animations may send: on this machine, and where a line lies between.
-const ANIMATION_BYTES: (f64, f64) = (64e3, 8e3);
-/// Of the time of a line that is slower still, animations take at most one part of so many.
-const ANIMATION_SHARE: u32 = 4;
 /// Interval at which the progress of a job under way is examined.
 const PROGRESS_EVERY: Duration = Duration::from_millis(250);
 /// Nothing is expected: until then the loop sleeps.
@@ -150,6 +148,7 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
     let session = Session::enter(terminal::Options {
         mouse,
         plain: basic,
+        pictures: settings.wait_for_pixels(&capabilities, is_remote()),
         capabilities,
         autosave: Some(Box::new(move || {
             // Nobody is left to be reported.
@@ -234,8 +233,7 @@ impl Runtime {
     fn run(&mut self, model: &mut Model, messages: &mpsc::Receiver<Msg>) -> Result<(), TerminalError> {
         // A frame is drawn only after something happened, or for an animation: an idle screen costs nothing.
         let mut stale = true;
-        let rate = if is_remote() { ANIMATION_BYTES.1 } else { ANIMATION_BYTES.0 };
-        let rate = terminal::line_rate().map_or(rate, |line| rate.min(line / f64::from(ANIMATION_SHARE)));
+        let pace = Pace::of_line(is_remote());
         let (mut drawn, mut took) = (Instant::now(), Duration::ZERO);
         loop {
             // A key and what it leads to belong in one frame, if it can be had without waiting long.
@@ -255,18 +253,19 @@ impl Runtime {
             }
             if stale {
                 drawn = Instant::now();
-                self.session.draw(|frame| {
+                self.session.draw_pictures(|frame| {
                     model.size = (frame.area().width, frame.area().height);
-                    view(model, frame);
+                    let pictures = view(model, frame);
                     draw_caption(model, frame);
+                    pictures
                 })?;
                 stale = false;
                 took = drawn.elapsed();
             }
-            let animation = tempo(model).map(|tempo| {
-                let sending = Duration::from_secs_f64(self.session.frame_bytes() as f64 / rate);
-                drawn + tempo.max(sending).max(took * ANIMATION_SHARE)
-            });
+            let in_pixels = model.look.pixels.is_some();
+            let tempo = tempo(model);
+            let sent = (self.session.frame_bytes(), took);
+            let animation = tempo.map(|tempo| drawn + pace.time_to_next(tempo, sent, in_pixels));
             let keep = self.noted.map(|noted| noted + KEEP_AFTER);
             let look = WatchedFile::follow(&mut self.watched, model).map(|watched| watched.next);
             // A session without anything left to do has ended now.
@@ -287,7 +286,9 @@ impl Runtime {
             // Keys come first: an animation waits for them.
             if inputs.is_empty() && animation.is_some_and(|animation| animation <= Instant::now()) {
                 stale = true;
-                update(model, Msg::Tick);
+                for _ in 0..tempo.map_or(1, |tempo| pace::steps(tempo, drawn.elapsed(), in_pixels)) {
+                    update(model, Msg::Tick);
+                }
             }
             let percentage = if is_working { self.solver.percentage() } else { None };
             if percentage != model.progress {
@@ -314,9 +315,18 @@ impl Runtime {
                 let msg = match input {
                     TerminalInput::Key(key) => Msg::Key(key),
                     TerminalInput::Paste(text) => Msg::Paste(text),
-                    TerminalInput::Resize { columns, rows } => Msg::Resize(columns, rows),
+                    TerminalInput::Resize { columns, rows } => {
+                        // The font may have changed.
+                        model.look.pixels = model.look.pixels.and(self.session.cell());
+                        Msg::Resize(columns, rows)
+                    }
                     TerminalInput::Notice(text) => Msg::Notice(text),
                     TerminalInput::Mouse(event) => Msg::Mouse(event),
+                    TerminalInput::Graphics => {
+                        model.look.pixels = self.session.graphics().map(|graphics| graphics.cell);
+                        stale = true;
+                        continue;
+                    }
                     TerminalInput::Redraw => {
                         stale = true;
                         continue;
@@ -389,27 +399,28 @@ impl Runtime {
                     }
                 }
                 Effect::Save { path, text, before } => {
-                    let path = at_home(path);
+                    let path = files::at_home(path);
                     let result = files::save(&path, &text, before);
                     Msg::Saved { path, text, result }
                 }
                 Effect::Export { files, before } => {
-                    let files: Vec<_> = files.into_iter().map(|(path, text)| (at_home(path), text)).collect();
+                    let files: Vec<_> =
+                        files.into_iter().map(|(path, text)| (files::at_home(path), text)).collect();
                     let (path, result) = files::save_all(&files, before);
                     Msg::Exported { path, result }
                 }
                 Effect::SavePlan { path, text, before } => {
-                    let path = at_home(path);
+                    let path = files::at_home(path);
                     let result = files::save(&path, &text, before);
                     Msg::PlanSaved { path, text, result }
                 }
                 Effect::ReadPlan(path) => {
-                    let path = at_home(path);
+                    let path = files::at_home(path);
                     let result = files::read(&path);
                     Msg::PlanRead { path, result }
                 }
                 Effect::Open(path) => {
-                    let path = at_home(path);
+                    let path = files::at_home(path);
                     let result = files::read(&path);
                     Msg::Opened { path, result }
                 }
@@ -417,11 +428,11 @@ impl Runtime {
                     Msg::LinkedRead(problem, files::LinkedTexts::of(&path, &text))
                 }
                 Effect::List(folder) => {
-                    let names = files::list(&at_home(folder.clone()));
+                    let names = files::list(&files::at_home(folder.clone()));
                     Msg::Listed(folder, names)
                 }
                 Effect::ReadTable { field, path, columns } => {
-                    let result = files::read_table(&at_home(path), columns);
+                    let result = files::read_table(&files::at_home(path), columns);
                     Msg::TableRead { field, result }
                 }
                 Effect::Keep { problem, original, text } => {
@@ -479,13 +490,18 @@ impl Runtime {
                     continue;
                 }
                 Effect::Redraw => {
-                    // Every cell changes, and changes back with the next frame: whatever was there is written over.
+                    // Every cell changes, and changes back with the next frame; pictures that the terminal keeps are sent anew.
                     match self.session.draw(|frame| {
                         for cell in &mut frame.buffer_mut().content {
                             cell.set_char('.');
                         }
                     }) {
-                        Ok(()) => continue,
+                        Ok(()) => {
+                            if model.look.pixels.is_some() {
+                                self.session.repaint();
+                            }
+                            continue;
+                        }
                         Err(error) => Msg::Notice(error.to_string()),
                     }
                 }
@@ -581,12 +597,4 @@ fn teller<T>(
 
 fn not_recorded(model: &mut Model, error: &io::Error) {
     model.report_error(Text::new("recording failed: {error}").with("error", error));
-}
-
-/// `~/` at the beginning of a path is the user's home.
-fn at_home(path: PathBuf) -> PathBuf {
-    match (path.strip_prefix("~"), std::env::var_os("HOME")) {
-        (Ok(rest), Some(home)) => Path::new(&home).join(rest),
-        _ => path,
-    }
 }

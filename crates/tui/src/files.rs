@@ -404,3 +404,11 @@ pub(crate) fn faults(text: &str, errors: &[file::FileError], locale: &Locale) ->
     }
     lines
 }
+
+/// `~/` at the beginning of a path is the user's home.
+pub(crate) fn at_home(path: PathBuf) -> PathBuf {
+    match (path.strip_prefix("~"), std::env::var_os("HOME")) {
+        (Ok(rest), Some(home)) => Path::new(&home).join(rest),
+        _ => path,
+    }
+}

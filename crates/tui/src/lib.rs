@@ -34,7 +34,7 @@ mod view;
 
 pub use app::{Options, run};
 pub use dalembert_plot::{drawing, look, plot};
-pub use dalembert_terminal::{self as terminal, glyphs};
+pub use dalembert_terminal::{self as terminal, glyphs, pixels};
 pub use effect::Effect;
 pub use model::{Model, Msg};
 pub use update::{start, update};

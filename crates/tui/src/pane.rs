@@ -15,6 +15,7 @@ use crate::{
     intent::Intent,
     keys::{Action, KeyContext, KeyMap},
     look::Appearance,
+    pixels::Picture,
     plot::Marker,
     problem::{OpenFile, Problem},
     text::draw_lines,
@@ -140,8 +141,10 @@ pub trait Pane: Any + Debug {
         Page::default()
     }
 
-    /// Draws what is no text, in the room that its lines leave.
-    fn draw(&self, _problem: &Problem, _ui: &Ui<'_>, _room: Rect, _buffer: &mut Buffer) {}
+    /// Draws what is no text, in the room that its lines leave; what is shown in pixels comes back.
+    fn draw(&self, _problem: &Problem, _ui: &Ui<'_>, _room: Rect, _buffer: &mut Buffer) -> Vec<Picture> {
+        Vec::new()
+    }
 
     /// The line of help below it.
     fn about(&self, _problem: &Problem, _ui: &Ui<'_>) -> Vec<Text> {
@@ -273,7 +276,9 @@ pub trait Pane: Any + Debug {
     }
 
     /// Draws the picture after the one that is shown, where a tall screen has room for it.
-    fn draw_next(&self, _problem: &Problem, _ui: &Ui<'_>, _room: Rect, _buffer: &mut Buffer) {}
+    fn draw_next(&self, _problem: &Problem, _ui: &Ui<'_>, _room: Rect, _buffer: &mut Buffer) -> Vec<Picture> {
+        Vec::new()
+    }
 
     /// The frames of what moves in it, and the time that they take.
     fn frames(&self, _problem: &Problem) -> (usize, f64) {

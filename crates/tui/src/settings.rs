@@ -8,6 +8,7 @@ mod write;
 use std::{
     ops::Range,
     path::{Path, PathBuf},
+    time::Duration,
 };
 
 use dalembert_core::{Language, Text, nearest};
@@ -18,6 +19,7 @@ use toml_edit::{Document, Item, TableLike};
 pub use self::write::default_file;
 use crate::{
     files::{self, FileError},
+    glyphs::{Capabilities, Glyphs},
     keys::{Key, KeyChange, KeyContext, KeyMap},
     look::Theme,
     panes::places,
@@ -37,6 +39,8 @@ pub struct Settings {
     pub ascii: bool,
     /// True to capture mouse events; `None`: unless the session is remote.
     pub mouse: Option<bool>,
+    /// True for pictures in pixels where the terminal shows them; `None`: unless the session is remote.
+    pub pixels: Option<bool>,
     /// Marker of curves; `None`: the finest that the terminal shows.
     pub marker: Option<Marker>,
     /// The decimal mark; `None`: that of the language.
@@ -78,11 +82,12 @@ impl Fault {
 }
 
 /// The settings at the top of the file, in its order.
-const KEYS: [&str; 10] = [
+const KEYS: [&str; 11] = [
     "language",
     "theme",
     "ascii",
     "mouse",
+    "pixels",
     "marker",
     "decimal",
     "digits",
@@ -111,6 +116,7 @@ impl Default for Settings {
             theme: Theme::default(),
             ascii: false,
             mouse: None,
+            pixels: None,
             marker: None,
             decimal: None,
             digits: Style::default().digits,
@@ -118,6 +124,18 @@ impl Default for Settings {
             editor: None,
             keys: KeyMap::default(),
         }
+    }
+}
+
+impl Settings {
+    /// The time in which a terminal has to answer that it shows pictures in pixels; `None` where it is not asked.
+    pub(crate) fn wait_for_pixels(&self, capabilities: &Capabilities, is_remote: bool) -> Option<Duration> {
+        let wait = match self.pixels {
+            Some(true) => Duration::from_secs(1),
+            None if !is_remote => Duration::from_millis(20),
+            _ => return None,
+        };
+        (capabilities.glyphs == Glyphs::Unicode).then_some(wait)
     }
 }
 
@@ -190,6 +208,7 @@ impl Reader<'_> {
             "theme" => settings.theme = one_of(key, item, &Theme::ALL.map(|theme| (theme.id(), theme)))?,
             "ascii" => settings.ascii = flag(key, item)?,
             "mouse" => settings.mouse = Some(flag(key, item)?),
+            "pixels" => settings.pixels = Some(flag(key, item)?),
             "marker" => settings.marker = Some(one_of(key, item, &MARKERS)?),
             "decimal" => settings.decimal = Some(one_of(key, item, &DECIMALS)?),
             "digits" => match item.as_integer().and_then(|digits| u8::try_from(digits).ok()) {

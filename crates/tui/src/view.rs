@@ -31,11 +31,13 @@ pub(crate) use self::{
 };
 use crate::{
     bench::Bench,
+    dialog::Dialog,
     glyphs::filter_untrusted,
     layout::{self, Focus},
     look::{Appearance, Glyph},
     model::Model,
     pane::{Content, Page, Tab, Ui},
+    pixels::Picture,
     replay::above_caption,
     text::{draw_lines, width},
 };
@@ -67,42 +69,23 @@ impl Areas {
 /// The least screen that shows more than a name.
 const LEAST: (u16, u16) = (16, 4);
 
-/// Draws everything.
-pub fn view(model: &Model, frame: &mut Frame<'_>) {
+/// Draws everything; the pictures in pixels come back. Where something lies over one of them, all are drawn in cells.
+pub fn view(model: &Model, frame: &mut Frame<'_>) -> Vec<Picture> {
     let area = above_caption(model, frame.area());
     let buffer = frame.buffer_mut();
     if area.is_empty() {
-        return;
+        return Vec::new();
     }
     if area.width < LEAST.0 || area.height < LEAST.1 {
         buffer.set_stringn(area.x, area.y, "dalembert", area.width.into(), model.look.title());
-        return;
+        return Vec::new();
     }
-    let mut cursor = match model.shown_bench() {
-        Some(bench) if bench.field.is_some() => field::draw(model, bench, area, buffer),
-        Some(bench) => {
-            let areas = areas_in(area, model, bench, bench.focus);
-            bars::title(model, areas.title, buffer);
-            if !areas.parts.is_empty() {
-                let bar = tabs::of_parts(model, bench, areas.parts.width);
-                buffer.set_line(areas.parts.x, areas.parts.y, &bar.line, areas.parts.width);
-            }
-            let cursor = areas.form.and_then(|area| form::draw(model, bench, area, buffer));
-            draw_panes(model, bench, &areas, buffer);
-            bars::help(model, areas.help, buffer);
-            bars::footer(model, areas.footer, buffer);
-            cursor
-        }
-        None => {
-            let [title, body, help, footer] = layout::frame(area);
-            bars::title(model, title, buffer);
-            let cursor = picker::draw(model, body, buffer);
-            bars::help(model, help, buffer);
-            bars::footer(model, footer, buffer);
-            cursor
-        }
-    };
+    let (mut cursor, mut pictures) = draw_screen(model, &model.look, area, buffer);
     if let Some(dialog) = &model.dialog {
+        if is_covered(model, dialog, &pictures, area) {
+            buffer.reset();
+            pictures = draw_screen(model, &Appearance { pixels: None, ..model.look }, area, buffer).1;
+        }
         cursor = dialog::draw(model, dialog, area, buffer);
     }
     model.look.ground(buffer);
@@ -112,17 +95,71 @@ pub fn view(model: &Model, frame: &mut Frame<'_>) {
     if let Some(position) = cursor.filter(|position| area.contains(*position)) {
         frame.set_cursor_position(position);
     }
+    pictures
+}
+
+/// Draws the screen under a dialog.
+fn draw_screen(
+    model: &Model,
+    look: &Appearance,
+    area: Rect,
+    buffer: &mut Buffer,
+) -> (Option<Position>, Vec<Picture>) {
+    match model.shown_bench() {
+        Some(bench) if bench.field.is_some() => (field::draw(model, bench, area, buffer), Vec::new()),
+        Some(bench) => {
+            let areas = areas_in(area, model, bench, bench.focus);
+            bars::title(model, areas.title, buffer);
+            if !areas.parts.is_empty() {
+                let bar = tabs::of_parts(model, bench, areas.parts.width);
+                buffer.set_line(areas.parts.x, areas.parts.y, &bar.line, areas.parts.width);
+            }
+            let cursor = areas.form.and_then(|area| form::draw(model, bench, area, buffer));
+            let pictures = draw_panes(model, look, bench, &areas, buffer);
+            bars::help(model, areas.help, buffer);
+            bars::footer(model, areas.footer, buffer);
+            (cursor, pictures)
+        }
+        None => {
+            let [title, body, help, footer] = layout::frame(area);
+            bars::title(model, title, buffer);
+            let cursor = picker::draw(model, body, buffer);
+            bars::help(model, help, buffer);
+            bars::footer(model, footer, buffer);
+            (cursor, Vec::new())
+        }
+    }
+}
+
+/// True if a dialog lies over a cell of a picture.
+fn is_covered(model: &Model, dialog: &Dialog, pictures: &[Picture], screen: Rect) -> bool {
+    if pictures.is_empty() {
+        return false;
+    }
+    // A sign that nothing draws, but for what holds no text.
+    const EMPTY: &str = "\u{E000}";
+    let mut under = Buffer::empty(screen);
+    under.content.iter_mut().for_each(|cell| _ = cell.set_symbol(EMPTY));
+    dialog::draw(model, dialog, screen, &mut under);
+    pictures.iter().any(|picture| picture.area.positions().any(|at| under[at].symbol() != EMPTY))
 }
 
 /// Draws every pane of what was found.
-fn draw_panes(model: &Model, bench: &Bench, areas: &Areas, buffer: &mut Buffer) {
+fn draw_panes(
+    model: &Model,
+    look: &Appearance,
+    bench: &Bench,
+    areas: &Areas,
+    buffer: &mut Buffer,
+) -> Vec<Picture> {
+    let mut pictures = Vec::new();
     for placed in &areas.panes {
         let (tab, area) = (placed.tab, placed.area);
-        let ui = surroundings(model, bench, tab, area);
+        let ui = Ui { look, ..surroundings(model, bench, tab, area) };
         let pane = bench.pane(tab);
         if placed.is_next {
             boxed(&tabs::place_of_next(model, bench, tab), false, ui.look, area, buffer);
-            pane.draw_next(&bench.problem, &ui, ui.area, buffer);
+            pictures.extend(pane.draw_next(&bench.problem, &ui, ui.area, buffer));
             continue;
         }
         let title = if placed.has_tabs {
@@ -142,8 +179,9 @@ fn draw_panes(model: &Model, bench: &Bench, areas: &Areas, buffer: &mut Buffer) 
         // A line is left free between the text and what is drawn below it.
         let used = (lines + usize::from(lines > 0)).min(height) as u16;
         let room = Rect { y: ui.area.y + used, height: ui.area.height - used, ..ui.area };
-        pane.draw(&bench.problem, &ui, room, buffer);
+        pictures.extend(pane.draw(&bench.problem, &ui, room, buffer));
     }
+    pictures
 }
 
 /// The surroundings of a pane in an area of the screen.

@@ -1,24 +1,9 @@
+#![doc = include_str!("../README.md")]
+//!
 //! Physical dimensions and units: `"20.3 mm"` in, `0.0203` and a length out, and back again.
 //!
 //! Inside the program everything is `f64` in SI. Units exist only where a user reads or writes, and what is
 //! written can be read again.
-//!
-//! ```
-//! use dalembert_units::{Decimal, Kind, Style, best_unit, read_quantity, unit, write_quantity};
-//!
-//! let metre = unit("m")?;
-//! let amplitude = read_quantity("20,3 mm", &metre, Kind::Length)?;
-//! assert_eq!(amplitude.si, 0.0203);
-//!
-//! let stiffness = 451_388.9;
-//! assert_eq!(write_quantity(stiffness, &unit("kN/m")?, Style::default()), "451.39 kN/m");
-//! let comma = Style { decimal: Decimal::Comma, ..Style::default() };
-//! assert_eq!(write_quantity(0.019456, &best_unit(0.019456, Kind::Length), comma), "19,456 mm");
-//!
-//! let error = read_quantity("10 kg", &unit("N")?, Kind::Force).unwrap_err();
-//! assert!(error.to_string().ends_with("write `9.81*10 N` or `10 kgf`"));
-//! # Ok::<(), dalembert_units::ReadError>(())
-//! ```
 
 mod decimal;
 mod dim;

@@ -8,6 +8,7 @@ mod json;
 mod optimise;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod pixels;
 mod ranges;
 mod replay;
 mod sensitivity;

@@ -6,7 +6,7 @@ use std::{
 };
 
 use dalembert_core::{
-    Stop, cases,
+    Entry, Record, Solution, Stop, cases,
     check::{self, Verdict},
     find,
     vary::{self, VariedInput},
@@ -54,12 +54,22 @@ const OF_THE_COURSE: [(&str, usize, &str, &str, &str); 18] = [
     ("balancing/two-plane", 1, "mass_a", "5.531 kg", "measured from the other end of: Position of plane B"),
 ];
 
+/// An analysis and the inputs of one of its cases, counted from 1.
+fn published(id: &str, case: usize) -> (&'static Entry, Record) {
+    let entry = find(id).expect("there is such an analysis");
+    let cases = cases::cases(entry).expect("the cases can be read");
+    (entry, cases[case - 1].record(entry).expect("the case can be read"))
+}
+
+fn solved(entry: &Entry, record: &Record) -> Solution {
+    entry.solve(record, &Stop::new()).expect("the problem has an answer")
+}
+
 #[test]
 fn the_errors_of_the_course_have_their_cause_first() {
     for (id, case, answer, typed, words) in OF_THE_COURSE {
-        let entry = find(id).unwrap();
-        let record = cases::cases(entry).unwrap()[case - 1].record(entry).unwrap();
-        let solution = entry.solve(&record, &Stop::new()).unwrap();
+        let (entry, record) = published(id, case);
+        let solution = solved(entry, &record);
         let typed = [(answer.to_owned(), typed.to_owned())];
         let causes = check::causes(entry, &record, &solution, &typed, &Stop::new(), None);
         let first = causes.first().and_then(|(_, causes)| causes.first());
@@ -239,20 +249,16 @@ const RECOMPUTED: [Recomputed; 18] = [
 
 /// First cause of an error, with inputs so many times as large.
 fn first_cause((id, case, written, _): &Recomputed, factor: &dyn Fn(usize) -> f64) -> String {
-    let entry = find(id).unwrap();
-    let printed = cases::cases(entry).unwrap()[case - 1].record(entry).unwrap();
+    let (entry, printed) = published(id, *case);
     let mut record = printed.clone();
     for (place, input) in vary::inputs(&printed).iter().enumerate() {
-        record = vary::changed(&record, &input.path, factor(place) * input.si).unwrap();
+        record = vary::changed(&record, &input.path, factor(place) * input.si).expect("the input varies");
     }
-    let solution = entry.solve(&record, &Stop::new()).unwrap();
+    let solution = solved(entry, &record);
     let inputs = vary::inputs(&record);
     let text = |(answer, sign, of, recipe): &(&str, &str, &str, Recipe)| {
-        let number = write_quantity(
-            recipe(&Inputs(&inputs)),
-            &unit(of).unwrap(),
-            Style { digits: 6, ..Style::default() },
-        );
+        let style = Style { digits: 6, ..Style::default() };
+        let number = write_quantity(recipe(&Inputs(&inputs)), &unit(of).expect("a unit"), style);
         ((*answer).to_owned(), format!("{sign}{number}"))
     };
     let typed: Vec<_> = written.iter().map(text).collect();
@@ -280,9 +286,8 @@ fn the_errors_of_the_course_have_their_cause_first_with_other_inputs() {
 
 /// Causes of an answer to the first case of an analysis or another one, in words, each reading of a number on its own.
 fn readings(id: &str, case: usize, answer: &str, typed: &str) -> Vec<Vec<String>> {
-    let entry = find(id).unwrap();
-    let record = cases::cases(entry).unwrap()[case - 1].record(entry).unwrap();
-    let solution = entry.solve(&record, &Stop::new()).unwrap();
+    let (entry, record) = published(id, case);
+    let solution = solved(entry, &record);
     let typed = [(answer.to_owned(), typed.to_owned())];
     let causes = check::causes(entry, &record, &solution, &typed, &Stop::new(), None);
     let of_cause = |cause: &check::Cause| {
@@ -327,9 +332,8 @@ fn no_cause_is_listed_twice() {
 
 #[test]
 fn a_set_is_read_with_the_symbol_of_its_quantity() {
-    let entry = find(TURBINE).unwrap();
-    let record = cases::cases(entry).unwrap()[2].record(entry).unwrap();
-    let solution = entry.solve(&record, &Stop::new()).unwrap();
+    let (entry, record) = published(TURBINE, 3);
+    let solution = solved(entry, &record);
     let answer = solution.answer("diameters").unwrap();
     for (typed, verdict) in [
         ("d <= 113.4 mm or d >= 439.9 mm", Verdict::Right),

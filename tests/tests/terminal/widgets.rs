@@ -20,7 +20,7 @@ use dalembert_tui::{
 use ratatui::{buffer::Buffer, layout::Rect, style::Color, text::Line};
 
 const UNICODE: Appearance =
-    Appearance { ascii: false, colors: Colors::Sixteen, theme: Theme::Terminal, basic: false };
+    Appearance { ascii: false, colors: Colors::Sixteen, theme: Theme::Terminal, basic: false, pixels: None };
 const ASCII: Appearance = Appearance { ascii: true, ..UNICODE };
 const BARE: Appearance = Appearance { colors: Colors::None, ..UNICODE };
 
@@ -70,7 +70,9 @@ fn drawn(
     locale: &Locale,
     (width, height): (u16, u16),
 ) -> String {
-    screen(width, height, |area, buffer| plot::render(plot, None, state, look, locale, area, buffer))
+    screen(width, height, |area, buffer| {
+        plot::render(plot, None, state, look, locale, area, buffer);
+    })
 }
 
 fn screen(width: u16, height: u16, draw: impl FnOnce(Rect, &mut Buffer)) -> String {

@@ -42,7 +42,7 @@ pub(super) fn write(release: &Release) -> Result<()> {
     let wheel = |arguments: &[&str], paths: [&Path; 2]| {
         let mut command = Command::new(&python);
         command.env("SOURCE_DATE_EPOCH", &release.time).args(["-m", "wheel"]).args(arguments);
-        run_command(command.arg("--dest-dir").args(paths))
+        run_command(command.arg("-d").args(paths))
     };
     wheel(&["unpack"], [&contents, &python::built(&modules)?])?;
     let unpacked = only(&contents)?;

@@ -3,7 +3,10 @@
 use std::collections::BTreeSet;
 
 use super::{Tree, lines, loops::imports};
-use crate::names::{pascal, snake, snake_of};
+use crate::{
+    names::{pascal, snake, snake_of},
+    new_plugin,
+};
 
 /// Files beside the topics in the sources of a family.
 const BESIDE: [&str; 3] = ["lib", "shared", "sources"];
@@ -150,7 +153,7 @@ pub(super) fn every_plugin_is_in_the_bundle(tree: &Tree) -> Vec<String> {
     let library = tree.text("plugins/bundle/src/lib.rs").unwrap_or_default();
     let mut faults = Vec::new();
     for family in tree.families() {
-        let line = format!("dalembert-{family} = {{ path = \"../{family}\" }}");
+        let line = new_plugin::dependency(family);
         if !lines(manifest).any(|(_, have)| have == line) {
             faults.push(format!("plugins/bundle/Cargo.toml: `{line}` is missing"));
         }

@@ -24,6 +24,7 @@ const MOST_PAIRS: usize = 60;
 const GRAVITY: [f64; 4] = [9.81, 10.0, 9.806_65, 9.8];
 /// Units that are mixed up with others in countries that use them.
 const CUSTOMARY: [&str; 7] = ["in", "ft", "lb", "slug", "oz", "psi", "mil"];
+
 /// One way to take an input otherwise.
 struct Way {
     prior: f64,

@@ -47,9 +47,7 @@ pub(super) fn pairs(
     // Of the mistakes that give one number the likeliest.
     let mut likely: Vec<&Candidate> = Vec::new();
     for candidate in &usable {
-        let before = tried.values.len();
-        tried.count(one, candidate.values[at]);
-        if tried.values.len() > before {
+        if tried.count(one, candidate.values[at]) {
             likely.push(candidate);
         }
     }

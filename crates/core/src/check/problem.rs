@@ -13,19 +13,20 @@ pub(super) fn problems(
     record: &Record,
     stop: &Stop,
 ) -> Result<(), Refusal> {
-    for (prior, mistake, solution) in solved_otherwise(entry, record, stop)? {
+    solve_otherwise(entry, record, stop, &mut |prior, mistake, solution| {
         let values = all.wrong.iter().map(|one| si_of(&solution, one.name)).collect();
         all.data(prior, mistake, values, Vec::new());
-    }
-    Ok(())
+    })
 }
 
-/// The problem solved with other options of every choice, and with other counts: prior, mistake, solution.
-pub(super) fn solved_otherwise(
+/// Solves the problem with other options of every choice, and with other counts; `each` takes the prior, the mistake and the
+/// solution of every one as it is found.
+pub(super) fn solve_otherwise(
     entry: &Entry,
     record: &Record,
     stop: &Stop,
-) -> Result<Vec<(f64, Mistake, Solution)>, Refusal> {
+    each: &mut dyn FnMut(f64, Mistake, Solution),
+) -> Result<(), Refusal> {
     let draft = Draft::of_record(record);
     let shape = entry.shape();
     let numbers = vary::inputs(record);
@@ -43,7 +44,6 @@ pub(super) fn solved_otherwise(
         }
         _ => {}
     });
-    let mut found = Vec::new();
     for other in others {
         stop.check()?;
         let Some((mistake, changed, prior)) = other.applied(&draft, &shape, &numbers) else { continue };
@@ -51,10 +51,10 @@ pub(super) fn solved_otherwise(
         match entry.solve_nominal(&record, stop) {
             Err(SolveError::Refused(Refusal::Stopped)) => return Err(Refusal::Stopped),
             Err(_) => {}
-            Ok(solution) => found.push((prior, mistake, solution)),
+            Ok(solution) => each(prior, mistake, solution),
         }
     }
-    Ok(found)
+    Ok(())
 }
 
 fn si_of(solution: &Solution, name: &str) -> f64 {

@@ -6,6 +6,7 @@ use dalembert_units::{Dim, Kind};
 
 use super::{
     Change,
+    digits::is_shifted,
     slip::{Slip, UNKNOWN, alone, is_scalar},
 };
 use crate::{
@@ -58,6 +59,11 @@ pub(super) fn of_product(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
         let kept: Vec<Factor> = all.iter().filter(|factor| !dropped(factor)).copied().collect();
         product_of(solution, id, &kept, 1.0)
     };
+    // Multiplied in place of divided, or the other way round.
+    let turned = |is_turned: &dyn Fn(&Factor) -> bool| {
+        let turned = |one: &Factor| Factor { divides: one.divides != is_turned(one), ..*one };
+        product_of(solution, id, &all.iter().map(turned).collect::<Vec<_>>(), 1.0)
+    };
     for factor in &all {
         if is_vector(factor) {
             continue;
@@ -79,26 +85,18 @@ pub(super) fn of_product(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
             let with_literals = |other: &Factor| is_this(other) || is_literal(other);
             found.extend(without(&with_literals).map(|edit| slip(2.0, Change::FactorLeftOut, edit)));
         }
-        let turned: Vec<Factor> =
-            all.iter().map(|one| Factor { divides: one.divides != is_this(one), ..*one }).collect();
         let change = if is_literal(factor) { Change::FactorInverted } else { Change::DividedForMultiplied };
         let prior = if is_literal(factor) { 0.4 } else { 1.0 };
-        found.extend(product_of(solution, id, &turned, 1.0).map(|edit| slip(prior, change, edit)));
+        found.extend(turned(&is_this).map(|edit| slip(prior, change, edit)));
         if !is_literal(factor) && all.iter().any(is_literal) {
-            let is_turned = |one: &Factor| is_this(one) || is_literal(one);
-            let turned: Vec<Factor> =
-                all.iter().map(|one| Factor { divides: one.divides != is_turned(one), ..*one }).collect();
-            let edit = product_of(solution, id, &turned, 1.0);
+            let edit = turned(&|one| is_this(one) || is_literal(one));
             found.extend(edit.map(|edit| slip(0.6, Change::DividedForMultiplied, edit)));
         }
         // A ratio of two like quantities upside down.
         let dim = |one: &Factor| solution.trace.node(one.id).dim;
         let is_under = |one: &&Factor| one.divides && !factor.divides && dim(one).agrees(dim(factor));
         for under in all.iter().filter(is_under).filter(|under| !is_literal(under) && !is_vector(under)) {
-            let is_turned = |one: &Factor| is_this(one) || one.id == under.id;
-            let turned: Vec<Factor> =
-                all.iter().map(|one| Factor { divides: one.divides != is_turned(one), ..*one }).collect();
-            let edit = product_of(solution, id, &turned, 1.0);
+            let edit = turned(&|one| is_this(one) || one.id == under.id);
             found.extend(edit.map(|edit| slip(3.0, Change::Inverted, edit)));
         }
         // An arc is its radius times an angle in radians.
@@ -121,10 +119,7 @@ pub(super) fn of_product(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
         );
     }
     if !all.iter().any(is_vector) {
-        let inverse: Vec<Factor> = all.iter().map(|one| Factor { divides: !one.divides, ..*one }).collect();
-        found.extend(
-            product_of(solution, id, &inverse, 1.0).map(|edit| Slip::new(1.8, Change::Inverted, edit)),
-        );
+        found.extend(turned(&|_| true).map(|edit| Slip::new(1.8, Change::Inverted, edit)));
     }
     coefficients(solution, id, &all, found);
 }
@@ -163,10 +158,7 @@ fn coefficients(solution: &Solution, id: Id, all: &[Factor], found: &mut Vec<Sli
         (false, false) => 0.3,
     };
     // A coefficient ten times as large is a power of ten, which others look for.
-    let is_another = |other: &f64| {
-        let places = (other / present).log10();
-        (places - places.round()).abs() > 1e-9
-    };
+    let is_another = |other: &f64| !is_shifted(other / present);
     for other in taken.filter(is_another) {
         let change = Change::Coefficient(present, other);
         let edit = product_of(solution, id, &others, other);

@@ -1,6 +1,6 @@
 //! Mistakes that give the digits of an answer, as causes: those that cannot be distinguished are one, and the likeliest comes first.
 
-use std::collections::BTreeSet;
+use std::{cmp::Ordering, collections::BTreeSet};
 
 use super::{
     Cause, Change, Mistake, Place,
@@ -23,16 +23,16 @@ pub(super) const UNKNOWN: f64 = 100.0;
 /// Values that were tried, each counted once.
 #[derive(Default)]
 pub(super) struct Values {
-    pub(super) values: BTreeSet<(bool, i64)>,
+    values: BTreeSet<(bool, i64)>,
     /// Expected number of chance hits.
     pub(super) accidents: f64,
 }
 
 impl Values {
-    /// Counts a value; values that agree to nine digits are one.
-    pub(super) fn count(&mut self, one: &Wrong<'_>, value: f64) {
+    /// Counts a value, unless it is nothing or was tried before; values that agree to nine digits are one. True if it was counted.
+    pub(super) fn count(&mut self, one: &Wrong<'_>, value: f64) -> bool {
         if value == 0.0 {
-            return;
+            return false;
         }
         let key = (value < 0.0, (value.abs().ln() * 1e9).round() as i64);
         let is_known = (-1..=1).any(|off| self.values.contains(&(key.0, key.1.saturating_add(off))));
@@ -40,6 +40,7 @@ impl Values {
             self.values.insert(key);
             self.accidents += one.accident(value);
         }
+        !is_known
     }
 }
 
@@ -56,6 +57,13 @@ pub(super) struct Hit {
 }
 
 impl Hit {
+    /// Order of causes: named before possible, those that explain more answers first, then the likelier.
+    fn rank(&self, other: &Hit) -> Ordering {
+        (other.cause.is_named, other.others)
+            .cmp(&(self.cause.is_named, self.others))
+            .then(other.prior.total_cmp(&self.prior))
+    }
+
     /// True if the number of another hit is this one.
     fn is_of(&self, other: &Hit) -> bool {
         is_near(self.value, other.value) && self.others == other.others
@@ -107,9 +115,7 @@ fn is_in_one_step(cause: &Cause) -> bool {
 /// or several at one place; those that read alike are listed once.
 pub(super) fn causes_of(one: &Wrong<'_>, mut hits: Vec<Hit>, solution: &Solution) -> Vec<Cause> {
     let node = node_of(one);
-    hits.sort_by(|a, b| {
-        (b.cause.is_named, b.others).cmp(&(a.cause.is_named, a.others)).then(b.prior.total_cmp(&a.prior))
-    });
+    hits.sort_by(Hit::rank);
     let all: Vec<(usize, f64)> = hits.iter().map(|hit| (hit.others, hit.prior)).collect();
     // The step says more than the answer.
     for at in (0..hits.len()).rev() {
@@ -119,9 +125,7 @@ pub(super) fn causes_of(one: &Wrong<'_>, mut hits: Vec<Hit>, solution: &Solution
             hits.remove(at);
         }
     }
-    hits.sort_by(|a, b| {
-        (b.cause.is_named, b.others).cmp(&(a.cause.is_named, a.others)).then(b.prior.total_cmp(&a.prior))
-    });
+    hits.sort_by(Hit::rank);
     let mut found: Vec<(Hit, Vec<String>)> = Vec::new();
     for hit in hits {
         let sentence = hit.cause.text(solution).english();
@@ -144,9 +148,7 @@ pub(super) fn causes_of(one: &Wrong<'_>, mut hits: Vec<Hit>, solution: &Solution
             None => found.push((hit, vec![sentence])),
         }
     }
-    found.sort_by(|(a, _), (b, _)| {
-        (b.cause.is_named, b.others).cmp(&(a.cause.is_named, a.others)).then(b.prior.total_cmp(&a.prior))
-    });
+    found.sort_by(|(a, _), (b, _)| a.rank(b));
     let likely = |(mut hit, _): (Hit, Vec<String>)| {
         let rivals = all.iter().filter(|(others, _)| *others == hit.others).map(|(_, prior)| prior);
         // What was said by the user or a book is no chance.

@@ -8,7 +8,7 @@ use super::{
     Cause, Change, Mistake, Place,
     candidates::{candidates, disputed},
     pairs::pairs,
-    problem::solved_otherwise,
+    problem::solve_otherwise,
     ranking::{EQUIVALENTS, Hit, NAMED, POSSIBLE, UNKNOWN, Values, causes_of},
     steps::{node_of, rounded, scalar},
     tries::Candidate,
@@ -203,7 +203,9 @@ fn of_set(
         return of(change(Change::Branch));
     }
     // The set, or one limit of it, with another option or count.
-    let mut others = solved_otherwise(entry, record, stop).ok()?;
+    let mut others = Vec::new();
+    solve_otherwise(entry, record, stop, &mut |prior, mistake, other| others.push((prior, mistake, other)))
+        .ok()?;
     others.sort_by(|(a, ..), (b, ..)| b.total_cmp(a));
     let mut found = others.into_iter().filter_map(|(_, mistake, other)| {
         let found = other.answer(name)?;

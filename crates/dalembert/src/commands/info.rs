@@ -75,7 +75,8 @@ pub(crate) fn run(set: &Set, console: &Console) -> Result<ExitCode, Failure> {
         line(
             "curve markers",
             match console.capabilities.marker {
-                PlotMarker::Braille => say("braille"),
+                // Whether there are pixels is asked of the terminal, which this command does not.
+                PlotMarker::Braille | PlotMarker::Pixels { .. } => say("braille"),
                 PlotMarker::HalfBlock => say("half blocks"),
                 PlotMarker::Dot => say("dots"),
                 PlotMarker::Ascii => "ASCII".into(),

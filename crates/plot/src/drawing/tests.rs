@@ -1,4 +1,5 @@
 use dalembert_core::{Ink, LabelSide};
+use dalembert_terminal::pixels;
 
 use super::*;
 
@@ -105,4 +106,52 @@ fn the_smallest_circle_is_one_sign() {
     let all =
         drawn(&drawing(shapes), &Appearance { ascii: true, ..Appearance::default() }, 42, 12).join("\n");
     assert_eq!((all.matches('O').count(), all.matches('o').count()), (1, 0), "{all}");
+}
+
+/// The columns and rows of pixels that a drawing covers.
+fn extent_in_pixels(drawing: &Drawing, cell: (u16, u16)) -> [(usize, usize); 2] {
+    let area = Rect::new(0, 0, 60, 20);
+    let look = Appearance { pixels: Some(cell), ..Appearance::default() };
+    let placed = render(drawing, &look, &Locale::english(), area, &mut Buffer::empty(area));
+    let raster = placed.picture.expect("a picture").raster;
+    let (width, height) = raster.size();
+    let is_drawn = |x: usize, y: usize| raster.pixel((x, y)).is_some();
+    let ends = |mut drawn: Box<dyn Iterator<Item = usize> + '_>| {
+        let first = drawn.next().expect("something is drawn");
+        (first, drawn.last().unwrap_or(first))
+    };
+    [
+        ends(Box::new((0..width).filter(move |x| (0..height).any(|y| is_drawn(*x, y))))),
+        ends(Box::new((0..height).filter(move |y| (0..width).any(|x| is_drawn(x, *y))))),
+    ]
+}
+
+#[test]
+fn in_pixels_a_circle_is_round_whatever_the_font() {
+    let circle = drawing(vec![DrawnShape::Circle((3.0, -2.0), 5.0, Ink::Body)]);
+    for cell in [(10, 20), (9, 20), (8, 14), (12, 30)] {
+        let [across, down] = extent_in_pixels(&circle, cell);
+        let (width, height) = (across.1 - across.0, down.1 - down.0);
+        assert!(width.abs_diff(height) <= 2, "{width} × {height} in cells of {cell:?}");
+        assert!(height > 15 * usize::from(cell.1), "{height}");
+    }
+}
+
+#[test]
+fn in_pixels_a_block_hides_what_lies_under_it() {
+    let line = DrawnShape::Polyline(vec![(0.0, 0.0), (10.0, 0.0)], Ink::Motion);
+    let block = DrawnShape::Block((3.0, -2.0), (7.0, 2.0), Ink::Body);
+    let covered = |shapes: Vec<DrawnShape>| {
+        let area = Rect::new(0, 0, 60, 20);
+        let look = Appearance { pixels: Some((10, 20)), ..Appearance::default() };
+        let placed = render(&drawing(shapes), &look, &Locale::english(), area, &mut Buffer::empty(area));
+        let raster = placed.picture.expect("a picture").raster;
+        let motion = pixels::Ink::from(look.ink(Ink::Motion));
+        let is_line = |x: &usize| {
+            (0..raster.size().1).any(|y| raster.pixel((*x, y)).is_some_and(|(ink, _)| ink == motion))
+        };
+        (0..raster.size().0).filter(is_line).count() as f64
+    };
+    let (over, under) = (covered(vec![line.clone(), block.clone()]), covered(vec![block, line]));
+    assert!((over / under - 0.6).abs() < 0.02, "{over} of {under}");
 }

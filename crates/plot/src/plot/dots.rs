@@ -1,22 +1,29 @@
 //! Lines made of dots, several to a cell.
 
 use dalembert_core::exhibit::clipped;
+use dalembert_terminal::pixels::Picture;
 use ratatui::{buffer::Buffer, layout::Rect, style::Style};
 
-use super::Marker;
+use super::{Marker, brush::Brush};
+use crate::look::Appearance;
 
 /// Dots over the cells of an area. Coordinates are in dots from the upper left corner.
 pub(crate) struct Dots {
     marker: Marker,
     area: Rect,
     cells: Vec<Cell>,
+    /// Strokes in pixels, in place of the cells.
+    brush: Option<Brush>,
     /// Dots since the pen was set down, for its dashes.
     travelled: u32,
     /// Signs on curves, over their dots.
-    marks: Vec<(usize, char, Style)>,
+    marks: Vec<Sign>,
     /// The sign of a stroke that has none yet, at its last dot.
-    end: Option<(usize, char, Style)>,
+    end: Option<Sign>,
 }
+
+/// Steps of a stroke to a pixel: spots half a pixel apart make an even line.
+const STEPS: f64 = 2.0;
 
 /// Pen that dots are drawn with.
 #[derive(Clone, Copy, Debug)]
@@ -34,6 +41,9 @@ pub(crate) struct Pen {
     /// first of equals; what is no curve gives way to any, and to what is drawn later.
     pub(crate) curve: Option<usize>,
 }
+
+/// A sign on a curve: its cell, its dot, its character and its style.
+type Sign = (usize, (f64, f64), char, Style);
 
 #[derive(Clone, Copy, Default)]
 struct Cell {
@@ -81,6 +91,10 @@ impl Dots {
             marker,
             area,
             cells: vec![Cell::default(); area.area() as usize],
+            brush: match marker {
+                Marker::Pixels { across, down } => Some(Brush::new(area, (across, down))),
+                _ => None,
+            },
             travelled: 0,
             marks: Vec::new(),
             end: None,
@@ -92,10 +106,27 @@ impl Dots {
         per_cell(self.marker)
     }
 
+    /// Heights of a cell to its width.
+    pub(crate) fn aspect(&self) -> f64 {
+        aspect(self.marker)
+    }
+
     /// Dots across the area and down the area.
     pub(crate) fn size(&self) -> (u16, u16) {
         let (across, down) = self.per_cell();
         (self.area.width.saturating_mul(across), self.area.height.saturating_mul(down))
+    }
+
+    /// The dot at parts of the area, across and up.
+    pub(crate) fn at_place(&self, (across, up): (f64, f64)) -> (f64, f64) {
+        let (width, height) = self.size();
+        (across * (f64::from(width) - 1.0), (1.0 - up) * (f64::from(height) - 1.0))
+    }
+
+    /// The dot at parts of the area, where it is drawn in pixels, and what it is drawn with.
+    pub(crate) fn dot_of(&mut self, place: Option<(f64, f64)>) -> Option<((f64, f64), &mut Brush)> {
+        let dot = self.at_place(place?);
+        Some((dot, self.brush.as_mut()?))
     }
 
     /// The cell that holds a dot, inside the area.
@@ -108,6 +139,9 @@ impl Dots {
 
     /// True for a cell of the buffer without a dot.
     pub(crate) fn is_free(&self, x: u16, y: u16) -> bool {
+        if let Some(brush) = &self.brush {
+            return brush.is_free(x, y);
+        }
         self.index(x, y).is_none_or(|at| self.cells[at].mask == 0)
     }
 
@@ -128,7 +162,8 @@ impl Dots {
         };
         let (across, down) = (to.0 - from.0, to.1 - from.1);
         // No step is longer than a dot, so that none is skipped between two that are rounded.
-        let steps = across.abs().max(down.abs()).ceil().max(1.0);
+        let finer = if self.brush.is_some() { STEPS } else { 1.0 };
+        let steps = (finer * across.abs().max(down.abs())).ceil().max(1.0);
         for n in 0..=steps as u32 {
             let share = f64::from(n) / steps;
             self.dot((from.0 + across * share, from.1 + down * share), pen);
@@ -137,6 +172,9 @@ impl Dots {
 
     /// Hides what lies inside a closed line.
     pub(crate) fn hide(&mut self, corners: &[(f64, f64)]) {
+        if let Some(brush) = &mut self.brush {
+            return brush.hide(corners);
+        }
         let (width, height) = self.size();
         let range = |of: fn(&(f64, f64)) -> f64, size: u16| {
             let least = corners.iter().map(of).fold(f64::INFINITY, f64::min);
@@ -152,25 +190,44 @@ impl Dots {
         }
     }
 
-    /// Draws the cells that hold dots.
-    pub(crate) fn draw(&self, buffer: &mut Buffer) {
+    /// Strokes in pixels.
+    pub(crate) fn brush(&mut self) -> Option<&mut Brush> {
+        self.brush.as_mut()
+    }
+
+    /// The picture in pixels.
+    pub(crate) fn picture(&mut self, look: &Appearance) -> Option<Picture> {
+        Some(self.brush.take()?.picture(look))
+    }
+
+    /// Draws the cells that hold dots, and the signs of curves; in pixels, the signs alone.
+    pub(crate) fn draw(&mut self, buffer: &mut Buffer) {
+        if let Some(brush) = &mut self.brush {
+            for (_, at, mark, style) in self.marks.drain(..) {
+                brush.sign(at, mark, style.into());
+            }
+            return;
+        }
         for (n, cell) in self.cells.iter().enumerate().filter(|(_, cell)| cell.mask != 0) {
             let (x, y) = (n as u16 % self.area.width, n as u16 / self.area.width);
             let shown = match self.marker {
                 Marker::Braille => char::from_u32(0x2800 + u32::from(cell.mask)).unwrap_or(' '),
                 Marker::HalfBlock => [' ', '▀', '▄', '█'][usize::from(cell.mask & 3)],
-                Marker::Dot | Marker::Ascii => cell.stamp,
+                Marker::Dot | Marker::Ascii | Marker::Pixels { .. } => cell.stamp,
             };
             over(buffer, (self.area.x + x, self.area.y + y), shown, cell.style);
         }
-        for (n, mark, style) in &self.marks {
+        for (n, _, mark, style) in &self.marks {
             let (x, y) = (*n as u16 % self.area.width, *n as u16 / self.area.width);
             over(buffer, (self.area.x + x, self.area.y + y), *mark, *style);
         }
     }
 
-    fn dot(&mut self, (x, y): (f64, f64), pen: Pen) {
-        let (on, off) = pen.dash;
+    fn dot(&mut self, dot: (f64, f64), pen: Pen) {
+        let (x, y) = dot;
+        // Dashes are measured in dots of braille, two of them across a cell.
+        let unit = if self.brush.is_some() { STEPS as u32 * u32::from(self.per_cell().0) / 2 } else { 1 };
+        let (on, off) = (pen.dash.0 * unit, pen.dash.1 * unit);
         let drawn = self.travelled % (on + off).max(1) < on;
         let travelled = self.travelled;
         self.travelled = travelled.wrapping_add(1);
@@ -180,14 +237,18 @@ impl Dots {
         let Some(at) = self.index(self.area.x + column, self.area.y + row).filter(|_| drawn) else {
             return;
         };
-        self.cells[at].add(bit(self.marker, x, y), &pen);
+        match &mut self.brush {
+            Some(brush) => brush.spot(dot, brush.radius(), pen.style.into()),
+            None => self.cells[at].add(bit(self.marker, x, y), &pen),
+        }
         if let Some((mark, first)) = pen.mark {
-            let every = 4 * u32::from(across + down);
-            if travelled % every == first % every {
-                self.marks.push((at, mark, pen.style));
+            let every = if self.brush.is_some() { 24 * unit } else { 4 * u32::from(across + down) };
+            let first = first * unit % every;
+            if travelled % every == first {
+                self.marks.push((at, dot, mark, pen.style));
                 self.end = None;
-            } else if travelled < first % every {
-                self.end = Some((at, mark, pen.style));
+            } else if travelled < first {
+                self.end = Some((at, dot, mark, pen.style));
             }
         }
     }
@@ -214,12 +275,21 @@ pub(crate) fn over(buffer: &mut Buffer, cell: (u16, u16), sign: char, style: Sty
     cell.set_char(sign).set_style(style);
 }
 
+/// Heights of a cell to its width.
+pub(crate) fn aspect(marker: Marker) -> f64 {
+    match marker {
+        Marker::Pixels { across, down } => f64::from(down) / f64::from(across.max(1)),
+        _ => 2.0,
+    }
+}
+
 /// Dots across a cell and down a cell.
 pub(crate) fn per_cell(marker: Marker) -> (u16, u16) {
     match marker {
         Marker::Braille => (2, 4),
         Marker::HalfBlock => (1, 2),
         Marker::Dot | Marker::Ascii => (1, 1),
+        Marker::Pixels { across, down } => (across, down),
     }
 }
 
@@ -230,7 +300,7 @@ fn bit(marker: Marker, x: u16, y: u16) -> u8 {
     match marker {
         Marker::Braille => BRAILLE[usize::from(y % 4)][usize::from(x % 2)],
         Marker::HalfBlock => 1 << (y % 2),
-        Marker::Dot | Marker::Ascii => 1,
+        Marker::Dot | Marker::Ascii | Marker::Pixels { .. } => 1,
     }
 }
 

@@ -12,7 +12,7 @@ use unicode_width::UnicodeWidthStr;
 
 use super::{
     Marker, PlotState,
-    dots::{Pen, per_cell},
+    dots::{Pen, aspect, per_cell},
     pen, pinned_pen, point, rows, shade,
 };
 use crate::{look::Appearance, wrap};
@@ -30,6 +30,8 @@ pub(crate) struct Frame {
     lines: Vec<(u16, u16, &'static str)>,
     /// Faint points where ticks of both axes meet.
     grid: Vec<(u16, u16)>,
+    /// The labelled ticks, as parts of the axes: across and up.
+    pub(crate) ticks: [Vec<f64>; 2],
 }
 
 /// Number of rows for each part: none where there is no room.
@@ -96,7 +98,15 @@ impl Frame {
         let inner = Rect { y: area.y + above, height: height.saturating_sub(above + below), ..area };
         let sides = Sides { axes, inner, marker, style: locale.style };
         let Measured { canvas, gutter, up, across, ticks } = sides.measured(rows.axis > 0, rows.head > 0);
-        let mut frame = Self { canvas, up, across, words: Vec::new(), lines: Vec::new(), grid: Vec::new() };
+        let mut frame = Self {
+            canvas,
+            up,
+            across,
+            words: Vec::new(),
+            lines: Vec::new(),
+            grid: Vec::new(),
+            ticks: [Vec::new(), Vec::new()],
+        };
         for (line, y) in title.into_iter().zip(area.y..area.y + rows.title) {
             frame.words.push((area.x, y, line, look.title()));
         }
@@ -137,11 +147,13 @@ impl Frame {
         frame
     }
 
-    pub(crate) fn draw(&self, look: &Appearance, buffer: &mut Buffer) {
-        for at in &self.grid {
+    pub(crate) fn draw(&self, is_picture: bool, look: &Appearance, buffer: &mut Buffer) {
+        // In pixels they are lines of the picture, at the place of the tick and not in the middle of its cell.
+        for at in self.grid.iter().filter(|_| !is_picture) {
             buffer[*at].set_char(if look.ascii { '.' } else { '·' }).set_style(look.dim());
         }
         for (x, y, symbol) in &self.lines {
+            let symbol = if is_picture && *symbol == "┬" { "─" } else { symbol };
             buffer[(*x, *y)].set_symbol(symbol).set_style(look.dim());
         }
         for (x, y, words, style) in &self.words {
@@ -168,6 +180,7 @@ impl Frame {
             self.words.push((start, row, tick.label.clone(), look.dim()));
             if !tick.label.is_empty() {
                 rows.push(row);
+                self.ticks[1].extend(self.up.place(tick.at));
             }
         }
         rows
@@ -219,7 +232,9 @@ impl Frame {
         for (line, y) in lines.into_iter().zip(first..) {
             self.words.push((area.right() - line.width() as u16, y, line, look.dim()));
         }
-        ticks.ticks.iter().filter(|tick| !tick.label.is_empty()).filter_map(|tick| place(tick.at)).collect()
+        let labelled = ticks.ticks.iter().filter(|tick| !tick.label.is_empty());
+        self.ticks[0].extend(labelled.clone().filter_map(|tick| span.place(tick.at)));
+        labelled.filter_map(|tick| place(tick.at)).collect()
     }
 
     /// A row of the legend; where not all have room, it ends in the number of curves that it leaves out.
@@ -310,7 +325,8 @@ impl Sides<'_> {
 fn lengths(canvas: Rect, marker: Marker) -> [f64; 2] {
     let per_cell = per_cell(marker);
     let length = |cells: u16, dots: u16| f64::from(cells) - 1.0 / f64::from(dots);
-    let [across, down] = [length(canvas.width, per_cell.0), 2.0 * length(canvas.height, per_cell.1)];
+    let [across, down] =
+        [length(canvas.width, per_cell.0), aspect(marker) * length(canvas.height, per_cell.1)];
     [across.max(0.5), down.max(0.5)]
 }
 

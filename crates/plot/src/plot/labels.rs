@@ -168,6 +168,11 @@ impl Labels {
         self.placed.iter().filter_map(of_point).collect()
     }
 
+    /// The cells of all words.
+    pub(crate) fn cells(&self) -> impl Iterator<Item = Rect> {
+        self.placed.iter().filter(|placed| !placed.words.is_empty()).map(|placed| placed.at)
+    }
+
     /// Keeps a cell free of words.
     pub(crate) fn reserve(&mut self, (x, y): (u16, u16)) {
         let at = Rect::new(x, y, 1, 1);

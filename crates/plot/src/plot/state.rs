@@ -98,7 +98,7 @@ impl PlotState {
             Marker::Braille => Marker::HalfBlock,
             Marker::HalfBlock => Marker::Dot,
             Marker::Dot => Marker::Ascii,
-            Marker::Ascii => Marker::Braille,
+            Marker::Ascii | Marker::Pixels { .. } => Marker::Braille,
         };
         Self { marker, ..self }
     }

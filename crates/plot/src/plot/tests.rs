@@ -6,7 +6,7 @@ use super::*;
 use crate::look::Theme;
 
 const BARE: Appearance =
-    Appearance { ascii: false, colors: Colors::None, theme: Theme::Terminal, basic: false };
+    Appearance { ascii: false, colors: Colors::None, theme: Theme::Terminal, basic: false, pixels: None };
 
 /// Straight lines through the origin, the steepest last.
 fn lines(count: usize) -> Plot {
@@ -33,7 +33,9 @@ fn rows(buffer: &Buffer) -> Vec<String> {
 fn no_two_of_eight_curves_look_alike() {
     let looks = Theme::ALL.into_iter().flat_map(|theme| {
         [Colors::None, Colors::Sixteen, Colors::Indexed256, Colors::True].into_iter().flat_map(
-            move |colors| [true, false].map(|ascii| Appearance { ascii, colors, theme, basic: false }),
+            move |colors| {
+                [true, false].map(|ascii| Appearance { ascii, colors, theme, basic: false, pixels: None })
+            },
         )
     });
     for look in looks {
@@ -178,7 +180,8 @@ fn circle() -> Plot {
 #[test]
 fn circles_of_equal_scales_are_round() {
     for size in [(38, 14), (56, 18), (30, 30), (110, 30), (60, 60)] {
-        for marker in [Marker::Braille, Marker::HalfBlock, Marker::Dot] {
+        let pixels = Marker::Pixels { across: 9, down: 20 };
+        for marker in [Marker::Braille, Marker::HalfBlock, Marker::Dot, pixels] {
             let state = PlotState { marker, ..PlotState::default() };
             let plot = circle();
             let area = Rect::new(0, 0, size.0, size.1);
@@ -187,12 +190,19 @@ fn circles_of_equal_scales_are_round() {
             let locale = Locale::english();
             let frame = Frame::of(&axes, &state, Setting { area, marker, look: &look, locale: &locale });
             (axes.x.span, axes.y.span) = (frame.across, frame.up);
-            let canvas = Canvas { axes: &axes, area: frame.canvas, marker, look: &look, zero: false };
+            let canvas = Canvas {
+                axes: &axes,
+                area: frame.canvas,
+                marker,
+                look: &look,
+                zero: false,
+                ticks: &frame.ticks,
+            };
             let dots = Dots::new(frame.canvas, marker);
             let per_cell = dots::per_cell(marker);
             let at = |x: f64, y: f64| canvas.dot(&dots, (x, y)).unwrap();
             let across = (at(0.103, 0.002).0 - at(0.097, 0.002).0) / f64::from(per_cell.0);
-            let down = 2.0 * (at(0.1, -0.001).1 - at(0.1, 0.005).1) / f64::from(per_cell.1);
+            let down = dots.aspect() * (at(0.1, -0.001).1 - at(0.1, 0.005).1) / f64::from(per_cell.1);
             assert!((across / down - 1.0).abs() < 1e-9, "{across} and {down} at {size:?} with {marker:?}");
             let inside = |place: f64| (-1e-9..=1.0 + 1e-9).contains(&place);
             assert!([0.097, 0.103].into_iter().all(|x| inside(axes.x.of(x).unwrap())), "{size:?}");
@@ -292,4 +302,86 @@ fn the_pointer_is_read_before_the_cursor() {
     assert!(read(&over).starts_with("x = 75"), "{}", read(&over));
     assert_eq!(over.with_pointer(&plot, None), state);
     assert_eq!(over.with_pointer(&plot, Some(1.2)), state, "beyond the axis there is nothing to read");
+}
+
+/// The pictures of a plot in cells of 10 × 20 pixels.
+fn pictures(plot: &Plot, state: &PlotState, (width, height): (u16, u16)) -> (Vec<Picture>, Buffer) {
+    let area = Rect::new(0, 0, width, height);
+    let mut buffer = Buffer::empty(area);
+    let look = Appearance { pixels: Some((10, 20)), ..Appearance::default() };
+    let pictures = render(plot, None, state, &look, &Locale::english(), area, &mut buffer);
+    (pictures, buffer)
+}
+
+/// The middle of what an ink of this colour covers, column by column of pixels.
+fn middles(picture: &Picture, color: Color) -> Vec<(f64, f64)> {
+    let (width, height) = picture.raster.size();
+    let middle = |x: usize| {
+        let share = |y| match picture.raster.pixel((x, y)) {
+            Some((ink, degree)) if ink.color == color => f64::from(degree),
+            _ => 0.0,
+        };
+        let (sum, moment) =
+            (0..height).fold((0.0, 0.0), |(sum, moment), y| (sum + share(y), moment + share(y) * y as f64));
+        (sum > 0.0).then(|| (x as f64, moment / sum))
+    };
+    (0..width).filter_map(middle).collect()
+}
+
+#[test]
+fn in_pixels_a_straight_line_is_straight_to_half_a_pixel() {
+    let (pictures, buffer) = pictures(&lines(1), &PlotState::default(), (70, 24));
+    let [picture] = &pictures[..] else { panic!("{} pictures", pictures.len()) };
+    assert_eq!(
+        picture.raster.size(),
+        (10 * usize::from(picture.area.width), 20 * usize::from(picture.area.height))
+    );
+    // The cells under the picture hold no strokes of their own.
+    let inside = picture.area.positions().map(|at| buffer[at].symbol()).collect::<String>();
+    assert_eq!(inside.trim(), "");
+    let line = middles(picture, Color::Cyan);
+    assert!(line.len() as f64 > 0.95 * picture.raster.size().0 as f64, "{} columns", line.len());
+    let (first, last) = (line[5], line[line.len() - 6]);
+    let slope = (last.1 - first.1) / (last.0 - first.0);
+    assert!(slope < -0.4, "{slope}");
+    for (x, y) in &line[5..line.len() - 5] {
+        let off = y - first.1 - slope * (x - first.0);
+        assert!(off.abs() < 0.5, "{off} at {x}");
+    }
+}
+
+#[test]
+fn in_pixels_the_cursor_is_a_picture_of_three_columns_and_leaves_the_curves() {
+    let state = |at: f64| PlotState { cursor: Some(at), ..PlotState::default() };
+    let (first, _) = pictures(&lines(3), &state(30.0), (70, 24));
+    let (second, _) = pictures(&lines(3), &state(31.0), (70, 24));
+    assert_eq!((first.len(), first[1].area.width, first[1].area.height), (2, 3, first[0].area.height));
+    assert_eq!(first[0], second[0]);
+    assert_ne!(first[1], second[1]);
+    // The line down the plot is where the cursor is, and the points on the curves are beside none of it.
+    let (across, cells) = (f64::from(first[1].area.x - first[0].area.x), f64::from(first[0].area.width));
+    let line = middles(&first[1], Color::Reset).into_iter().map(|(x, _)| x).sum::<f64>();
+    assert!((across * 10.0 + line - 0.3 * (10.0 * cells - 1.0)).abs() <= 0.5, "{line}");
+}
+
+#[test]
+fn in_pixels_words_have_their_cells_for_themselves() {
+    let mut found = 0;
+    // Of eight curves, those without a colour of their own have signs.
+    for (curves, x) in (0..100).flat_map(|n| [(2, f64::from(n)), (8, f64::from(n))]) {
+        let plot = lines(curves).mark("peak", (x, 0.93 * x));
+        let (pictures, buffer) = pictures(&plot, &PlotState::default(), (70, 24));
+        let area = pictures[0].area;
+        let words: Vec<_> = area.positions().filter(|at| buffer[*at].symbol() != " ").collect();
+        let written = words.iter().map(|at| buffer[*at].symbol()).collect::<String>();
+        // Where there is no room, they are left out.
+        assert!(["", "peak"].contains(&&*written), "{curves} curves, {x}: {written}");
+        found += usize::from(!words.is_empty());
+        for at in words {
+            let (x, y) = (usize::from(at.x - area.x) * 10, usize::from(at.y - area.y) * 20);
+            // Letters leave an eighth of a cell above and below.
+            assert!(pictures[0].raster.is_free(y + 2..y + 18, x..x + 10), "{curves} curves, {at}");
+        }
+    }
+    assert!(found > 150, "{found} of 200");
 }

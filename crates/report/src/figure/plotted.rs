@@ -1,6 +1,7 @@
 //! A plot as a picture.
 
 use dalembert_core::{Locale, Plot, Series, Text, exhibit::clipped};
+use itertools::Itertools as _;
 
 use super::{
     Seen,
@@ -260,9 +261,11 @@ impl Area<'_> {
         }
     }
 
+    /// The name of each band in it; of bands of one name the first that is seen is named.
     fn band_names(&self, locale: &Locale, labels: &mut Labels) {
-        for band in &self.axes.plot.bands {
-            let Some((from, to)) = self.ends(band.from, band.to) else { continue };
+        let bands = self.axes.plot.bands.iter();
+        let seen = bands.filter_map(|band| Some((band, self.ends(band.from, band.to)?)));
+        for (band, (from, to)) in seen.unique_by(|(band, _)| band.label.render(locale)) {
             let name = band.label.render(locale);
             let x = f64::midpoint(from, to) - width(&name) / 2.0;
             let mut places: Vec<(f64, f64)> =

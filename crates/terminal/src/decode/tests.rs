@@ -212,3 +212,42 @@ fn no_bytes_stall_it() {
         assert_eq!(inputs, press(KeyCode::Char('k'), KeyModifiers::NONE), "{}", bytes.escape_ascii());
     }
 }
+
+#[test]
+fn an_answer_that_comes_in_parts_is_dropped_and_one_that_never_ends_keeps_no_later_key() {
+    for answer in [
+        &b"\x1b_Gi=31;OK\x1b\\"[..],
+        b"\x1bP>|kitty(0.36.4)\x1b\\",
+        b"\x1b]11;rgb:24/24/24\x07",
+        b"\x1b[6;20;10t",
+    ] {
+        for cut in 3..answer.len() {
+            let (mut decoder, mut inputs) = (Decoder::default(), Vec::new());
+            decoder.feed(&answer[..cut], &mut inputs);
+            assert!(decoder.patience() >= Some(ESCAPE_PATIENCE), "{} {cut}", answer.escape_ascii());
+            decoder.feed(&answer[cut..], &mut inputs);
+            decoder.feed(b"x", &mut inputs);
+            assert_eq!(
+                inputs,
+                press(KeyCode::Char('x'), KeyModifiers::NONE),
+                "{} {cut}",
+                answer.escape_ascii()
+            );
+            // Nothing more came.
+            let mut broken = Decoder::default();
+            broken.feed(&answer[..cut], &mut inputs);
+            inputs.clear();
+            broken.settle(&mut inputs);
+            broken.feed(b"x", &mut inputs);
+            assert_eq!(
+                inputs,
+                press(KeyCode::Char('x'), KeyModifiers::NONE),
+                "{} {cut}",
+                answer.escape_ascii()
+            );
+        }
+        let mut decoder = Decoder::default();
+        decoder.feed(&answer[..4], &mut Vec::new());
+        assert_eq!(decoder.patience(), Some(ANSWER_PATIENCE), "{}", answer.escape_ascii());
+    }
+}

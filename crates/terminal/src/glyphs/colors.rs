@@ -56,7 +56,7 @@ fn indexed(color: [u8; 3]) -> u8 {
 }
 
 /// RGB value of a colour index of xterm.
-fn rgb(index: u8) -> [u8; 3] {
+pub(crate) fn rgb(index: u8) -> [u8; 3] {
     match index {
         0..16 => SIXTEEN[usize::from(index)].1,
         16..232 => {
@@ -64,6 +64,15 @@ fn rgb(index: u8) -> [u8; 3] {
             [cube / 36, cube / 6 % 6, cube % 6].map(|level| LEVELS[usize::from(level)])
         }
         232.. => [8 + 10 * (index - 232); 3],
+    }
+}
+
+/// Index of a colour that has one.
+#[cfg(feature = "pixels")]
+pub(crate) fn index_of(color: Color) -> Option<u8> {
+    match color {
+        Color::Indexed(index) => Some(index),
+        named => SIXTEEN.iter().position(|(name, _)| *name == named).map(|at| at as u8),
     }
 }
 

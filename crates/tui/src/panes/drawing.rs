@@ -21,6 +21,7 @@ use crate::{
     },
     look::Glyph,
     pane::{Content, Pane, Ui, register_pane},
+    pixels::Picture as Pixels,
     problem::Problem,
     text::width,
 };
@@ -75,10 +76,10 @@ impl Pane for Drawing {
         problem.drawings().next().is_some()
     }
 
-    fn draw(&self, problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut Buffer) {
+    fn draw(&self, problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut Buffer) -> Vec<Pixels> {
         let Some(sketch) = self.sketch(problem) else {
             reasons::draw_nothing(problem, ui, room, buffer);
-            return;
+            return Vec::new();
         };
         let mut room = reasons::draw_stale(problem, ui, room, buffer);
         let (frames, _) = sketch.frames();
@@ -90,19 +91,18 @@ impl Pane for Drawing {
         }
         let Some(seen) = self.seen(problem, ui.covered) else {
             reasons::draw_nothing(problem, ui, room, buffer);
-            return;
+            return Vec::new();
         };
-        drawing::render(&seen, ui.look, ui.locale, room, buffer);
-        reasons::dim_stale(problem, ui, room, buffer);
+        let placed = drawing::render(&seen, ui.look, ui.locale, room, buffer);
+        reasons::dim_stale(problem, ui, room, placed.picture.into_iter().collect(), buffer)
     }
 
-    fn draw_next(&self, problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut Buffer) {
+    fn draw_next(&self, problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut Buffer) -> Vec<Pixels> {
         let at = turned(self.at, 1, self.pictures(problem));
         let next = Self { at, ..Self::default() };
-        if let Some(seen) = next.seen(problem, ui.covered) {
-            drawing::render(&seen, ui.look, ui.locale, room, buffer);
-            reasons::dim_stale(problem, ui, room, buffer);
-        }
+        let Some(seen) = next.seen(problem, ui.covered) else { return Vec::new() };
+        let placed = drawing::render(&seen, ui.look, ui.locale, room, buffer);
+        reasons::dim_stale(problem, ui, room, placed.picture.into_iter().collect(), buffer)
     }
 
     fn about(&self, problem: &Problem, ui: &Ui<'_>) -> Vec<Text> {

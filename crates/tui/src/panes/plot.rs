@@ -20,6 +20,7 @@ use crate::{
         turned,
     },
     pane::{Content, Gesture, Pane, Ui, register_pane},
+    pixels::Picture,
     plot::{self, PlotState},
     problem::Problem,
 };
@@ -88,32 +89,31 @@ impl Pane for Plot {
         problem.plots().next().is_some()
     }
 
-    fn draw(&self, problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut Buffer) {
+    fn draw(&self, problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut Buffer) -> Vec<Picture> {
         if ui.covered {
             reasons::hidden(problem, ui, room.width).draw(0, room, buffer);
-            return;
+            return Vec::new();
         }
         let Some((plot, pinned)) = problem.plot_at(self.at) else {
             reasons::draw_nothing(problem, ui, room, buffer);
-            return;
+            return Vec::new();
         };
         let room = reasons::draw_stale(problem, ui, room, buffer);
-        plot::render(plot, pinned, &self.marked(ui), ui.look, ui.locale, room, buffer);
-        reasons::dim_stale(problem, ui, room, buffer);
+        let pictures = plot::render(plot, pinned, &self.marked(ui), ui.look, ui.locale, room, buffer);
+        reasons::dim_stale(problem, ui, room, pictures, buffer)
     }
 
     /// Draws the plot after the one that is shown, as it is: keys act on the other one.
-    fn draw_next(&self, problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut Buffer) {
+    fn draw_next(&self, problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut Buffer) -> Vec<Picture> {
         if ui.covered {
             reasons::hidden(problem, ui, room.width).draw(0, room, buffer);
-            return;
+            return Vec::new();
         }
         let next = turned(self.at, 1, self.pictures(problem));
-        if let Some((plot, pinned)) = problem.plot_at(next) {
-            let state = PlotState { marker: ui.marker, ..PlotState::default() };
-            plot::render(plot, pinned, &state, ui.look, ui.locale, room, buffer);
-            reasons::dim_stale(problem, ui, room, buffer);
-        }
+        let Some((plot, pinned)) = problem.plot_at(next) else { return Vec::new() };
+        let state = PlotState { marker: ui.marker, ..PlotState::default() };
+        let pictures = plot::render(plot, pinned, &state, ui.look, ui.locale, room, buffer);
+        reasons::dim_stale(problem, ui, room, pictures, buffer)
     }
 
     fn about(&self, problem: &Problem, ui: &Ui<'_>) -> Vec<Text> {

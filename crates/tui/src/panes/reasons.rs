@@ -14,6 +14,7 @@ use crate::{
     keys::{Action, KeyContext},
     look::{Appearance, Glyph},
     pane::{Page, Ui},
+    pixels::Picture,
     problem::{Freshness, Problem},
     solver::JobFailure,
     text::{fit, wrapped},
@@ -151,11 +152,22 @@ pub(super) fn draw_stale(problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mu
     Rect { y: room.y + 1, height: room.height - 1, ..room }
 }
 
-/// Dims a picture of earlier inputs.
-pub(super) fn dim_stale(problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut Buffer) {
+/// Dims a picture of earlier inputs, in cells and in pixels.
+pub(super) fn dim_stale(
+    problem: &Problem,
+    ui: &Ui<'_>,
+    room: Rect,
+    mut pictures: Vec<Picture>,
+    buffer: &mut Buffer,
+) -> Vec<Picture> {
     if problem.is_stale() {
         buffer.set_style(room, ui.look.dim());
+        let dim = ui.look.stroke(ui.look.dim().into());
+        for picture in &mut pictures {
+            picture.raster.change_inks(|_| dim);
+        }
     }
+    pictures
 }
 
 /// Message of an analysis without a solution. Fields are named by their labels in `shape`, the inputs of the analysis,

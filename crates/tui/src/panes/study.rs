@@ -26,6 +26,7 @@ use crate::{
     intent::Intent,
     keys::{Action, KeyContext},
     pane::{Gesture, Page, Pane, Ui, register_pane},
+    pixels::Picture,
     plot,
     problem::{OpenFile, Problem},
 };
@@ -71,14 +72,13 @@ impl Pane for Study {
     }
 
     /// Shows the curves of the answer under the cursor, or of the first, where there is room below the lines.
-    fn draw(&self, problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut Buffer) {
+    fn draw(&self, problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut Buffer) -> Vec<Picture> {
         if room.height < LEAST_CURVES || problem.is_stale() || problem.found.revealed.is_some() {
-            return;
+            return Vec::new();
         }
-        if let Some(plot) = self.curves(problem) {
-            let state = plot::PlotState { marker: ui.marker, pointer: self.pointer, ..Default::default() };
-            plot::render(plot, None, &state, ui.look, ui.locale, room, buffer);
-        }
+        let Some(plot) = self.curves(problem) else { return Vec::new() };
+        let state = plot::PlotState { marker: ui.marker, pointer: self.pointer, ..Default::default() };
+        plot::render(plot, None, &state, ui.look, ui.locale, room, buffer)
     }
 
     /// The curves are read under the pointer.

@@ -10,13 +10,14 @@ fn faults(text: &str) -> Vec<(usize, String)> {
 #[test]
 fn a_file_sets_what_it_names() {
     let (settings, faults) = parse(
-        "language = \"pt-BR\"\ntheme = \"high-contrast\"\nascii = true\nmouse = false\nmarker = \"dots\"\n\
+        "language = \"pt-BR\"\ntheme = \"high-contrast\"\nascii = true\nmouse = false\npixels = true\nmarker = \"dots\"\n\
          decimal = \"comma\"\ndigits = 7\nfilm-speed = 2\neditor = \"code --wait\"\n\n\
          [keys]\nsave = [\"f5\", \"ctrl-s\"]\n\n[keys.plot]\nzoom-in = \"i\"\n",
     );
     assert_eq!(faults, []);
     assert_eq!(settings.language, Some(Language::Portuguese));
     assert_eq!((settings.theme, settings.ascii, settings.mouse), (Theme::HighContrast, true, Some(false)));
+    assert_eq!(settings.pixels, Some(true));
     assert_eq!((settings.marker, settings.decimal), (Some(Marker::Dot), Some(Decimal::Comma)));
     assert_eq!((settings.digits, settings.animation_speed), (7, 2.0));
     assert_eq!(settings.editor.as_deref(), Some("code --wait"));

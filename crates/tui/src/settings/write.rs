@@ -45,6 +45,13 @@ pub fn default_file(locale: &Locale) -> String {
             ),
         ),
         (
+            "pixels",
+            String::new(),
+            Text::new(
+                "Pictures in pixels: true or false; default: true where the terminal shows them, over ssh false.",
+            ),
+        ),
+        (
             "marker",
             String::new(),
             Text::new("Curve markers: {known}; default: the finest that the terminal supports.")

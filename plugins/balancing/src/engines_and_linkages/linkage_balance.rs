@@ -306,15 +306,18 @@ impl Analysis for LinkageBalance {
             again(what, [first, last], at, 1.0, &|on| on.joints[joint][0].hypot(on.joints[joint][1]));
         }
         sheet.show(|| Exhibit::Table(joint_forces(names, &before, &after)));
-        for (title, label, unit, of) in [
-            ("Shaking force", "Force", "N", size as fn(&Shaking) -> f64),
-            ("Shaking moment about the crank pivot", "Moment", "N*m", |s| s.moment),
-            ("Torque on the crank", "Torque", "N*m", |s| s.torque),
+        for (title, label, unit, arm, of) in [
+            ("Shaking force", "Force", "N", 1.0, size as fn(&Shaking) -> f64),
+            ("Shaking moment about the crank pivot", "Moment", "N*m", reach, |s| s.moment),
+            ("Torque on the crank", "Torque", "N*m", reach, |s| s.torque),
         ] {
             sheet.show(|| {
+                // What is left of forces and moments that balance is rounding, and is drawn as none.
+                let least = ROUNDING * effort * arm;
+                let seen = |value: f64| if value.abs() <= least { 0.0 } else { value };
                 let curve = |all: &[Shaking]| {
                     let points = all.iter().chain([&all[0]]).enumerate();
-                    points.map(|(n, s)| (TAU * n as f64 / PLACES as f64, of(s))).collect::<Vec<_>>()
+                    points.map(|(n, s)| (TAU * n as f64 / PLACES as f64, seen(of(s)))).collect::<Vec<_>>()
                 };
                 Exhibit::Plot(Plot::new(
                     title,
@@ -343,6 +346,9 @@ const SLIDER_CRANK_JOINTS: [&str; 4] = [
     "Force in the pin of the slider",
     "Force of the guide",
 ];
+
+/// Share of the forces that cancel below which what is left of them is rounding.
+const ROUNDING: f64 = 1e-12;
 
 /// The largest force in each joint over a turn.
 fn joint_forces(names: [&'static str; 4], before: &[Shaking], after: &[Shaking]) -> TableExhibit {

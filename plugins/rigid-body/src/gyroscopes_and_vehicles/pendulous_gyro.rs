@@ -195,21 +195,22 @@ impl PendulousGyro {
         let tip = if self.sense.outward() < 0.0 { -1.25 } else { 1.25 };
         let mut sketch = Sketch::new("The frame from behind, in a turn to the left");
         sketch
-            .axis((0.0, -1.5), (0.0, 1.2))
-            .body("", [point(-0.08, -0.8), point(0.08, -0.8), point(0.08, 0.8), point(-0.08, 0.8)])
-            .label(self.wheel.letters(), point(0.08, 0.7))
-            .bars([point(-0.7, 0.0), point(0.7, 0.0)])
+            .axis((0.0, 0.0), (0.0, 1.2))
+            .body("", [point(-0.16, -0.8), point(0.16, -0.8), point(0.16, 0.8), point(-0.16, 0.8)])
+            .label(self.wheel.letters(), point(0.16, 0.7))
+            .bars([point(-0.7, 0.0), point(-0.16, 0.0)])
+            .bars([point(0.16, 0.0), point(0.7, 0.0)])
             .bars([point(-0.7, 0.0), point(-0.7, -1.1), point(0.7, -1.1), point(0.7, 0.0)])
             .motion("ω", point(0.56 * tip, 0.0), point(tip, 0.0))
             .joint("O", (0.0, 0.0))
             .mass_centre("G", centre)
-            .dimension("h", (0.0, 0.0), centre, 4.5)
+            .dimension("h", (0.0, 0.0), centre, 9.0)
             .force("m_f g", centre, (centre.0, centre.1 - 0.6))
-            .axis((-2.6, -1.5), (-2.6, 1.2))
+            .axis((-2.6, 0.2), (-2.6, 1.2))
             .dimension("R", (-2.6, 1.2), (0.0, 1.2), 0.0)
             .angle("θ", (0.0, 0.0), -FRAC_PI_2, -FRAC_PI_2 + tilt);
         if let GyroRotor::Disc { .. } = self.wheel {
-            sketch.dimension(self.wheel.radius_letter(), point(0.08, 0.0), point(0.08, 0.8), -1.5);
+            sketch.dimension(self.wheel.radius_letter(), point(0.16, 0.0), point(0.16, 0.8), -1.5);
         }
         into_page(&mut sketch, "v", (1.3, 0.7), 0.12);
         sketch.finish()

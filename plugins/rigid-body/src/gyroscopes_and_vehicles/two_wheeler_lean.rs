@@ -403,7 +403,8 @@ impl TwoWheelerLean {
         .mark("here", here)
     }
 
-    /// The vehicle from behind: a wheel, the rider's mass above it, the lean and the centre of the turn at the right.
+    /// The vehicle from behind: a wheel, the handlebar above it, the centre of mass, the lean, and the centre of the turn at the
+    /// right.
     fn rear_view(&self, lean: f64) -> Drawing {
         let (sin, cos) = lean.sin_cos();
         let size = self.centre_height.max(2.0 * self.wheel_radius);
@@ -411,6 +412,13 @@ impl TwoWheelerLean {
         let at = |up: f64, across: f64| (up * sin + across * cos, up * cos - across * sin);
         let centre = at(height, 0.0);
         let pull = 0.5 * lean.tan().min(2.0);
+        let bar = 1.15 * height.max(wheel);
+        let tyre: Vec<_> = (0..16)
+            .map(|n| {
+                let (across, up) = (TAU * f64::from(n) / 16.0).sin_cos();
+                at(wheel / 2.0 * (1.0 - up), 0.06 * across)
+            })
+            .collect();
         // The centre of the turn is drawn as near as it finds room.
         let (axis, from) = (2.1, if matches!(self.measured, Measured::Track) { (0.0, 0.0) } else { centre });
         let mut sketch = Sketch::new("From behind, in a turn to the right (R is not to scale)");
@@ -419,7 +427,9 @@ impl TwoWheelerLean {
             .axis((0.0, 0.0), (0.0, 1.3))
             .axis((axis, 0.0), (axis, 1.3))
             .axis(at(0.0, 0.0), at(1.2, 0.0))
-            .body("", [at(0.0, -0.05), at(0.0, 0.05), at(wheel, 0.05), at(wheel, -0.05)])
+            .body("", tyre)
+            .bars([at(wheel, 0.0), at(bar, 0.0)])
+            .bars([at(bar, -0.2), at(bar, 0.2)])
             .dimension("r", at(0.0, 0.0), at(wheel / 2.0, 0.0), -2.0)
             .label("I_w", at(0.75 * wheel, 0.05))
             .dimension("h", at(0.0, 0.0), centre, 3.0)

@@ -11,7 +11,7 @@ use nalgebra::{Matrix3, Vector3};
 /// Frames of an animation.
 pub const FRAMES: usize = 24;
 /// Straight parts of a drawn circle.
-const PARTS: usize = 36;
+const PARTS: usize = 72;
 
 /// Shapes drawn so far, later ones over earlier ones.
 #[derive(Clone, Debug, Default)]

@@ -286,9 +286,8 @@ fn history(motion: &FreeMotion, asked: Option<f64>, units: &Units) -> Plot {
         let side = (motion.velocity + z * w * motion.displacement) / motion.damped_frequency();
         let size = motion.displacement.hypot(side);
         if size < 50.0 * (motion.displacement.abs() + motion.velocity.abs() / w) {
-            let envelope = |sign: f64| times.clone().map(move |t| (t, sign * size * (-z * w * t).exp()));
-            let gap = std::iter::once((f64::INFINITY, f64::INFINITY));
-            series.push(Series::line("envelope", envelope(1.0).chain(gap).chain(envelope(-1.0)).collect()));
+            let envelope = times.clone().map(|t| (t, size * (-z * w * t).exp()));
+            series.push(Series::line("envelope", envelope.collect()).mirrored());
         }
     }
     let mut plot = Plot::new(

@@ -256,15 +256,12 @@ fn history(decay: &FrictionDecay, rest: &Rest, asked: Option<f64>, units: Fricti
         && decay.motion.damping_ratio < 1.0
     {
         let end = rest.time.unwrap_or(span).min(span);
-        let envelope = |sign: f64| {
-            (0..=100u16).map(move |n| {
-                let time = turned + (end - turned) * f64::from(n) / 100.0;
-                let strokes = (time - turned) / decay.half_period();
-                (time, sign * decay.turning(first.abs(), strokes).abs())
-            })
-        };
-        let gap = std::iter::once((f64::INFINITY, f64::INFINITY));
-        series.push(Series::line("envelope", envelope(1.0).chain(gap).chain(envelope(-1.0)).collect()));
+        let envelope = (0..=100u16).map(|n| {
+            let time = turned + (end - turned) * f64::from(n) / 100.0;
+            let strokes = (time - turned) / decay.half_period();
+            (time, decay.turning(first.abs(), strokes).abs())
+        });
+        series.push(Series::line("envelope", envelope.collect()).mirrored());
     }
     let mut plot = Plot::new(
         units.motion.of("Displacement against time", "Angle against time"),

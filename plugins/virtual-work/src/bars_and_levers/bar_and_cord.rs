@@ -203,8 +203,6 @@ impl BarAndCord {
             .size(l.max(1.1 * h))
             .axis((0.0, 0.0), (1.1 * l, 0.0))
             .body("", deck)
-            .dimension("L", (0.0, 0.0), on(l), -2.0)
-            .dimension("b", (0.0, 0.0), on(b), 2.0)
             .dimension("h", (0.0, 0.0), (0.0, h), 8.0)
             .mass_centre("M", middle)
             .pin("", (0.0, 0.0))
@@ -214,6 +212,11 @@ impl BarAndCord {
             .particle("m", (-0.12 * h, level))
             .angle("θ", (0.0, 0.0), 0.0, angle)
             .force("W", middle, (middle.0, middle.1 - 0.3 * h));
+        if b == l {
+            sketch.dimension("b, L", (0.0, 0.0), on(l), -2.0);
+        } else {
+            sketch.dimension("b", (0.0, 0.0), on(b), -2.0).dimension("L", (0.0, 0.0), on(l), -5.0);
+        }
         sketch
     }
 }

@@ -132,6 +132,8 @@ fn of_leaf(model: &Model, leaf: Leaf, listing: &Listing, area: Rect, buffer: &mu
     let sheet = sheet(model, leaf, listing, layout::inside(area));
     draw_lines(&sheet.page.lines, sheet.first, sheet.text, buffer);
     if let Some(drawing) = sheet.drawing {
+        // In cells: what is turned over by every key is not worth sending.
+        let look = &Appearance { pixels: None, ..*look };
         drawing::render(&drawing, look, &model.locale.at(listing.entry.about.id), sheet.picture, buffer);
     }
     scroll_mark(sheet.first, sheet.text.height.into(), sheet.page.lines.len(), look, area, buffer);

@@ -111,9 +111,18 @@ impl GyroscopicCouple {
     /// The plan of the carrier under the rotor, with the keel of a ship and the wheels of a vehicle, and an arrow forward.
     fn outline(&self, scene: &mut Scene) {
         let plan: &[(f64, f64)] = match self.carrier {
-            RotorCarrier::Ship => {
-                &[(2.6, 0.0), (1.5, 0.8), (-2.0, 0.8), (-2.0, -0.8), (1.5, -0.8), (2.6, 0.0)]
-            }
+            RotorCarrier::Ship => &[
+                (2.8, 0.0),
+                (2.1, 0.45),
+                (1.2, 0.75),
+                (0.0, 0.8),
+                (-2.0, 0.65),
+                (-2.0, -0.65),
+                (0.0, -0.8),
+                (1.2, -0.75),
+                (2.1, -0.45),
+                (2.8, 0.0),
+            ],
             RotorCarrier::Aircraft => &AIRCRAFT,
             RotorCarrier::Vehicle => &[(2.0, 0.8), (-2.0, 0.8), (-2.0, -0.8), (2.0, -0.8), (2.0, 0.8)],
             RotorCarrier::Frame => &[(1.4, 1.0), (-1.4, 1.0), (-1.4, -1.0), (1.4, -1.0), (1.4, 1.0)],
@@ -121,12 +130,10 @@ impl GyroscopicCouple {
         scene.line(plan.iter().map(|&(x, y)| Vector3::new(x, y, -0.8)), Ink::Faint);
         match self.carrier {
             RotorCarrier::Ship => {
-                let keel = [(2.6, -0.8), (2.0, -1.8), (-1.8, -1.8), (-2.0, -0.8)];
+                let keel = [(2.8, -0.8), (2.3, -1.3), (1.8, -1.5), (-1.9, -1.5), (-2.0, -0.8)];
                 scene.line(keel.map(|(x, z)| Vector3::new(x, 0.0, z)), Ink::Faint);
-                for x in [1.2, -0.4, -2.0] {
-                    let frame = [(0.8, -0.8), (0.55, -1.5), (0.0, -1.8), (-0.55, -1.5), (-0.8, -0.8)];
-                    scene.line(frame.map(|(y, z)| Vector3::new(x, y, z)), Ink::Faint);
-                }
+                let transom = [(0.65, -0.8), (0.45, -1.3), (0.0, -1.5), (-0.45, -1.3), (-0.65, -0.8)];
+                scene.line(transom.map(|(y, z)| Vector3::new(-2.0, y, z)), Ink::Faint);
             }
             RotorCarrier::Vehicle => {
                 for (x, y) in [(1.3, 0.8), (1.3, -0.8), (-1.3, 0.8), (-1.3, -0.8)] {

@@ -46,7 +46,7 @@ fn euler_arcs(sequence: EulerSequence, angles: [f64; 3], scene: &mut Scene) {
         let from = before * across;
         let turn = Rotation3::from_axis_angle(&Unit::new_normalize(axis), angles[n]);
         before = turn * before;
-        scene.angle(name, Vector3::zeros(), [from, turn * from], 0.8 - 0.15 * n as f64);
+        scene.angle(name, Vector3::zeros(), [from, turn * from], 0.65 - 0.15 * n as f64);
     }
 }
 
@@ -56,7 +56,8 @@ pub(crate) fn both(body: &Matrix3<f64>, axis: Option<Vector3<f64>>) -> Scene {
     let origin = Vector3::zeros();
     scene.axes(origin, &Matrix3::identity(), 1.0, ["n₁", "n₂", "n₃"]);
     for (n, name) in ["b₁", "b₂", "b₃"].into_iter().enumerate() {
-        scene.arrow(origin, body.column(n).into(), Ink::Motion, name);
+        // Shorter than those of N, so that letters stand apart where the frames nearly coincide.
+        scene.arrow(origin, body.column(n) * 0.85, Ink::Motion, name);
     }
     if let Some(axis) = axis {
         scene.line([origin, axis * 1.2], Ink::Result);
