@@ -484,7 +484,7 @@ fn requests_are_answered_line_by_line() {
     // Of an exam question too, whose file holds linked problems.
     let exam = "exam/toggle-press-with-flywheel";
     let file = ask(&json!({ "id": 19, "new": { "problem": exam, "case": 1 } }).to_string());
-    let answers =
+    let mut answers =
         |problem: Json| ask(&json!({ "id": 20, "solve": problem }).to_string())["result"]["answers"].clone();
     let of_file = answers(json!({ "problem_file": file["result"] }));
     assert!(of_file.as_object().is_some_and(|answers| answers.len() > 9), "{of_file}");
