@@ -49,7 +49,7 @@ pub fn run(root: &Path, words: &[&str]) -> Result<()> {
     if let Some(unknown) = words.iter().find(|word| !OPTIONS.contains(word)) {
         bail!("{unknown} is no option of dist; these are: {}", OPTIONS.join(", "));
     }
-    needed(&["tar", "xz", "dpkg-deb", "sha256sum"])?;
+    needed(&["musl-gcc", "tar", "xz", "dpkg-deb", "sha256sum"])?;
     // Not `dist`: there the compiler keeps what the profile of that name needs.
     let folder = target(root).join("artifacts");
     let _ = fs::remove_dir_all(&folder);

@@ -11,8 +11,8 @@ use crate::{
 
 const LIBRARY: &str = include_str!("new_plugin/lib.rs");
 
-/// Version of the crates of the workspace.
-const VERSION: &str = env!("CARGO_PKG_VERSION");
+/// Versions of the crates of the workspace that a crate of it accepts.
+const VERSION: &str = concat!(env!("CARGO_PKG_VERSION_MAJOR"), ".", env!("CARGO_PKG_VERSION_MINOR"));
 
 const MANIFEST: &str = "\
 [package]

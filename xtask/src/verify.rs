@@ -19,11 +19,13 @@ use crate::{
 
 /// Extent of the verification.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Extent {
+pub enum Extent<'a> {
     /// All of it.
     Everything,
     /// All steps but those that build the program again.
     Quick,
+    /// The steps of these names.
+    Steps(&'a [&'a str]),
 }
 
 /// Result of a step: a few words for the summary.
@@ -51,11 +53,31 @@ const STEPS: [Step; 13] = [
     Step { name: "new analysis", prove: template, slow: true },
 ];
 
-/// Takes every step, goes on after one that failed, and ends with a summary of all. Whether every step passed.
-pub fn run(root: &Path, extent: Extent) -> bool {
+/// The steps of a verification, in their order.
+fn steps(extent: Extent<'_>) -> Result<Vec<&'static Step>> {
+    if let Extent::Steps(names) = extent {
+        for name in names {
+            let known = || STEPS.map(|step| step.name).join(", ");
+            ensure!(STEPS.iter().any(|step| step.name == *name), "no step {name:?}; steps: {}", known());
+        }
+    }
+    let taken = |step: &&Step| match extent {
+        Extent::Everything => true,
+        Extent::Quick => !step.slow,
+        Extent::Steps(names) => names.contains(&step.name),
+    };
+    Ok(STEPS.iter().filter(taken).collect())
+}
+
+/// Takes the steps, goes on after one that failed, and ends with a summary of all.
+///
+/// # Errors
+///
+/// A step that does not exist; a step that failed.
+pub fn run(root: &Path, extent: Extent<'_>) -> Result<()> {
     let (mut summary, mut faults) = (String::new(), String::new());
     let (mut passed, mut failed) = (0, 0);
-    for step in STEPS.iter().filter(|step| extent == Extent::Everything || !step.slow) {
+    for step in steps(extent)? {
         println!("\n== {}", step.name);
         let start = Instant::now();
         let found = (step.prove)(root);
@@ -77,7 +99,8 @@ pub fn run(root: &Path, extent: Extent) -> bool {
         }
     }
     println!("{faults}\n== summary\n{summary}\n{passed} passed, {failed} failed");
-    failed == 0
+    ensure!(failed == 0, "the verification failed");
+    Ok(())
 }
 
 fn line(name: &str, time: Duration, verdict: &str, words: &str) -> String {
@@ -296,6 +319,9 @@ fn template(root: &Path) -> Found {
 /// The crates that a new analysis of vibration changes, and those that know where their tree stands.
 const CHANGED: [&str; 5] = ["plugins/vibration", "plugins/bundle", "crates/dalembert", "tests", "xtask"];
 
+/// The version of those in the copy: another one, that what depends on the version of the workspace accepts.
+const COPIED: &str = concat!(env!("CARGO_PKG_VERSION_MAJOR"), ".", env!("CARGO_PKG_VERSION_MINOR"), ".1000");
+
 /// A copy of the tree, removed in the end.
 struct Copy(PathBuf);
 
@@ -311,7 +337,7 @@ impl Copy {
             let text = new_analysis::read(&manifest)?;
             let own = "version.workspace = true\n";
             ensure!(text.contains(own), "{folder} has not the version of the workspace");
-            new_analysis::write(&manifest, &text.replacen(own, "version = \"1000.0.0\"\n", 1))?;
+            new_analysis::write(&manifest, &text.replacen(own, &format!("version = \"{COPIED}\"\n"), 1))?;
         }
         Ok(copy)
     }
@@ -361,6 +387,17 @@ fn installed(command: &mut Command) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn steps_by_their_names() {
+        let names =
+            |extent| steps(extent).map(|steps| steps.iter().map(|step| step.name).collect::<Vec<_>>());
+        assert_eq!(names(Extent::Steps(&["python", "tidy"])).unwrap(), ["tidy", "python"]);
+        assert_eq!(names(Extent::Everything).unwrap().len(), STEPS.len());
+        assert!(!names(Extent::Quick).unwrap().contains(&"new analysis"));
+        let unknown = names(Extent::Steps(&["pyhton"])).unwrap_err().to_string();
+        assert!(unknown.starts_with("no step \"pyhton\"; steps: tidy, "), "{unknown}");
+    }
 
     #[test]
     fn a_line_of_the_summary() {

@@ -444,7 +444,7 @@ impl Series {
 
     /// The same curve with its reflection in the axis of zero: an envelope.
     #[must_use]
-    pub fn mirrored(mut self) -> Self {
+    pub fn with_reflection(mut self) -> Self {
         // A point that is not finite parts the two.
         self.points.push((f64::INFINITY, f64::INFINITY));
         let above = self.points.len() - 1;

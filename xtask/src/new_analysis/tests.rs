@@ -28,7 +28,7 @@ fn repository(of: &str) -> PathBuf {
         ),
         (
             "plugins/bundle/Cargo.toml",
-            "[lints]\nworkspace = true\n\n[dependencies]\ndalembert-vibration = { version = \"0.1.0\", path = \"../vibration\" }\n",
+            "[lints]\nworkspace = true\n\n[dependencies]\ndalembert-vibration = { version = \"0.1\", path = \"../vibration\" }\n",
         ),
         ("plugins/bundle/src/lib.rs", "use dalembert_vibration as _;\n"),
         ("crates/core/locales/pt-BR.ftl", "period = Período da oscilação\n"),

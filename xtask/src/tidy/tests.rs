@@ -33,7 +33,7 @@ fn tree(changes: &[(&str, &str)]) -> Tree {
         ("plugins/balancing/cases/two_plane.toml", "[[case]]\n"),
         (
             "plugins/bundle/Cargo.toml",
-            "[lints]\nworkspace = true\n\n[dependencies]\ndalembert-balancing = { version = \"0.1.0\", path = \"../balancing\" }\n",
+            "[lints]\nworkspace = true\n\n[dependencies]\ndalembert-balancing = { version = \"0.1\", path = \"../balancing\" }\n",
         ),
         ("plugins/bundle/src/lib.rs", "use dalembert_balancing as _;\n"),
         (
@@ -169,7 +169,7 @@ fn a_plugin_is_in_the_bundle_and_nowhere_else() {
     let empty = "[lints]\nworkspace = true\n";
     finds(
         &[("plugins/bundle/Cargo.toml", empty)],
-        "`dalembert-balancing = { version = \"0.1.0\", path = \"../balancing\" }` is missing",
+        "`dalembert-balancing = { version = \"0.1\", path = \"../balancing\" }` is missing",
     );
     finds(
         &[("crates/core/src/x.rs", "use dalembert_balancing as _;\n")],

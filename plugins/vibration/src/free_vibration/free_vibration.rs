@@ -287,7 +287,7 @@ fn history(motion: &FreeMotion, asked: Option<f64>, units: &Units) -> Plot {
         let size = motion.displacement.hypot(side);
         if size < 50.0 * (motion.displacement.abs() + motion.velocity.abs() / w) {
             let envelope = times.clone().map(|t| (t, size * (-z * w * t).exp()));
-            series.push(Series::line("envelope", envelope.collect()).mirrored());
+            series.push(Series::line("envelope", envelope.collect()).with_reflection());
         }
     }
     let mut plot = Plot::new(

@@ -329,7 +329,7 @@ fn over_time(motions: &[Harmonic], wave: Wave, last: f64, two: bool) -> Plot {
             let across: f64 = motions.iter().map(|one| one.amplitude * angle(one).sin()).sum();
             along.hypot(across)
         };
-        series.push(Series::line("envelope", times().map(|t| (t, envelope(t))).collect()).mirrored());
+        series.push(Series::line("envelope", times().map(|t| (t, envelope(t))).collect()).with_reflection());
     }
     let (x, y) = (Axis::linear("time", "s"), Axis::linear("displacement", "mm"));
     Plot::new("Sum against time", x, y, series).over("question.sum.time")

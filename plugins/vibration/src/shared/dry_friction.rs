@@ -261,7 +261,7 @@ fn history(decay: &FrictionDecay, rest: &Rest, asked: Option<f64>, units: Fricti
             let strokes = (time - turned) / decay.half_period();
             (time, decay.turning(first.abs(), strokes).abs())
         });
-        series.push(Series::line("envelope", envelope.collect()).mirrored());
+        series.push(Series::line("envelope", envelope.collect()).with_reflection());
     }
     let mut plot = Plot::new(
         units.motion.of("Displacement against time", "Angle against time"),
