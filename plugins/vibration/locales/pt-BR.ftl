@@ -631,7 +631,7 @@ without-damping-no-torque-is-needed-to-keep-a-rotation-at-the-natural-frequency-
 work-of-the-torque-in-a-cycle-energy-dissipated-by-the-damper-t-sin = trabalho do torque em um ciclo = energia dissipada pelo amortecedor, πT₀Θ sen φ
 # harmonic-sum
 phase = Fase
-question = Pergunta
+find = Determinar
 sum-of-harmonic-motions = Soma de movimentos harmônicos
 written-as = Escritos como
 motions = Movimentos
@@ -1292,7 +1292,7 @@ on-a-fixed-base = Sobre base fixa.
 on-the-main-mass-for-the-amplitudes = Sobre a massa principal; para as amplitudes.
 only-the-mass-ratio = Só a razão de massas
 over-the-natural-frequency = Sobre a frequência natural
-problem = Problema
+support-of-the-pendulum = Suporte do pêndulo
 radius-of-the-circle = Raio da circunferência
 range = Faixa
 ratio-of-the-inertias-given = Razão das inércias dada
@@ -2767,8 +2767,6 @@ load-on-the-more-heavily-loaded-bearing = Carga no mancal mais carregado
 minimum-available-stiffness = Rigidez mínima disponível
 solid-round-shaft = Eixo redondo maciço
 solid-circular-shaft = Eixo circular maciço
-sought = Procura-se
-unknown = Incógnita
 speed-given = Velocidade dada
 speed-of-maximum-steady-state-whirl-amplitude = Rotação de máxima precessão em regime permanente
 speed-of-maximum-whirl-amplitude = Rotação de máxima precessão

@@ -474,7 +474,6 @@ gudgeon-pin = pino do pistão
 crank-pin = pino da manivela
 the-rod-and-its-equivalent-masses = A biela e as suas massas equivalentes
 between-its-pins = Entre os seus pinos.
-known-inertia-data = Dados conhecidos da inércia
 for-the-couple-that-corrects-masses-at-its-pins = Para o binário que corrige massas nos seus pinos.
 centre-of-mass-and-radius-of-gyration = Centro de massa e raio de giração
 centre-of-mass-and-moment-of-inertia = Centro de massa e momento de inércia
@@ -533,7 +532,7 @@ maximum-minus-minimum-speed-divided-by-the-mean-twice-the-value-stated-as-of-the
 used-to-find-the-mass-of-the-flywheel = Usado para obter a massa do volante.
 fluctuation-of-speed-of-a-flywheel = Flutuação de velocidade de um volante
 order = Ordem
-sought = Procura-se
+find = Determinar
 
 # virtual-work/guided-bar
 bar-in-two-guides = Barra em duas guias
@@ -1188,7 +1187,6 @@ virtual-power = Potência virtual
 driving-torque-or-force-of-a-plane-mechanism-with-known-motion-from-the-powers-of-forces-couples = Torque ou força motriz de um mecanismo plano de movimento conhecido, pelas potências de forças, binários, pesos e ações de inércia.
 
 # Inputs
-unknown = Incógnita
 acceleration-of-gravity = Aceleração da gravidade
 every-body-has-the-weight-m-g-at-its-centre-of-mass-zero-for-a-mechanism-in-a-horizontal-plane = Cada corpo tem o peso m g no centro de massa; zero para um mecanismo em plano horizontal.
 bodies = Corpos

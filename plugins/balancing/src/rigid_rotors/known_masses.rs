@@ -28,7 +28,7 @@ pub struct KnownMasses {
     pub masses: Vec<RotorMass>,
     /// Angle convention.
     pub angles: Angles,
-    /// Task.
+    /// Find.
     pub task: Task,
     /// Gravity.
     /// Only turns masses into weights; the balance does not depend on it.

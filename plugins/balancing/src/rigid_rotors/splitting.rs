@@ -19,7 +19,7 @@ use crate::{
 /// Workshop form of a correction.
 #[derive(Clone, Debug, Inputs)]
 pub struct Splitting {
-    /// Task.
+    /// Find.
     pub task: Task,
 }
 

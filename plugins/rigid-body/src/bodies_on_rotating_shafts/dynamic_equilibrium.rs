@@ -32,7 +32,7 @@ pub struct DynamicEquilibrium {
     /// Distance of the pin from the axis of the shaft.
     #[input("a", "m", nonnegative, default = "0 m")]
     pub offset: f64,
-    /// Known quantity.
+    /// Given.
     pub known: SteadyMotionInput,
     /// Acceleration of gravity.
     #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]

@@ -26,7 +26,7 @@ use crate::{
 pub struct FreeAxisymmetric {
     /// Moments of inertia.
     pub inertia: AxisymmetricInertia,
-    /// Known quantity of the motion.
+    /// Given.
     pub motion: FreeMotionInput,
     /// Instant.
     /// If given, the angular velocity and attitude at this time after the start are also calculated.

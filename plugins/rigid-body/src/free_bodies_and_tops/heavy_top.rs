@@ -31,7 +31,7 @@ pub struct HeavyTop {
     /// From the upward vertical: 90° with the axis level, more for a hanging top.
     #[input("θ", "deg", positive, below = 180)]
     pub nutation: f64,
-    /// Known quantity of the motion.
+    /// Given.
     pub motion: TopMotion,
 }
 

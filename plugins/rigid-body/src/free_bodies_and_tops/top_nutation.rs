@@ -38,7 +38,7 @@ pub struct TopNutation {
     /// Zero for a top released with its axis at rest.
     #[input("φ̇₀", "rad/s", default = "0 rad/s")]
     pub precession: f64,
-    /// Known quantity of the spin.
+    /// Given.
     pub spin: TopSpin,
     /// Instant.
     /// If given, the attitude at this time after the start is also calculated.

@@ -48,7 +48,7 @@ pub struct TwoWheelerLean {
     pub radius: f64,
     /// Radius measured.
     pub measured: Measured,
-    /// Required result.
+    /// Find.
     pub motion: KnownMotion,
     /// Friction coefficient of the tyres.
     #[input("µ", "1", positive)]

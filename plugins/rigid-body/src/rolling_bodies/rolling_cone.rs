@@ -32,7 +32,7 @@ pub struct RollingCone {
     pub half_angle: f64,
     /// It is.
     pub cone: Cone,
-    /// Known.
+    /// Given.
     pub known: ConeMotionInput,
     /// Acceleration of gravity.
     #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]

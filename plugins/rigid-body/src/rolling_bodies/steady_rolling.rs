@@ -33,7 +33,7 @@ pub struct SteadyRolling {
     pub radius: f64,
     /// It is a.
     pub wheel: Wheel,
-    /// Known.
+    /// Given.
     pub known: RollingMotionInput,
     /// Coefficient of friction with the floor.
     #[input("μ", "1", nonnegative)]

@@ -21,7 +21,7 @@ use crate::{
 /// Inputs of a sum of harmonic motions.
 #[derive(Clone, Debug, Inputs)]
 pub struct HarmonicSum {
-    /// Question.
+    /// Find.
     pub question: HarmonicTask,
 }
 

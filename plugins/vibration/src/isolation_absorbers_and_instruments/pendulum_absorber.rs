@@ -16,7 +16,7 @@ use crate::{
 /// Inputs of a pendulum absorber.
 #[derive(Clone, Debug, Inputs)]
 pub struct PendulumAbsorber {
-    /// Problem.
+    /// Support of the pendulum.
     pub problem: PendulumCarrier,
 }
 

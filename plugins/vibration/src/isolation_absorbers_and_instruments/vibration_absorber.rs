@@ -27,7 +27,7 @@ use crate::{
 /// Inputs of a vibration absorber.
 #[derive(Clone, Debug, Inputs)]
 pub struct VibrationAbsorber {
-    /// Problem.
+    /// Main system.
     pub problem: MainSystem,
 }
 

@@ -33,7 +33,7 @@ pub struct VibrationIsolation {
     /// Gravity.
     #[input("g", "m/s^2", positive, default = "9.81 m/s^2", default_before = "9.80665 m/s^2")]
     pub gravity: f64,
-    /// Question.
+    /// Find.
     pub question: IsolationTask,
 }
 

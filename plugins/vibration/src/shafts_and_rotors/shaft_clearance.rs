@@ -36,7 +36,7 @@ pub struct ShaftClearance {
     pub clearance: f64,
     /// Damping.
     pub damping: ClearanceDamping,
-    /// Unknown.
+    /// Find.
     pub sought: PermittedQuantity,
 }
 

@@ -20,7 +20,7 @@ use crate::sources::{BEER, RIUL, SHIGLEY};
 /// statics, virtual displacements may stand in place of velocities: only their ratios matter.
 #[derive(Clone, Debug, Inputs)]
 pub struct VirtualPower {
-    /// Unknown.
+    /// Find.
     pub unknown: PowerUnknown,
     /// Acceleration of gravity.
     /// Every body has the weight m g at its centre of mass; zero for a mechanism in a horizontal plane.

@@ -29,7 +29,7 @@ pub struct AFrame {
     pub load: f64,
     /// Restraint of the feet.
     pub held: FootRestraint,
-    /// Sought.
+    /// Find.
     pub sought: AFrameUnknown,
 }
 

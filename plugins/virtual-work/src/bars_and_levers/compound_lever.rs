@@ -33,7 +33,7 @@ pub struct CompoundLever {
     /// Loads.
     #[input(min = 1, most = 200)]
     pub loads: Vec<LeverLoad>,
-    /// Sought.
+    /// Find.
     pub sought: LeverUnknown,
 }
 
@@ -341,7 +341,7 @@ impl CompoundLever {
                 Column { heading: "Load".into(), unit: "" },
                 Column { heading: "Virtual work".into(), unit: "N*m" },
             ],
-            rows: known.chain([row("Sought".into(), of_sought)]).collect(),
+            rows: known.chain([row("Find".into(), of_sought)]).collect(),
             foot: Vec::new(),
         }
     }

@@ -28,7 +28,7 @@ pub struct HangingChain {
     /// Vertical force at the free end, downwards.
     #[input("Q", "N", default = "0 N")]
     pub vertical: f64,
-    /// Sought.
+    /// Find.
     pub sought: ChainUnknown,
 }
 

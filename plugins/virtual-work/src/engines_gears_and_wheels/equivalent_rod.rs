@@ -19,7 +19,7 @@ pub struct EquivalentRod {
     /// Between its pins.
     #[input("l", "mm", positive)]
     pub length: f64,
-    /// Known inertia data.
+    /// Given.
     pub known: RodData,
     /// Angular acceleration of the rod.
     /// For the couple that corrects masses at its pins.

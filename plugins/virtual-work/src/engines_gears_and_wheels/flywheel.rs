@@ -29,7 +29,7 @@ pub struct Flywheel {
     /// Mean speed.
     #[input("ω", "rpm", positive)]
     pub speed: f64,
-    /// Sought.
+    /// Find.
     pub sought: FlywheelUnknown,
 }
 

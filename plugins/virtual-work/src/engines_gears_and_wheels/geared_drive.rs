@@ -29,7 +29,7 @@ pub struct GearedDrive {
     /// Motion.
     #[input(default = "rest")]
     pub motion: DriveMotion,
-    /// Sought.
+    /// Find.
     pub sought: DriveUnknown,
     /// Speed of the driven shaft.
     /// At which the power is required, and up to which the time from rest.

@@ -35,7 +35,7 @@ pub struct RollingDisc {
     /// From the line of the disc's centre, counter-clockwise.
     #[input("θ_2", "deg")]
     pub angle: f64,
-    /// Unknown.
+    /// Find.
     pub unknown: RollingDiscUnknown,
     /// Angular velocity of the crank.
     /// Zero in statics.

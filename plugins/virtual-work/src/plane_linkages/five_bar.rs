@@ -60,7 +60,7 @@ pub struct FiveBar {
     pub second_angle: f64,
     /// Cranks.
     pub cranks: CrankDrive,
-    /// Unknown.
+    /// Find.
     pub unknown: FiveBarUnknown,
     /// Angular velocity of the first crank.
     /// Zero in statics.

@@ -44,7 +44,7 @@ pub struct FourBar {
     /// Angle of the crank.
     #[input("θ_2", "deg")]
     pub angle: f64,
-    /// Unknown.
+    /// Find.
     pub unknown: FourBarUnknown,
     /// Point of the coupler.
     pub point: Option<CouplerPoint>,

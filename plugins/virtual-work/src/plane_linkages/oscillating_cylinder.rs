@@ -35,7 +35,7 @@ pub struct OscillatingCylinder {
     /// Angle of the crank.
     #[input("θ_2", "deg")]
     pub angle: f64,
-    /// Unknown.
+    /// Find.
     pub unknown: CylinderUnknown,
     /// Force on the crank pin.
     /// It acts on the crank.

@@ -45,7 +45,7 @@ pub struct QuickReturn {
     pub angle: f64,
     /// Output of the lever.
     pub output: LeverOutput,
-    /// Unknown.
+    /// Find.
     pub unknown: QuickReturnUnknown,
     /// Angular velocity of the crank.
     /// Zero in statics.

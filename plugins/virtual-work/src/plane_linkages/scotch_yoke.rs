@@ -31,7 +31,7 @@ pub struct ScotchYoke {
     /// From the line of the yoke, counter-clockwise.
     #[input("θ_2", "deg")]
     pub angle: f64,
-    /// Unknown.
+    /// Find.
     pub unknown: ScotchYokeUnknown,
     /// Angular velocity of the crank.
     /// Zero in statics.

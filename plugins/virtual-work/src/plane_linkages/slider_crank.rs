@@ -41,7 +41,7 @@ pub struct SliderCrank {
     /// From the slider's line, counter-clockwise.
     #[input("θ_2", "deg")]
     pub angle: f64,
-    /// Unknown.
+    /// Find.
     pub unknown: SliderCrankUnknown,
     /// Force on the crank pin.
     /// It acts on the crank.

@@ -26,7 +26,7 @@ pub struct RackPress {
     /// Efficiency.
     #[input("η", "%", positive, fraction, max = 100, default = "100 %")]
     pub efficiency: f64,
-    /// Sought.
+    /// Find.
     pub sought: RackPressUnknown,
 }
 

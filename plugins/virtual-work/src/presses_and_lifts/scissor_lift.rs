@@ -37,7 +37,7 @@ pub struct ScissorLift {
     pub lower: CylinderEnd,
     /// Upper end of the cylinder.
     pub upper: CylinderEnd,
-    /// Sought.
+    /// Find.
     pub sought: ScissorLiftUnknown,
     /// Extension speed of the cylinder.
     /// If given, the speed of the table is also calculated.

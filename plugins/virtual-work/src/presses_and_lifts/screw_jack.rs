@@ -21,7 +21,7 @@ pub struct ScrewJack {
     /// Screw.
     /// If left blank, only the axial force is computed.
     pub screw: Option<Screw>,
-    /// Sought.
+    /// Find.
     pub sought: ScrewJackUnknown,
 }
 

@@ -27,7 +27,7 @@ pub struct TogglePress {
     /// Angle of the link at the fixed pin from the line of thrust.
     #[input("α", "deg", positive, below = 90)]
     pub angle: f64,
-    /// Sought.
+    /// Find.
     pub sought: TogglePressUnknown,
 }
 
