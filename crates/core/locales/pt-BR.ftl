@@ -740,3 +740,12 @@ formulas = Fórmulas
 numbers = Números
 given-path = dado: { $path }
 first-or-with-the-same-result-second = { $first }; ou, com o mesmo resultado, { $second }
+project = Projeto
+prepared-by = Elaborado por
+checked-by = Verificado por
+date = Data
+revision = Revisão
+a-title-block-has-no-key-did-you-mean-near = um carimbo não tem `{ $key }`; seria `{ $near }`?
+a-title-block-has-no-key-it-has-keys = um carimbo não tem `{ $key }`; tem { $keys }
+title-block-is-a-table-as-in-title-block-author-a-silva = `title_block` é uma tabela, como em [title_block] author = "A. Silva"
+a-line-of-a-title-block-is-a-text = uma linha de um carimbo é um texto

@@ -17,10 +17,12 @@ mod linked;
 mod rows;
 mod shorthand;
 mod template;
+mod title_block;
 mod write;
 pub use choice::{NamedInput, named_input};
 pub use linked::{LinkedFile, ReadFile};
 pub use template::template;
+pub use title_block::TitleBlock;
 
 use std::ops::Range;
 
@@ -34,7 +36,7 @@ use crate::{
 };
 
 /// The keys a problem file may have at the top.
-const KEYS: [&str; 14] = [
+const KEYS: [&str; 15] = [
     "format",
     "analysis",
     "title",
@@ -49,6 +51,7 @@ const KEYS: [&str; 14] = [
     "given",
     "ask",
     "show",
+    title_block::TABLE,
 ];
 
 /// The contents of a problem file.
@@ -60,6 +63,8 @@ pub struct ProblemFile {
     pub title: String,
     /// Statement of the exercise that the problem is.
     pub statement: Statement,
+    /// Title block of its notes.
+    pub title_block: TitleBlock,
     /// Texts of the inputs.
     pub draft: Draft,
     /// Units of everything that is shown.
@@ -151,11 +156,12 @@ fn parse_open(text: &str, links: &mut linked::Links<'_, '_>) -> Result<ProblemFi
         errors.push(FileError { why, span: span(root, key) });
         Statement::default()
     });
+    let title_block = TitleBlock::read(root, &mut errors);
     let units = units_of(root, &mut errors)
         .unwrap_or_else(|| format::left_out_units(format, &draft, &entry.shape(), &mut notes));
     let files = if links.open.is_empty() { std::mem::take(&mut links.files) } else { Vec::new() };
     notes.extend(files.iter().map(LinkedFile::note));
-    let problem = ProblemFile { entry, title, statement, draft, units, show, notes, files };
+    let problem = ProblemFile { entry, title, statement, title_block, draft, units, show, notes, files };
     if errors.is_empty() { Ok(problem) } else { Err(errors) }
 }
 
@@ -215,6 +221,7 @@ pub fn write(problem: &ProblemFile, over: &str) -> String {
     if !problem.title.is_empty() || root.contains_key("title") {
         set_text(root, "title", &problem.title);
     }
+    problem.title_block.write(root);
     if problem.units != UnitSetting::Auto || root.contains_key("units") {
         set_text(root, "units", &problem.units.to_string());
     }

@@ -251,6 +251,19 @@ impl Default for Locale {
 }
 
 impl Language {
+    /// Tag of the language (BCP 47): `en`, `pt-BR`.
+    pub fn tag(self) -> &'static str {
+        match self {
+            Self::English => "en",
+            Self::Portuguese => "pt-BR",
+        }
+    }
+
+    /// Language of a tag.
+    pub fn of_tag(tag: &str) -> Option<Self> {
+        [Self::English, Self::Portuguese].into_iter().find(|language| language.tag() == tag)
+    }
+
     /// The language that a name such as `pt_BR.UTF-8` asks for.
     pub fn of(name: &str) -> Self {
         if name.to_ascii_lowercase().starts_with("pt") { Language::Portuguese } else { Language::English }

@@ -319,3 +319,13 @@ beyond-it-no-answer-why = além disso não há resultado: { $why }
 beyond-it-no-answer = além disso não há resultado
 beyond-it-undecided = além disso não decidido
 no-value-of-the-range-is-known-to-meet-it-values-that-may-are-in-what-is-undecided = de nenhum valor da faixa se sabe que a satisfaz; valores que talvez o façam estão no que não está decidido
+solve-the-problem-in-a-calculation-note-again-and-compare-every-printed-line-of-data-answers-and = Resolver de novo o problema de um memorial de cálculo e comparar cada linha impressa de dados, respostas e resolução
+note-that-dalembert-solve-output-wrote-html-latex-typst-or-markdown = Memorial escrito por `dalembert solve --output`: HTML, LaTeX, Typst ou Markdown
+line-of-the-title-block-project-author-checker-date-or-revision-as-in-author-a-silva = Linha do carimbo: project (projeto), author (elaborado por), checker (verificado por), date (data) ou revision (revisão), como em author='A. Silva'
+title-block-line-write-a-line-and-its-text-as-in-title-block-author-a-silva = --title-block { $line }: escreva uma linha e seu texto, como em --title-block author='A. Silva'
+a-note-is-html-latex-typst-or-markdown-html-tex-typ-or-md = um memorial é HTML, LaTeX, Typst ou Markdown: .html, .tex, .typ ou .md
+the-note-was-written-by-dalembert-version-this-is-this = o memorial foi escrito pelo dalembert { $version }; este é o { $this }
+line-line-printed-printed-computed-computed = linha { $line }: impresso `{ $printed }`, calculado `{ $computed }`
+missing-in-the-note-computed = falta no memorial: `{ $computed }`
+confirmed-count-lines-of-data-answers-and-working-are-as-computed = confirmado: { $count } linhas de dados, respostas e resolução conferem com o cálculo
+not-confirmed-found-of-count-lines-of-data-answers-and-working-are-not-as-computed = não confirmado: { $found } de { $count } linhas de dados, respostas e resolução não conferem com o cálculo

@@ -58,6 +58,8 @@ pub(crate) enum Command {
     New(New),
     /// Solve a problem and print its worked solution
     Solve(Solve),
+    /// Solve the problem in a calculation note again, and compare every printed line of data, answers and working
+    Confirm(Confirm),
     /// Check your own answers, and find the likeliest cause of a wrong one
     Check(Check),
     /// Find the values of an input with which an answer is a wanted one, or within a limit
@@ -200,6 +202,16 @@ pub(crate) struct Solve {
     /// mm-t-s
     #[arg(long, value_name = "SYSTEM")]
     pub(crate) units: Option<String>,
+    /// Line of the title block: project, author, checker, date or revision, as in author='A. Silva'
+    #[arg(long, value_name = "KEY=TEXT")]
+    pub(crate) title_block: Vec<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Confirm {
+    /// Note that `dalembert solve --output` wrote: HTML, LaTeX, Typst or Markdown
+    #[arg(value_name = "NOTE")]
+    pub(crate) note: PathBuf,
 }
 
 #[derive(Debug, Args)]

@@ -120,6 +120,7 @@ fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, F
         Some(Command::Show(show)) => commands::show::run(show, console),
         Some(Command::New(new)) => commands::new::run(new, console),
         Some(Command::Solve(solve)) => commands::solve::run(solve, console),
+        Some(Command::Confirm(confirm)) => commands::confirm::run(confirm, console),
         Some(Command::Check(check)) => commands::check::run(check, console),
         Some(Command::Find(find)) => commands::find::run(find, console),
         Some(Command::Optimise(optimise)) => commands::optimise::run(optimise, console),

@@ -10,7 +10,8 @@ use std::{
 use dalembert_core::{
     Draft, Entry, FieldError, Record, Shape, Statement, Text, UnitSetting,
     cases::{self, Case},
-    file, find, is_within,
+    file::{self, ProblemFile, TitleBlock},
+    find, is_within,
 };
 use dalembert_report::WorkedProblem;
 use dalembert_study::parquet;
@@ -39,6 +40,8 @@ pub(crate) struct LoadedProblem {
     pub(crate) note: Text,
     /// Statement of the exercise that it is; empty once inputs are changed.
     pub(crate) statement: Statement,
+    /// Title block of its notes.
+    pub(crate) title_block: TitleBlock,
     /// Notes on the reading of the inputs where the inputs do not show it.
     pub(crate) notes: Vec<Text>,
     /// Texts of the inputs.
@@ -65,6 +68,24 @@ impl LoadedProblem {
             record: &self.record,
             outcome: outcome.as_ref(),
         }
+    }
+
+    /// Text of a problem file with these inputs, written over that of the file that was named, if it was one.
+    pub(crate) fn file_text(&self, named: &str, draft: Draft) -> Result<String, Failure> {
+        let over = if find(named).is_some() { String::new() } else { text_of(named)? };
+        let problem = ProblemFile {
+            entry: self.entry,
+            title: self.name.english(),
+            // It stands in the text that is written over.
+            statement: Statement::default(),
+            title_block: self.title_block.clone(),
+            draft,
+            units: self.units,
+            show: self.show.clone(),
+            notes: Vec::new(),
+            files: Vec::new(),
+        };
+        Ok(file::write(&problem, &over))
     }
 }
 
@@ -210,6 +231,7 @@ fn of_analysis(
             name: published.as_ref().map_or_else(none, Case::title),
             source: published.as_ref().map_or_else(none, |case| case.source.clone()),
             statement: published.as_ref().map(Case::exercise).unwrap_or_default(),
+            title_block: TitleBlock::default(),
             note: published.map_or_else(none, |case| case.note),
             notes: reported(notes, "warning: {words}", console),
             draft,
@@ -316,6 +338,7 @@ pub(crate) fn of_file(
             source: Text::from(""),
             note: Text::from(""),
             statement: problem.statement,
+            title_block: problem.title_block,
             notes: {
                 let bare = bare.iter().map(|err| named(err, &draft, &shape)).collect();
                 let mut notes = reported(problem.notes, "note: {words}", console);

@@ -69,3 +69,5 @@ share-of-variance = parcela da variância
 distribution-of-answer = Distribuição de { $answer }
 from = de
 share = parcela
+the-note-holds-no-problem-file-dalembert-solve-output-writes-notes-that-do = o memorial não contém o arquivo do problema; `dalembert solve --output` escreve memoriais que o contêm
+the-problem-file-in-the-note-is-damaged-its-first-or-last-line-is-not-as-it-was-written = o arquivo do problema no memorial está danificado: sua primeira ou última linha não está como foi escrita

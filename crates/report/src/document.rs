@@ -1,6 +1,6 @@
 //! Document: content of a report, independent of its format.
 
-use dalembert_core::printer::WrittenStep;
+use dalembert_core::{Locale, Text, file::TitleBlock, printer::WrittenStep};
 
 use crate::figure::picture::{Picture, PictureElement};
 
@@ -16,6 +16,8 @@ pub struct Document {
 /// A part of a document.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Block {
+    /// Title block: project, author, date.
+    TitleBlock(Vec<NamedValue>),
     /// The heading of what follows.
     Heading(String),
     /// The heading of a part of what stands under a heading.
@@ -72,6 +74,21 @@ impl Document {
         pictures.enumerate().map(|(n, picture)| (figure_name(stem, n + 1), picture.svg())).collect()
     }
 
+    /// The same document under the title block of a problem file.
+    #[must_use]
+    pub fn under(mut self, title_block: &TitleBlock, locale: &Locale) -> Self {
+        let line = |(label, text): (Text, &str)| NamedValue {
+            label: label.render(locale),
+            value: text.to_owned(),
+            ..NamedValue::default()
+        };
+        let lines: Vec<NamedValue> = title_block.lines().map(line).collect();
+        if !lines.is_empty() {
+            self.blocks.insert(0, Block::TitleBlock(lines));
+        }
+        self
+    }
+
     /// The same document with every text passed through `change`.
     #[must_use]
     pub fn map(self, change: &impl Fn(&str) -> String) -> Self {
@@ -83,22 +100,22 @@ impl Document {
 impl Block {
     fn map(self, change: &impl Fn(&str) -> String) -> Self {
         let all = |texts: Vec<String>| texts.iter().map(|text| change(text)).collect::<Vec<_>>();
+        let named = |lines: Vec<NamedValue>| {
+            let line = |line: NamedValue| NamedValue {
+                depth: line.depth,
+                symbol: change(&line.symbol),
+                label: change(&line.label),
+                value: change(&line.value),
+            };
+            lines.into_iter().map(line).collect()
+        };
         match self {
             Block::Heading(text) => Block::Heading(change(&text)),
             Block::Subheading(text) => Block::Subheading(change(&text)),
             Block::Paragraph(text) => Block::Paragraph(change(&text)),
             Block::Items(items) => Block::Items(all(items)),
-            Block::Lines(lines) => Block::Lines(
-                lines
-                    .into_iter()
-                    .map(|line| NamedValue {
-                        depth: line.depth,
-                        symbol: change(&line.symbol),
-                        label: change(&line.label),
-                        value: change(&line.value),
-                    })
-                    .collect(),
-            ),
+            Block::TitleBlock(lines) => Block::TitleBlock(named(lines)),
+            Block::Lines(lines) => Block::Lines(named(lines)),
             Block::Step(number, step) => Block::Step(number, step.map(change)),
             Block::Table(table) => Block::Table(DocumentTable {
                 title: change(&table.title),

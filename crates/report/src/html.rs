@@ -1,8 +1,9 @@
 //! A document as one HTML page that needs nothing else: figures inline, formulas as MathML, no scripts.
 
-use dalembert_core::{Language, Locale, printer::WrittenStep};
+use dalembert_core::{Locale, printer::WrittenStep};
 
 use crate::{
+    PROGRAM,
     document::{Block, Document, DocumentTable, NamedValue},
     math::{self, Math, sides},
     xml::escaped,
@@ -23,6 +24,10 @@ figure svg { max-width: 100%; height: auto }
 .formula { overflow-x: auto; margin: .4rem 0 1rem 2rem }
 .formula mtd { text-align: left; padding: .25em .2em }
 .source { opacity: .7 }
+table.title-block { border: 1px solid }
+table.title-block th, table.title-block td { border-bottom: 1px solid; padding: .15rem .7rem }
+h2, h3, p:has(+ .formula) { break-after: avoid }
+@page { margin: 2cm; @bottom-left { content: \"PROGRAM\" } @bottom-right { content: counter(page) \" / \" counter(pages) } }
 @media print { body { max-width: none; margin: 0 } .formula, figure, tr { break-inside: avoid } }
 ";
 
@@ -52,15 +57,13 @@ pub fn html_fragment(document: &Document) -> String {
 
 /// The document as an HTML page.
 pub fn html(document: &Document, locale: &Locale) -> String {
-    let language = match locale.language {
-        Language::English => "en",
-        Language::Portuguese => "pt-BR",
-    };
+    let language = locale.language.tag();
     let title = escaped(&document.title);
     let blocks: String = document.blocks.iter().map(block).collect();
+    let style = STYLE.replace("PROGRAM", PROGRAM);
     format!(
         "<!DOCTYPE html>\n<html lang=\"{language}\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta \
-         name=\"viewport\" content=\"width=device-width\"/>\n<title>{title}</title>\n<style>\n{STYLE}</style>\n\
+         name=\"viewport\" content=\"width=device-width\"/>\n<title>{title}</title>\n<style>\n{style}</style>\n\
          </head>\n<body>\n<h1>{title}</h1>\n{blocks}</body>\n</html>\n"
     )
 }
@@ -75,6 +78,10 @@ fn block(block: &Block) -> String {
                 items.iter().map(|item| format!("<li>{}</li>\n", escaped(item))).collect::<Vec<_>>().concat();
             format!("<ul>\n{items}</ul>\n")
         }
+        Block::TitleBlock(lines) => format!(
+            "<table class=\"title-block\">\n<tbody>\n{}</tbody>\n</table>\n",
+            lines.iter().map(pair).collect::<String>()
+        ),
         Block::Lines(lines) => {
             format!("<table>\n<tbody>\n{}</tbody>\n</table>\n", lines.iter().map(pair).collect::<String>())
         }
@@ -90,9 +97,12 @@ fn block(block: &Block) -> String {
 
 fn pair(line: &NamedValue) -> String {
     let symbol = if line.symbol.is_empty() { String::new() } else { inline(&math::symbols(&line.symbol)) };
+    let indent = match line.depth {
+        0 => String::new(),
+        depth => format!(" style=\"padding-left: {}em\"", 1.2 * depth as f64),
+    };
     format!(
-        "<tr><th style=\"padding-left: {}em\">{}</th><td>{symbol}</td><td>{}</td></tr>\n",
-        1.2 * line.depth as f64,
+        "<tr><th{indent}>{}</th><td>{symbol}</td><td>{}</td></tr>\n",
         escaped(&line.label),
         escaped(&line.value)
     )

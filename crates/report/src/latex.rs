@@ -3,6 +3,7 @@
 use dalembert_core::{ascii, printer::WrittenStep};
 
 use crate::{
+    PROGRAM,
     document::{Block, Document, DocumentTable, NamedValue},
     figure::picture::tikz_colours,
     math::{self, Math, sides},
@@ -24,11 +25,18 @@ const PREAMBLE: &str = r"\documentclass[11pt,a4paper]{article}
   \ifdim\wd\formula>\linewidth\resizebox{\linewidth}{!}{\usebox{\formula}}\else\usebox{\formula}\fi\par}
 ";
 
+/// Foot of a page: program and version, page of pages. The second run knows how many there are.
+const FOOT: &str = r"\makeatletter
+\def\@oddfoot{PROGRAM\hfil\thepage\ / \pageref{last-page}}
+\makeatother
+";
+
 /// The document in LaTeX.
 pub fn latex(document: &Document) -> String {
     let blocks: Vec<String> = document.blocks.iter().map(block).collect();
     format!(
-        "{PREAMBLE}{}\\begin{{document}}\n\\section*{{{}}}\n\n{}\n\\end{{document}}\n",
+        "{PREAMBLE}{}{}\\begin{{document}}\n\\section*{{{}}}\n\n{}\n\\label{{last-page}}\n\\end{{document}}\n",
+        FOOT.replace("PROGRAM", PROGRAM),
         tikz_colours(),
         words(&document.title),
         blocks.join("\n")
@@ -56,6 +64,13 @@ fn block(block: &Block) -> String {
             let items =
                 items.iter().map(|item| format!("\\item {{}}{}\n", words(item))).collect::<Vec<_>>().concat();
             format!("\\begin{{itemize}}\n{items}\\end{{itemize}}\n")
+        }
+        Block::TitleBlock(lines) => {
+            let line = |line: &NamedValue| {
+                format!("{{}}{} & {} \\\\ \\hline\n", words(&line.label), words(&line.value))
+            };
+            let lines = lines.iter().map(line).collect::<String>();
+            format!("\\begin{{tabular}}{{|l|p{{0.6\\linewidth}}|}}\n\\hline\n{lines}\\end{{tabular}}\n")
         }
         Block::Lines(lines) => format!(
             "\\begin{{longtable}}[l]{{@{{}}p{{0.55\\linewidth}}lp{{0.25\\linewidth}}@{{}}}}\n{}\\end{{longtable}}\n",

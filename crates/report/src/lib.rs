@@ -15,6 +15,7 @@ mod json;
 mod latex;
 mod markdown;
 mod math;
+mod note;
 mod study;
 mod study_figures;
 mod text;
@@ -34,11 +35,15 @@ pub use crate::{
     json::{RESULT_KEYS, RESULTS_FORMAT, RESULTS_SCHEMA, json, json_of, json_text, unknown_formula},
     latex::{latex, latex_formulas},
     markdown::markdown,
+    note::{Difference, NoteSource, differences},
     study::{study_document, study_json},
     text::text,
     typst::typst,
     units::{show_answer_in, show_answers_in},
     worked::{WorkedProblem, document, document_without_figures},
 };
+
+/// Program and version, at the foot of a page.
+const PROGRAM: &str = concat!("dalembert ", env!("CARGO_PKG_VERSION"));
 
 dalembert_core::messages!("../locales/pt-BR.ftl");

@@ -26,7 +26,7 @@ pub fn markdown(document: &Document, figures: Option<&str>) -> String {
             Block::Items(items) => {
                 items.iter().map(|item| format!("- {}\n", escaped(item))).collect::<Vec<_>>().concat()
             }
-            Block::Lines(lines) => lines.iter().map(pair).collect(),
+            Block::TitleBlock(lines) | Block::Lines(lines) => lines.iter().map(pair).collect(),
             Block::Step(number, step) => written_step(*number, step),
             Block::Table(table) => pipes(table),
             Block::Figure(picture) => {

@@ -35,7 +35,7 @@ pub fn text(document: &Document, width: usize) -> String {
                     page.bullet(item);
                 }
             }
-            Block::Lines(lines) => page.pairs(lines),
+            Block::TitleBlock(lines) | Block::Lines(lines) => page.pairs(lines),
             Block::Step(number, step) => page.step(*number, step),
             Block::Table(table) => page.table(table),
             Block::Figure(picture) => page.lines.extend(picture.letters.iter().cloned()),
@@ -67,7 +67,7 @@ impl Page {
             | Block::Step(..)
             | Block::Table(_) => !under_heading,
             Block::Figure(picture) => !picture.letters.is_empty(),
-            Block::Lines(_) | Block::Items(_) => false,
+            Block::TitleBlock(_) | Block::Lines(_) | Block::Items(_) => false,
         };
         if wanted && !self.lines.is_empty() {
             self.lines.push(String::new());

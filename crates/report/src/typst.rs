@@ -3,6 +3,7 @@
 use dalembert_core::{Language, Locale, printer::WrittenStep};
 
 use crate::{
+    PROGRAM,
     document::{Block, Document, DocumentTable, NamedValue, figure_name},
     math::{self, Math, sides},
 };
@@ -14,8 +15,10 @@ pub fn typst(document: &Document, figures: Option<&str>, locale: &Locale) -> Str
         Language::Portuguese => "#set text(lang: \"pt\", region: \"BR\")\n",
     };
     let mut text = format!(
-        "#set document(title: {})\n#set page(margin: 2.5cm)\n{language}\n= {}\n",
+        "#set document(title: {})\n#set page(margin: 2.5cm, footer: context [{} #h(1fr) \
+         #counter(page).display(\"1 / 1\", both: true)])\n{language}\n= {}\n",
         string(&document.title),
+        words(PROGRAM),
         words(&document.title)
     );
     let mut count = 0;
@@ -27,6 +30,11 @@ pub fn typst(document: &Document, figures: Option<&str>, locale: &Locale) -> Str
             Block::Paragraph(sentences) => format!("{}\n", words(sentences)),
             Block::Items(items) => {
                 items.iter().map(|item| format!("- {}\n", words(item))).collect::<Vec<_>>().concat()
+            }
+            Block::TitleBlock(lines) => {
+                let cell =
+                    |line: &NamedValue| format!("  [{}], [{}],\n", words(&line.label), words(&line.value));
+                format!("#table(columns: 2,\n{})\n", lines.iter().map(cell).collect::<String>())
             }
             Block::Lines(lines) => pairs(lines),
             Block::Step(number, step) => written_step(*number, step),

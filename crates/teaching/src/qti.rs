@@ -3,7 +3,7 @@
 //! IMS Question and Test Interoperability, *Assessment Test, Section and Item Information Model*, version 2.1 (2012), and
 //! IMS Content Packaging 1.1.
 
-use dalembert_core::{Language, Locale, Text};
+use dalembert_core::{Locale, Text};
 use dalembert_report::Block;
 
 use crate::{
@@ -85,10 +85,7 @@ fn item(
     let figure = figure.map_or_else(String::new, |name| {
         format!("<p><img src=\"{name}\" alt=\"{}\"/></p>\n", escaped("figure"))
     });
-    let language = match locale.language {
-        Language::English => "en",
-        Language::Portuguese => "pt-BR",
-    };
+    let language = locale.language.tag();
     format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<assessmentItem xmlns=\"{QTI}\" xmlns:xsi=\"{INSTANCE}\" \
          xsi:schemaLocation=\"{QTI} {QTI}.xsd\" identifier=\"{id}\" title=\"{}\" xml:lang=\"{language}\" \

@@ -373,6 +373,7 @@ impl Model {
         let mut problem = Problem::new(read.entry, title, read.draft, cases);
         (problem.document.origin, problem.document.units, problem.document.show) =
             (origin, read.units, read.show);
+        problem.document.title_block = read.title_block;
         (problem.inputs.notes, problem.document.linked) = (read.notes, read.files);
         problem
     }

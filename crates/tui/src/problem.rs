@@ -8,7 +8,7 @@ use dalembert_core::{
     cases::Case,
     draft,
     exams::FAMILY,
-    file::{self, LinkedFile},
+    file::{self, LinkedFile, TitleBlock},
     linked,
     vary::{self, VariedInput},
 };
@@ -71,6 +71,8 @@ pub struct Document {
     pub origin: Option<Case>,
     /// True if it was opened as an exercise of a list.
     pub is_exercise: bool,
+    /// Title block of its notes.
+    pub title_block: TitleBlock,
     /// Units of everything that is shown.
     pub units: UnitSetting,
     /// Display of answers: `(answer, unit and digits)`.
@@ -148,6 +150,7 @@ impl Problem {
                 title,
                 origin: None,
                 is_exercise: false,
+                title_block: TitleBlock::default(),
                 units: UnitSetting::default(),
                 show: Vec::new(),
                 show_changed: false,
@@ -266,6 +269,7 @@ impl Problem {
             title,
             // It stands in the text that is written over.
             statement: Statement::default(),
+            title_block: self.document.title_block.clone(),
             draft: draft.clone(),
             units: self.document.units,
             show: self.document.show.clone(),

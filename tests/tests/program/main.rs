@@ -5,6 +5,7 @@ mod faults;
 mod field;
 mod import;
 mod json;
+mod notes;
 mod optimise;
 #[cfg(feature = "parquet")]
 mod parquet;

@@ -30,7 +30,8 @@ const LEFT: &str = "\u{1b}[?1049l";
 
 /// Runs the program in an empty root, and installs package and wheel in Debian.
 pub(super) fn everywhere(release: &Release) -> Result<()> {
-    super::needed(&["chroot", "debootstrap", "script"]).context("the proof needs root and Debian's debootstrap")?;
+    super::needed(&["chroot", "debootstrap", "script"])
+        .context("the proof needs root and Debian's debootstrap")?;
     empty_root(release)?;
     let root = release.folder.join("debian");
     run_command(

@@ -5,7 +5,7 @@
 
 use toml_edit::{DocumentMut, Value as Toml};
 
-use super::{Format, ProblemFile, definitions, write, write::text_of_lines};
+use super::{Format, ProblemFile, TitleBlock, definitions, write, write::text_of_lines};
 use crate::{
     Draft, Entry, Field, Locale, Shape, Statement, Text, UnitSetting, Variant, cases::Case, describe,
     gravity, table,
@@ -45,6 +45,7 @@ pub fn template(entry: &'static Entry, case: Option<&Case>, locale: &Locale) -> 
             entry,
             title,
             statement: Statement::default(),
+            title_block: TitleBlock::default(),
             draft,
             units: UnitSetting::Auto,
             show: Vec::new(),

@@ -2,7 +2,7 @@
 
 use std::{path::Path, process::ExitCode};
 
-use dalembert_core::{Language, Text, cases, registry};
+use dalembert_core::{Text, cases, registry};
 use dalembert_report::{Block, Document, NamedValue};
 use dalembert_tui::{
     files,
@@ -45,13 +45,7 @@ pub(crate) fn run(set: &Set, console: &Console) -> Result<ExitCode, Failure> {
         line("version", env!("CARGO_PKG_VERSION").into()),
         line("analyses", registry().len().to_string()),
         line("number of published cases", cases.to_string()),
-        line(
-            "language",
-            match console.locale.language {
-                Language::English => "en".into(),
-                Language::Portuguese => "pt-BR".into(),
-            },
-        ),
+        line("language", console.locale.language.tag().into()),
     ];
     let terminal = vec![
         line("both ends are a terminal", say(if console.interactive { "yes" } else { "no" })),

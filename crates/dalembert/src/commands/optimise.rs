@@ -2,11 +2,7 @@
 
 use std::{ffi::OsStr, path::Path, process::ExitCode};
 
-use dalembert_core::{
-    Determined, Goal, Text,
-    file::{self, ProblemFile},
-    find,
-};
+use dalembert_core::{Determined, Goal, Text, find};
 
 use crate::{
     arguments::Optimise,
@@ -37,7 +33,7 @@ pub(crate) fn run(asked: &Optimise, console: &Console) -> Result<ExitCode, Failu
     if let Some(path) = path.filter(|path| path.extension() == Some(OsStr::new("toml"))) {
         let solution = outcome.map_err(Failure::Refused)?;
         let Some(found) = solution.determined.as_deref() else { return Err(nothing_wanted()) };
-        output::write(path, &text_of_optimum(asked, problem, found)?, asked.force)?;
+        output::write(path, &text_of_optimum(asked, &problem, found)?, asked.force)?;
         return Ok(ExitCode::SUCCESS);
     }
     let destination = Destination {
@@ -46,6 +42,7 @@ pub(crate) fn run(asked: &Optimise, console: &Console) -> Result<ExitCode, Failu
         path,
         force: asked.force,
         digits: asked.digits,
+        answers: &[],
     };
     solve::write(&problem, &outcome, &destination, console)
 }
@@ -98,24 +95,10 @@ fn nothing_wanted() -> Failure {
 }
 
 /// The problem with the optimum in place of the unknowns, written over the text of its file where it has one.
-fn text_of_optimum(asked: &Optimise, problem: LoadedProblem, found: &Determined) -> Result<String, Failure> {
-    let mut draft = problem.draft;
+fn text_of_optimum(asked: &Optimise, problem: &LoadedProblem, found: &Determined) -> Result<String, Failure> {
+    let mut draft = problem.draft.clone();
     draft
         .take_found(&problem.entry.shape(), found)
         .map_err(|error| Failure::Fault(format!("{}: {}", error.path, error.why.english())))?;
-    let over = match find(&asked.problem) {
-        None if !problem::is_standard_input(&asked.problem) => problem::text_of(&asked.problem)?,
-        _ => String::new(),
-    };
-    let optimum = ProblemFile {
-        entry: problem.entry,
-        title: problem.name.english(),
-        statement: problem.statement,
-        draft,
-        units: problem.units,
-        show: problem.show,
-        notes: Vec::new(),
-        files: Vec::new(),
-    };
-    Ok(file::write(&optimum, &over))
+    problem.file_text(&asked.problem, draft)
 }

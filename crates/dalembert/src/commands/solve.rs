@@ -4,8 +4,8 @@ use std::{ffi::OsStr, path::Path, process::ExitCode};
 
 use dalembert_core::{Answer, Locale, Solution, Text, UnitSetting, nearest};
 use dalembert_report::{
-    DocumentFormat, WorkedProblem, csv, csv_tables, document, document_without_figures, json, json_text,
-    show_answers_in, text,
+    Document, DocumentFormat, NoteSource, WorkedProblem, csv, csv_tables, document, document_without_figures,
+    json, json_text, show_answers_in, text,
 };
 use dalembert_tui::glyphs::filter_untrusted;
 use dalembert_units as units;
@@ -35,7 +35,16 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
         units: solve.units.as_deref().map(UnitSetting::read).transpose().map_err(Failure::input)?,
         ..ProblemSource::named(&solve.problem)
     };
-    let problem = problem::read(&asked, console)?;
+    let mut problem = problem::read(&asked, console)?;
+    for line in &solve.title_block {
+        let (key, text) = line.split_once('=').ok_or_else(|| {
+            let why = Text::new(
+                "--title-block {line}: write a line and its text, as in --title-block author='A. Silva'",
+            );
+            Failure::input(why.with("line", line))
+        })?;
+        problem.title_block.set(key.trim(), text).map_err(Failure::input)?;
+    }
     let mut asked_for = Vec::new();
     for asked in &solve.unit {
         let (answer, unit) = asked.split_once('=').ok_or_else(|| {
@@ -50,6 +59,7 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
         path: solve.output.as_deref(),
         force: solve.force,
         digits: solve.digits,
+        answers: &solve.answer,
     };
     let outcome = outcome(&problem, &asked_for)?;
     let outcome = match outcome {
@@ -60,7 +70,7 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
 }
 
 /// The solution with the working of these answers alone; a name without a row is that of all its rows.
-fn working_of(solution: &Solution, names: &[String]) -> Result<Solution, Failure> {
+pub(crate) fn working_of(solution: &Solution, names: &[String]) -> Result<Solution, Failure> {
     let is_named = |answer: &Answer, name: &str| answer.name.is(name) || answer.name.base == name;
     for name in names {
         if !solution.answers.iter().any(|answer| is_named(answer, name)) {
@@ -87,6 +97,8 @@ pub(crate) struct Destination<'a> {
     pub(crate) path: Option<&'a Path>,
     pub(crate) force: bool,
     pub(crate) digits: Option<u8>,
+    /// Answers whose working alone is written; empty for all.
+    pub(crate) answers: &'a [String],
 }
 
 /// Prints what came of a problem, or writes it to a file.
@@ -114,22 +126,22 @@ pub(crate) fn write(
             return status(&worked, console);
         }
     };
-    // Formulas are set as mathematics, of which ASCII has none; LaTeX is ASCII but for accents anyway.
-    let set = matches!(paper, DocumentFormat::Html | DocumentFormat::Latex | DocumentFormat::Typst);
-    locale.style.ascii &= !set;
-    let plain = |words: &str| if set { filter_untrusted(words).into_owned() } else { console.plain(words) };
-    let document = match paper {
-        DocumentFormat::Text => document_without_figures(&worked, &locale),
-        _ => document(&worked, &locale),
-    };
-    let document = document.map(&plain);
+    if paper == DocumentFormat::Text {
+        let document = document_without_figures(&worked, &locale).under(&problem.title_block, &locale);
+        put(to, &text(&document.map(&|words| console.plain(words)), console.width))?;
+        return status(&worked, console);
+    }
+    let (document, locale) = on_paper(problem, &worked, paper, locale, console);
+    let source = NoteSource::new(problem.file_text(to.problem, problem.draft.clone())?, to.answers, &locale);
     match to.path {
-        _ if paper == DocumentFormat::Text => put(to, &text(&document, console.width))?,
-        None => print(&paper.write(&document, None, &locale))?,
+        None => print(&source.append_to(paper.write(&document, None, &locale), paper))?,
         Some(path) => {
             let files = paper.files(&document, path, &locale).unwrap_or_default();
-            let files: Vec<_> =
+            let mut files: Vec<_> =
                 files.into_iter().map(|(name, text)| (path.with_file_name(name), text)).collect();
+            if let Some((_, note)) = files.first_mut() {
+                *note = source.append_to(std::mem::take(note), paper);
+            }
             for (file, _) in &files {
                 output::allowed(file, Path::new(to.problem), to.force)?;
             }
@@ -139,6 +151,22 @@ pub(crate) fn write(
         }
     }
     status(&worked, console)
+}
+
+/// The document of a problem in a format, and the locale that it is written in.
+pub(crate) fn on_paper(
+    problem: &LoadedProblem,
+    worked: &WorkedProblem<'_>,
+    paper: DocumentFormat,
+    mut locale: Locale,
+    console: &Console,
+) -> (Document, Locale) {
+    // Formulas are set as mathematics, of which ASCII has none; LaTeX is ASCII but for accents anyway.
+    let is_set = paper != DocumentFormat::Markdown;
+    locale.style.ascii &= !is_set;
+    let plain =
+        |words: &str| if is_set { filter_untrusted(words).into_owned() } else { console.plain(words) };
+    (document(worked, &locale).under(&problem.title_block, &locale).map(&plain), locale)
 }
 
 /// Output format: by name, else by the extension of the file.

@@ -45,10 +45,7 @@ impl Recorder {
         first: &[String],
     ) -> io::Result<Self> {
         let mut file = File::create_new(path)?;
-        let language = match language {
-            Language::English => "en",
-            Language::Portuguese => "pt-BR",
-        };
+        let language = language.tag();
         let look = match (look.ascii, look.colors) {
             (true, _) => "ascii",
             (false, crate::glyphs::Colors::None) => "plain",

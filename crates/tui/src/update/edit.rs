@@ -177,8 +177,8 @@ fn reload(
 fn take_copy(model: &mut Model, read: ProblemFile, text: String) -> Vec<Intent> {
     let Some(bench) = &model.bench else { return Vec::new() };
     let before = bench.problem.as_file();
-    if (&before.title, &before.draft, before.units, &before.show)
-        == (&read.title, &read.draft, read.units, &read.show)
+    if (&before.title, &before.title_block, &before.draft, before.units, &before.show)
+        == (&read.title, &read.title_block, &read.draft, read.units, &read.show)
         && before.entry.about.id == read.entry.about.id
     {
         model.say("no changes");
@@ -207,6 +207,7 @@ fn take(model: &mut Model, read: ProblemFile) {
         let document = &mut bench.problem.document;
         (document.title, document.origin) = (read.document.title, read.document.origin);
         (document.units, document.show) = (read.document.units, read.document.show);
+        document.title_block = read.document.title_block;
         (document.linked, bench.problem.inputs.notes) = (read.document.linked, read.inputs.notes);
         bench.problem.inputs.form.replace(read.inputs.form.entry(), read.inputs.form.draft);
     }

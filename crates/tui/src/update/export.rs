@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use dalembert_core::{Locale, Text, cases::Case};
-use dalembert_report::{DocumentFormat, WorkedProblem, document};
+use dalembert_report::{DocumentFormat, NoteSource, WorkedProblem, document};
 use dalembert_units::Style;
 
 use crate::{
@@ -151,7 +151,11 @@ fn files(
         record: &record,
         outcome: Ok(problem.found.solution.as_ref()?),
     };
-    let document = document(&worked, locale).map(&|words| filter_untrusted(words).into_owned());
-    let files = paper.files(&document, path, locale)?;
+    let document = document(&worked, locale).under(&problem.document.title_block, locale);
+    let document = document.map(&|words| filter_untrusted(words).into_owned());
+    let mut files = paper.files(&document, path, locale)?;
+    if let Some((_, note)) = files.first_mut() {
+        *note = NoteSource::new(problem.as_text(), &[], locale).append_to(std::mem::take(note), paper);
+    }
     Some(files.into_iter().map(|(name, text)| (path.with_file_name(name), text)).collect())
 }
