@@ -2270,7 +2270,7 @@ both-ends-on-one-bar = As duas extremidades em uma mesma barra
 
 # scotch_yoke.toml
 yoke-with-a-load-and-a-mass-at-30-rad-s = Garfo escocês com carga e massa a 30 rad/s
-t-f-r-sin-m-r-sin-cos-the-load-opposing-x-the-largest-of-twelve-angles-0-1-rad-and-every-30-on-is-at = T = F r sen θ − m r² ω² sen θ cos θ, com a carga oposta a x; o maior de doze ângulos, 0,1 rad e a cada 30° daí em diante, está em 0,1 rad + 240°
+t-m-r-sin-cos-f-r-sin-the-load-f-opposing-x-the-largest-of-twelve-angles-0-1-rad-and-every-30-on-is = T = m r² ω² sen θ cos θ − F r sen θ, com a carga F oposta a x; o maior de doze ângulos, 0,1 rad e a cada 30° daí em diante, está em 0,1 rad + 240°
 r-80-mm-300-n-against-x-4-kg-the-reference-found-no-difference-from-this-formula-at-the-twelve-angles = r = 80 mm, 300 N contra x, 4 kg. A referência não encontrou diferença em relação a esta fórmula nos doze ângulos.
 the-same-yoke-at-30 = O mesmo garfo a 30°
 t-300-0-08-sin-30-4-0-08-30-sin-30-cos-30 = T = −(300·0,08·sen 30° − 4·0,08²·30²·sen 30° cos 30°)
