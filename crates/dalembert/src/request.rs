@@ -85,7 +85,6 @@ impl RequestFailure {
 pub struct RequestedProblem {
     problem: LoadedProblem,
     locale: Locale,
-    units: Vec<(String, String)>,
     only: Option<Vec<String>>,
 }
 
@@ -127,7 +126,7 @@ impl RequestedProblem {
     /// An input that only the analysis can judge, a unit that no answer has; a fault of the analysis. A refusal is an
     /// outcome.
     pub fn solve(self) -> Result<SolvedProblem, RequestFailure> {
-        match solve::outcome(&self.problem, &self.units) {
+        match solve::outcome(&self.problem) {
             Ok(outcome) => Ok(SolvedProblem { requested: self, outcome }),
             Err(failure) => Err(RequestFailure::of(&failure, &self.locale)),
         }
@@ -294,12 +293,13 @@ fn read(request: &Map<String, Json>, locale: Locale) -> Result<RequestedProblem,
         ..ProblemSource::named(named.unwrap_or_default())
     };
     let console = Console::of_program(locale);
-    let problem = match text {
+    let mut problem = match text {
         Some(text) => problem::of_file(Path::new("problem_file"), text, &asked, &console)?,
         None => problem::read(&asked, &console)?,
     };
     let locale = locale.at(problem.entry.about.id);
-    Ok(RequestedProblem { problem, locale, units: unit, only })
+    problem.show.extend(unit);
+    Ok(RequestedProblem { problem, locale, only })
 }
 
 /// The keys of a request, and what is wrong with them.

@@ -2,21 +2,13 @@
 
 use std::{fs, path::Path, process::Output};
 
-const FAN: &str = "\
-format = 2
-analysis = \"vibration/rotating-unbalance\"
-title = \"Fan of the paint shop -- roof\" # A & B
-
+const TITLE_BLOCK: &str = "\
 [title_block]
-project = \"Paint shop\"
+project = \"Paint shop -- roof\" # A & B
 author = \"A. Silva\"
 date = 2026-11-29
 revision = 3
 
-[inputs]
-mass = \"40 kg\"
-unbalance.product.value = \"0.1 kg*m\"
-support.beam.beam.cantilever.length = \"1.2 m\"
 ";
 
 fn run(folder: &Path, arguments: &[&str]) -> Output {
@@ -34,6 +26,14 @@ fn written(folder: &Path, note: &str, arguments: &[&str]) -> String {
     fs::read_to_string(folder.join(note)).expect("a note")
 }
 
+/// A problem file of the fan, with this title block.
+fn with_title_block(folder: &Path, block: &str) {
+    let template = run(folder, &["new", "vibration/rotating-unbalance", "--case", "1"]);
+    let template = String::from_utf8(template.stdout).expect("a problem file");
+    fs::write(folder.join("fan.toml"), template.replace("[inputs]", &format!("{block}[inputs]")))
+        .expect("a file");
+}
+
 #[test]
 fn a_note_of_every_format_is_confirmed_and_a_changed_answer_is_found() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -46,7 +46,7 @@ fn a_note_of_every_format_is_confirmed_and_a_changed_answer_is_found() {
     ];
     for (n, (problem, options, [right, wrong])) in problems.into_iter().enumerate() {
         for ending in ["html", "tex", "typ", "md"] {
-            let note = format!("note{n}.{ending}");
+            let note = format!("note{n}-{ending}.{ending}");
             let text = written(folder, &note, &[&[problem], options].concat());
             let output = run(folder, &["confirm", &note]);
             assert!(output.status.success(), "{problem}, {ending}: {}", said(&output));
@@ -67,18 +67,14 @@ fn a_note_of_every_format_is_confirmed_and_a_changed_answer_is_found() {
 fn a_title_block_is_printed_and_kept() {
     let folder = tempfile::tempdir().expect("a folder");
     let folder = folder.path();
-    let template = run(folder, &["new", "vibration/rotating-unbalance", "--case", "1"]);
-    let template = String::from_utf8(template.stdout).expect("a problem file");
-    let block = &FAN[FAN.find("[title_block]").expect("a block")..FAN.find("[inputs]").expect("inputs")];
-    fs::write(folder.join("fan.toml"), template.replace("[inputs]", &format!("{block}[inputs]")))
-        .expect("a file");
+    with_title_block(folder, TITLE_BLOCK);
     for (ending, line) in [
         ("html", "<th>Prepared by</th><td></td><td>A. Silva</td>"),
         ("tex", "{}Prepared by & A. Silva"),
         ("typ", "[Prepared by], [A. Silva]"),
         ("md", "- Revision: 3"),
     ] {
-        let note = format!("fan.{ending}");
+        let note = format!("fan-{ending}.{ending}");
         let text = written(folder, &note, &["fan.toml"]);
         assert!(text.contains(line), "{ending}: {text}");
         // Comments of the problem file stand in the note too.
@@ -97,11 +93,11 @@ fn a_title_block_is_printed_and_kept() {
 fn what_is_wrong_with_a_title_block_or_a_note_is_named() {
     let folder = tempfile::tempdir().expect("a folder");
     let folder = folder.path();
-    fs::write(folder.join("fan.toml"), FAN.replace("author", "autor")).expect("a file");
+    with_title_block(folder, &TITLE_BLOCK.replace("author", "autor"));
     fs::write(folder.join("plain.md"), "# Fan\n").expect("a file");
     for (arguments, words) in [
         (&["solve", "fan.toml"][..], "a title block has no `autor`; did you mean `author`?"),
-        (&["solve", "fan.toml", "--title-block", "author"], "write a line and its text"),
+        (&["solve", "vibration/rotating-unbalance", "--title-block", "author"], "write a line and its text"),
         (&["confirm", "plain.md"], "the note holds no problem file"),
         (&["confirm", "fan.toml"], "a note is HTML, LaTeX, Typst or Markdown"),
     ] {

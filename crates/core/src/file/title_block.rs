@@ -22,6 +22,12 @@ const LINES: [(&str, &str); 5] = [
 pub struct TitleBlock([String; LINES.len()]);
 
 impl TitleBlock {
+    /// Keys of the lines.
+    pub const KEYS: [&str; LINES.len()] = {
+        let [(project, _), (author, _), (checker, _), (date, _), (revision, _)] = LINES;
+        [project, author, checker, date, revision]
+    };
+
     /// Sets the text of a key.
     ///
     /// # Errors
@@ -30,14 +36,12 @@ impl TitleBlock {
         match LINES.iter().position(|(known, _)| *known == key) {
             Some(at) => text.trim().clone_into(&mut self.0[at]),
             None => {
-                let keys = LINES.map(|(key, _)| key);
-                return Err(match nearest(key, keys.into_iter()) {
+                return Err(match nearest(key, Self::KEYS.into_iter()) {
                     Some(near) => {
                         Text::new("a title block has no `{key}`; did you mean `{near}`?").with("near", near)
                     }
-                    None => {
-                        Text::new("a title block has no `{key}`; it has {keys}").with("keys", keys.join(", "))
-                    }
+                    None => Text::new("a title block has no `{key}`; it has {keys}")
+                        .with("keys", Self::KEYS.join(", ")),
                 }
                 .with("key", key));
             }

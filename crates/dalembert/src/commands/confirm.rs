@@ -27,7 +27,7 @@ pub(crate) fn run(confirm: &Confirm, console: &Console) -> Result<ExitCode, Fail
     let note = files::read(path)?.text;
     let source = NoteSource::of_note(&note).map_err(in_note)?;
     let problem = problem::of_file(path, &source.problem_file, &ProblemSource::named(""), console)?;
-    let outcome = match solve::outcome(&problem, &[])? {
+    let outcome = match solve::outcome(&problem)? {
         Ok(solution) if !source.answers.is_empty() => Ok(solve::working_of(&solution, &source.answers)?),
         outcome => outcome,
     };

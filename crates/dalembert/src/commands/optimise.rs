@@ -28,7 +28,7 @@ pub(crate) fn run(asked: &Optimise, console: &Console) -> Result<ExitCode, Failu
     };
     let problem = problem::read(&source, console)?;
     is_wanted(&problem)?;
-    let outcome = solve::outcome(&problem, &[])?;
+    let outcome = solve::outcome(&problem)?;
     let path = asked.output.as_deref();
     if let Some(path) = path.filter(|path| path.extension() == Some(OsStr::new("toml"))) {
         let solution = outcome.map_err(Failure::Refused)?;

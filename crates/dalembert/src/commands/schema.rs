@@ -6,7 +6,8 @@ use std::process::ExitCode;
 
 use dalembert_core::{
     ChildList, Entry, Field, FieldLimit, LinkedProblem, Locale, Measure, Shape, Text, UnitSetting, Variant,
-    file::ShortForm, linked, registry,
+    file::{ShortForm, TitleBlock},
+    linked, registry,
 };
 use dalembert_report::RESULTS_SCHEMA;
 use serde_json::{Map, Value as Json, json};
@@ -100,12 +101,20 @@ fn of_file(problem: Json) -> Map<String, Json> {
     let keys = [
         ("format", format),
         ("statement", json!({ "type": "string" })),
+        ("title_block", title_block()),
         ("asked", asked),
         ("vary", json!({ "type": "object", "additionalProperties": { "type": ["string", "object"] } })),
         ("units", units),
         ("problem", problem),
     ];
     keys.into_iter().map(|(key, value)| (key.to_owned(), value)).collect()
+}
+
+/// Title block of notes: texts, dates or numbers.
+fn title_block() -> Json {
+    let line = json!({ "type": ["string", "integer"] });
+    let lines = TitleBlock::KEYS.into_iter().map(|key| (key.to_owned(), line.clone()));
+    object(&[], lines.collect())
 }
 
 /// Keys of a problem of an analysis.

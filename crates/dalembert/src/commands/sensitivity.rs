@@ -47,7 +47,7 @@ pub(crate) fn run(asked: &Arguments, console: &Console) -> Result<ExitCode, Fail
         ..ProblemSource::named(&asked.problem)
     };
     let problem = problem::read(&source, console)?;
-    let solution = solve::outcome(&problem, &[])?.map_err(Failure::Refused)?;
+    let solution = solve::outcome(&problem)?.map_err(Failure::Refused)?;
     let answer = chosen(&solution, asked.answer.as_deref())?;
     let tolerances = tolerances(&problem.record, &asked.tolerance)?;
     let is_usual = tolerances.is_empty();

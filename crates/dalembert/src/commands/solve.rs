@@ -45,13 +45,12 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
         })?;
         problem.title_block.set(key.trim(), text).map_err(Failure::input)?;
     }
-    let mut asked_for = Vec::new();
     for asked in &solve.unit {
         let (answer, unit) = asked.split_once('=').ok_or_else(|| {
             let why = Text::new("--unit {asked}: write an answer and a unit, as in --unit amplitude=um");
             Failure::input(why.with("asked", asked))
         })?;
-        asked_for.push((answer.trim().to_owned(), unit.trim().to_owned()));
+        problem.show.push((answer.trim().to_owned(), unit.trim().to_owned()));
     }
     let destination = Destination {
         problem: &solve.problem,
@@ -61,7 +60,7 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
         digits: solve.digits,
         answers: &solve.answer,
     };
-    let outcome = outcome(&problem, &asked_for)?;
+    let outcome = outcome(&problem)?;
     let outcome = match outcome {
         Ok(solution) if !solve.answer.is_empty() => Ok(working_of(&solution, &solve.answer)?),
         other => other,
@@ -195,23 +194,18 @@ fn put(to: &Destination<'_>, text: &str) -> Result<(), Failure> {
 
 /// Prints the worked solution of a problem on the screen.
 pub(crate) fn print_worked(problem: &LoadedProblem, console: &Console) -> Result<ExitCode, Failure> {
-    let outcome = outcome(problem, &[])?;
+    let outcome = outcome(problem)?;
     let worked = problem.worked(&outcome);
     console.print(document_without_figures(&worked, &console.locale))?;
     status(&worked, console)
 }
 
-/// Solves a problem, with answers in the requested units: those of the problem, then those of the command line.
-pub(crate) fn outcome(
-    problem: &LoadedProblem,
-    asked_for: &[(String, String)],
-) -> Result<solving::SolveOutcome, Failure> {
+/// Solves a problem, with answers in the units of the problem.
+pub(crate) fn outcome(problem: &LoadedProblem) -> Result<solving::SolveOutcome, Failure> {
     let outcome = solving::solve(problem.entry, &problem.record)?;
     let Ok(solution) = outcome else { return Ok(outcome) };
     let mut solution = solution.in_units_of(problem.units, &problem.draft, &problem.entry.shape());
-    for show in [&problem.show, asked_for] {
-        show_answers_in(&mut solution, show).map_err(Failure::input)?;
-    }
+    show_answers_in(&mut solution, &problem.show).map_err(Failure::input)?;
     Ok(Ok(solution))
 }
 

@@ -59,7 +59,7 @@ pub(crate) fn run(asked: &arguments::Study, console: &Console) -> Result<ExitCod
         Ok(columns)
     };
     let design = Design::new(&plan, &problem.record, &read).map_err(errors_of)?;
-    let solution = solve::outcome(&problem, &[])?.map_err(Failure::Refused)?;
+    let solution = solve::outcome(&problem)?.map_err(Failure::Refused)?;
     let study = match Study::new(problem.entry, &problem.record, &plan, design, &solution) {
         Err(SolveError::Fields(errors)) => return Err(errors_of(errors)),
         study => study.map_err(|error| failure(error.into()))?,

@@ -30,7 +30,7 @@ pub(super) fn run(asked: &Asked<'_>, console: &Console) -> Result<ExitCode, Fail
     let problem = problem::read(&source, console)?;
     let input = input_of(asked, &problem.record)?;
     let range = range_of(asked, &input)?;
-    let solution = solve::outcome(&problem, &[])?.map_err(Failure::Refused)?;
+    let solution = solve::outcome(&problem)?.map_err(Failure::Refused)?;
     let named = |why: Text| {
         let sign = if asked.relation == Relation::AtMost { "≤" } else { "≥" };
         let text = format!("{} {sign} {}", asked.answer, asked.value);
