@@ -146,6 +146,10 @@ pub(crate) fn hanging<T: Suspended>(
             let each = height / members.len() as f64;
             for (n, member) in members.iter().enumerate() {
                 let top = (top.0, top.1 - n as f64 * each);
+                if n > 0 {
+                    // From the tip above to that of this one.
+                    sketch.bars([top, (top.0, top.1 - each / 2.0)]);
+                }
                 hanging(member, top, each, &[place, &[n + 1]].concat(), sketch);
             }
         }
