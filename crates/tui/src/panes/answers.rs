@@ -32,8 +32,7 @@ pub(super) fn chosen<'s>(
     let limits = solution.answers.first().map_or_else(Vec::new, |first| solution.limits_of(first));
     let place = |limit: &&Answer| numbers.iter().position(|answer| answer.name == limit.name);
     let limit = limits.iter().filter(|limit| solution.may_change(limit, input)).find_map(place);
-    let may_change = |answer: &&&Answer| solution.may_change(answer, input);
-    let changing = || numbers.iter().enumerate().filter(|(_, answer)| may_change(&answer));
+    let changing = || numbers.iter().enumerate().filter(|(_, answer)| solution.may_change(answer, input));
     let nonzero = || changing().find(|(_, answer)| answer.si() != Some(0.0));
     let first = || nonzero().or_else(|| changing().next()).map(|(at, _)| at);
     let at = named.or(limit).or_else(first).unwrap_or(0);

@@ -559,9 +559,8 @@ impl QuickReturn {
                             .slider("", slider, 0.0)
                             .link("l", end, slider);
                         figure::link_mass(sketch, 5, link_mass.as_ref(), (end, slider), 2.0);
-                        if *slider_mass != 0.0 {
-                            sketch.label("m₆", (position, height - 0.6 * unit));
-                        }
+                        let mass = if *slider_mass == 0.0 { "" } else { "m₆" };
+                        sketch.label(mass, (position, height - 0.6 * unit));
                         sketch.joint("", slider);
                         figure::on_slider(sketch, "F", slider, (found.force, 0.0), 0.4 * there.lever);
                     } else {
