@@ -10,7 +10,6 @@ mod state;
 use dalembert_core::{Locale, Plot, Series, exhibit::Mark};
 use dalembert_report::figure::axes::Axes;
 use dalembert_terminal::pixels::Picture;
-use itertools::Itertools as _;
 use ratatui::{
     buffer::Buffer,
     layout::Rect,
@@ -315,10 +314,9 @@ impl Canvas<'_> {
         }
     }
 
-    /// The name of each level at its right end; at the edge, with an arrow and its value, where it lies beyond. Of levels of one
-    /// name the first is named.
+    /// The name of each level at its right end; at the edge, with an arrow and its value, where it lies beyond.
     fn level_labels(&self, dots: &Dots, locale: &Locale, labels: &mut Labels) {
-        for level in self.axes.plot.levels.iter().unique_by(|level| level.label.render(locale)) {
+        for level in self.axes.named_levels(locale) {
             let Some(place) = self.axes.y.of(level.y) else { continue };
             let words = level.label.render(locale);
             let beyond = |glyph| {
@@ -338,17 +336,18 @@ impl Canvas<'_> {
         }
     }
 
-    /// The columns of a band inside the axes.
-    fn columns(&self, from: f64, to: f64) -> Option<(u16, u16)> {
+    /// The columns of the ends of a band.
+    fn columns(&self, ends: [f64; 2]) -> [u16; 2] {
         let last = f64::from(self.area.width) - 1.0;
-        self.axes.band(from, to).map(|ends| ends.map(|place| (place * last).round() as u16).into())
+        ends.map(|place| (place * last).round() as u16)
     }
 
     /// Forbidden ranges are hatched, permitted ones have a bar at the top and at the bottom.
     fn bands(&self, buffer: &mut Buffer) {
         let look = self.look;
         for band in &self.axes.plot.bands {
-            let Some((first, last)) = self.columns(band.from, band.to) else { continue };
+            let Some(ends) = self.axes.band(band.from, band.to) else { continue };
+            let [first, last] = self.columns(ends);
             let (shade, style) = shade(band.permitted, look);
             let style = style.add_modifier(Modifier::DIM);
             for row in 0..self.area.height {
@@ -396,9 +395,8 @@ impl Canvas<'_> {
 
     /// The name of each band in it; of bands of one name the first that is seen is named.
     fn band_labels(&self, dots: &Dots, locale: &Locale, labels: &mut Labels) {
-        let bands = self.axes.plot.bands.iter();
-        let seen = bands.filter_map(|band| Some((band, self.columns(band.from, band.to)?)));
-        for (band, (first, last)) in seen.unique_by(|(band, _)| band.label.render(locale)) {
+        for (band, ends) in self.axes.named_bands(locale) {
+            let [first, last] = self.columns(ends);
             let style = if band.permitted { self.look.good() } else { self.look.error() };
             let words = self.look.shortened(&band.label.render(locale), self.area.width.into());
             let middle = (i32::from(first) + i32::from(last) + 1 - words.width() as i32) / 2;

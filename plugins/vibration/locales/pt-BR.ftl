@@ -890,7 +890,6 @@ amplitude-over-the-maximum-amplitude = amplitude sobre a amplitude máxima
 at-most-50-frequencies-and-50-coordinates-are-computed-at-a-time = calculam-se no máximo 50 frequências e 50 coordenadas de cada vez
 at-most-50-times-and-50-coordinates-are-computed-at-a-time = calculam-se no máximo 50 instantes e 50 coordenadas de cada vez
 at-the-natural-frequency-mode-without-damping-the-motion-is-unbounded-it-grows-with-t-and-there-is-no = na frequência natural { $mode }, sem amortecimento, o movimento é ilimitado: cresce com t e não há regime permanente
-at-this-time = neste instante
 both-springs-resist-a-displacement-of-the-centre-of-mass-without-a-moment-bounce-and-pitch-are = as duas molas resistem a um deslocamento do centro de massa sem momento: translação vertical e arfagem são desacopladas
 coordinate-at = coordenada { $at }
 coordinate-row-has-no-mass-write-a-positive-mass-on-the-diagonal-or-eliminate-it = a coordenada { $row } não tem massa: escreva uma massa positiva na diagonal, ou elimine-a

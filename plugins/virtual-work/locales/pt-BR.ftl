@@ -74,7 +74,7 @@ the-sought-force-has-no-virtual-displacement-its-arm-or-a-ratio-of-the-links-is-
 link-link-meets-lever-lever-at-its-pivot-write-a-non-zero-arm = a ligação { $link } encontra a alavanca { $lever } no pivô: escreva um braço diferente de zero
 virtual-work-for-a-unit-rotation-of-lever-1 = Trabalho virtual para uma rotação unitária da alavanca 1
 virtual-work = Trabalho virtual
-the-levers-horizontal-with-vertical-links = As alavancas na horizontal, com ligações verticais
+the-levers-horizontal-with-vertical-links-not-to-scale = As alavancas na horizontal, com ligações verticais (fora de escala)
 
 # virtual-work/engine
 reciprocating-engine = Motor alternativo
@@ -3462,7 +3462,7 @@ steady-lowering-against-a-braking-motor = Descida constante contra um motor que 
 t-m-g-r-g-with-the-load-driving = T = m g r η/G, com a carga acionando
 hoist-held-by-the-losses-of-its-gears = Guincho sustentado pelas perdas das engrenagens
 m-g-r-g-15-7-n-m-18-n-m-m-g-r-g-24-5-n-m-neither-up-nor-down = η m g r/G = 15,7 N·m < 18 N·m < m g r/(η G) = 24,5 N·m: nem sobe nem desce
-lift-of-the-follower-over-the-angle-of-the-cam = Elevação do seguidor sobre o ângulo do came
+cam-not-to-scale-and-lift-of-the-follower-over-its-angle = Came (fora de escala) e elevação do seguidor sobre o ângulo dele
 the-flywheel-and-its-shaft = O volante e o seu eixo
 
 # Statements of exercises.

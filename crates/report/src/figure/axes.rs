@@ -1,7 +1,11 @@
 //! Ranges and scales of the axes of a plot, and conversion between values and positions.
 
-use dalembert_core::{Locale, Plot, Scale, Series};
+use dalembert_core::{
+    Locale, Plot, Scale, Series,
+    exhibit::{Band, Level},
+};
 use dalembert_units::{Style, Unit, unit};
+use itertools::Itertools as _;
 
 pub use super::ruler::Ruler;
 use super::ticks::Span;
@@ -199,6 +203,18 @@ impl<'a> Axes<'a> {
         let (from, to) = (end(from)?, end(to)?);
         let (from, to) = (from.min(to), from.max(to));
         (to >= 0.0 && from <= 1.0).then(|| [from, to].map(|place| place.clamp(0.0, 1.0)))
+    }
+
+    /// The levels that are named: of those of one name the first.
+    pub fn named_levels(&self, locale: &Locale) -> impl Iterator<Item = &'a Level> {
+        self.plot.levels.iter().unique_by(|level| level.label.render(locale))
+    }
+
+    /// The bands that are named, with their ends as fractions of the horizontal axis: of those of one name the first that
+    /// is seen.
+    pub fn named_bands(&self, locale: &Locale) -> impl Iterator<Item = (&'a Band, [f64; 2])> {
+        let seen = self.plot.bands.iter().filter_map(|band| Some((band, self.band(band.from, band.to)?)));
+        seen.unique_by(|(band, _)| band.label.render(locale))
     }
 
     /// Reading of a curve at `x`. Between two computed points a joined curve is read along the line that is drawn, and

@@ -1,7 +1,6 @@
 //! A plot as a picture.
 
 use dalembert_core::{Locale, Plot, Series, Text, exhibit::clipped};
-use itertools::Itertools as _;
 
 use super::{
     Seen,
@@ -217,20 +216,17 @@ impl Area<'_> {
 
     /// Lines across, named at their right end; a level beyond the axis is named at its edge, with its value.
     fn levels(&self, locale: &Locale, labels: &mut Labels, parts: &mut Vec<PictureElement>) {
-        for level in &self.axes.plot.levels {
+        let inside = |place: &f64| (0.0..=1.0).contains(place);
+        for place in self.axes.plot.levels.iter().filter_map(|level| self.axes.y.of(level.y)).filter(inside) {
+            let points = vec![(self.left, self.y(place)), (self.right, self.y(place))];
+            labels.avoid(&points);
+            parts.push(PictureElement::Line { points, tone: Tone::Bad, width: 1.2, dash: LineStyle::Long });
+        }
+        for level in self.axes.named_levels(locale) {
             let Some(place) = self.axes.y.of(level.y) else { continue };
             let name = level.label.render(locale);
-            let inside = (0.0..=1.0).contains(&place);
             let y = self.y(place.clamp(0.0, 1.0));
-            let name = if inside {
-                let points = vec![(self.left, y), (self.right, y)];
-                labels.avoid(&points);
-                parts.push(PictureElement::Line {
-                    points,
-                    tone: Tone::Bad,
-                    width: 1.2,
-                    dash: LineStyle::Long,
-                });
+            let name = if inside(&place) {
                 name
             } else {
                 let arrow = match (place > 1.0, locale.style.ascii) {
@@ -261,13 +257,11 @@ impl Area<'_> {
         }
     }
 
-    /// The name of each band in it; of bands of one name the first that is seen is named.
+    /// The name of each band in it.
     fn band_names(&self, locale: &Locale, labels: &mut Labels) {
-        let bands = self.axes.plot.bands.iter();
-        let seen = bands.filter_map(|band| Some((band, self.ends(band.from, band.to)?)));
-        for (band, (from, to)) in seen.unique_by(|(band, _)| band.label.render(locale)) {
+        for (band, [from, to]) in self.axes.named_bands(locale) {
             let name = band.label.render(locale);
-            let x = f64::midpoint(from, to) - width(&name) / 2.0;
+            let x = self.x(f64::midpoint(from, to)) - width(&name) / 2.0;
             let mut places: Vec<(f64, f64)> =
                 (1..5).map(|row| (x, self.top + f64::from(row) * LINE)).collect();
             places.push((x, self.bottom - 6.0));

@@ -21,7 +21,7 @@ pub(super) fn with_other_limits(solution: &Solution, mut names: Vec<String>) -> 
 }
 
 /// The answers that are numbers, and the place of the one that was chosen; of none, the first that may change with an
-/// input, limits of the first answer before others where that is a set.
+/// input, limits of the first answer before others where that is a set, and what is zero after them.
 pub(super) fn chosen<'s>(
     solution: &'s Solution,
     name: Option<&str>,
@@ -32,6 +32,9 @@ pub(super) fn chosen<'s>(
     let limits = solution.answers.first().map_or_else(Vec::new, |first| solution.limits_of(first));
     let place = |limit: &&Answer| numbers.iter().position(|answer| answer.name == limit.name);
     let limit = limits.iter().filter(|limit| solution.may_change(limit, input)).find_map(place);
-    let at = named.or(limit).or_else(|| numbers.iter().position(|answer| solution.may_change(answer, input)));
-    (numbers, at.unwrap_or(0))
+    let changing = || numbers.iter().enumerate().filter(|(_, answer)| solution.may_change(answer, input));
+    let nonzero = || changing().find(|(_, answer)| answer.si() != Some(0.0));
+    let first = || nonzero().or_else(|| changing().next()).map(|(at, _)| at);
+    let at = named.or(limit).or_else(first).unwrap_or(0);
+    (numbers, at)
 }

@@ -571,9 +571,9 @@ impl Locomotive {
         sketch.finish()
     }
 
-    /// The axle from above, beside the wheels.
+    /// The axle from above, below the wheels.
     fn draw_axle(&self, sketch: &mut Sketch) {
-        let (middle, level) = (6.4, 0.0);
+        let (middle, level) = (1.4, -2.5);
         let half = 1.3 * self.wheels / self.wheels.max(self.cylinders);
         let crank = 1.3 * self.cylinders / self.wheels.max(self.cylinders);
         sketch.link("", (middle - 1.8, level), (middle + 1.8, level));

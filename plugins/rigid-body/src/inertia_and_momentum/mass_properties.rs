@@ -19,6 +19,7 @@ use crate::{
             AboutPoint, Body, BodyLine, BodyLineGiven, BodyPart, PAIRS, WorkedBody, about_line, about_point,
             refused,
         },
+        flat,
         scene::Scene,
     },
     sources::{BEER, MERIAM, RIUL},
@@ -217,17 +218,34 @@ impl MassProperties {
     fn drawn(&self, body: &rigid::MassProperties, principal: &Principal) -> Exhibit {
         let mut scene = Scene::new();
         let size = self.body.draw(&mut scene, body, principal);
-        // About the origin both sets of axes start from one point: those of the frame are longer there.
-        let is_at = |point: Vector3<f64>| (point - body.centre).norm() < 1e-6 * size;
-        let reach = if is_at(Vector3::zeros()) { 0.9 } else { 0.6 };
-        scene.axes(Vector3::zeros(), &Matrix3::identity(), reach * size, ["x", "y", "z"]);
+        let mut letters = ["x", "y", "z"].map(Some);
         for (n, name) in ["1", "2", "3"].into_iter().enumerate() {
-            scene.arrow(body.centre, principal.axis(n) * (0.5 * size), Ink::Result, name);
+            let axis = principal.axis(n);
+            // A principal axis along an axis of the body through G is one arrow with both names.
+            let is_along = |along: &usize| {
+                let off = body.centre - Vector3::ith(*along, body.centre[*along]);
+                axis[*along] > 1.0 - 1e-9 && off.norm() < 1e-6 * size
+            };
+            match (0..3).find(is_along).and_then(|along| letters[along].take()) {
+                Some(letter) => {
+                    scene.line([Vector3::zeros(), body.centre], Ink::Faint);
+                    scene.arrow(
+                        body.centre,
+                        axis * (0.8 * size),
+                        Ink::Result,
+                        flat::letters(&[letter, name]),
+                    );
+                }
+                None => scene.arrow(body.centre, axis * (0.5 * size), Ink::Result, name),
+            }
         }
-        if is_at(self.point) {
-            scene.label(body.centre, "G, r_A");
-        } else {
-            scene.label(body.centre, "G");
+        for (n, letter) in letters.into_iter().enumerate() {
+            if let Some(letter) = letter {
+                scene.arrow(Vector3::zeros(), Vector3::ith(n, 0.7 * size), Ink::Faint, letter);
+            }
+        }
+        scene.label(body.centre, "G");
+        if self.point != Vector3::zeros() {
             scene.label(self.point, "r_A");
         }
         if let Some(line) = &self.line {

@@ -39,7 +39,7 @@ impl Analysis for Momentum {
         title: "Momentum and kinetic energy of a body",
         topic: "Inertia and momentum",
         summary: "Linear and angular momentum of a body in space about its centre of mass, a point and a line, and its kinetic energy.",
-        main: &["momentum_g", "momentum_angle", "kinetic_energy", "angular_velocity"],
+        main: &["momentum_g", "kinetic_energy", "momentum_angle", "angular_velocity"],
         keywords: "angular momentum linear momentum kinetic energy inertia matrix major axis rule energy sink rolling disc \
                    momento angular quantidade de movimento energia cinética corpo rígido regra do eixo maior",
         sources: &[&RIUL, &BEER, &MERIAM],

@@ -44,6 +44,8 @@ impl BodyLine {
             let foot = self.through + along * along.dot(&(beside - self.through));
             scene.line([foot - along * length, foot + along * length], Ink::Motion);
         }
-        scene.label(self.through, "r_B");
+        if self.through != Vector3::zeros() {
+            scene.label(self.through, "r_B");
+        }
     }
 }

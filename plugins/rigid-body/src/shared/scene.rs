@@ -59,9 +59,22 @@ impl Scene {
         self.shapes.push(Shape3::Polyline(points, ink));
     }
 
-    /// Words beside a point.
+    /// Words beside a point, after those that stand there already.
     pub fn label(&mut self, at: Vector3<f64>, words: impl Into<Text>) {
-        self.shapes.push(Shape3::Label(self.place(at), words.into()));
+        let (at, words) = (self.place(at), words.into());
+        let is_there = |other: &Point3| at.iter().zip(other).all(|(a, b)| (a - b).abs() < 1e-9);
+        let there = self.shapes.iter_mut().find_map(|shape| match shape {
+            Shape3::Label(other, text) if is_there(other) && !text.is_empty() => Some(text),
+            _ => None,
+        });
+        match there {
+            Some(_) if words.is_empty() => {}
+            Some(text) => {
+                let one = std::mem::take(text);
+                *text = Text::new("{one}, {other}").with_text("one", one).with_text("other", words);
+            }
+            None => self.shapes.push(Shape3::Label(at, words)),
+        }
     }
 
     /// A named arrow along a vector; none for a vector without length.

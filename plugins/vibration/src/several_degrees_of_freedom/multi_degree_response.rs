@@ -280,9 +280,12 @@ impl MultiDegreeResponse {
             )
             .over("times[1].time");
             for asked in &self.times {
-                let row = self.observed[0].coordinate - 1;
-                let x = poles.displacement(row, &motion.state(asked.time));
-                plot = plot.mark("at this time", (asked.time, x));
+                let coordinate = self.observed[0].coordinate;
+                let x = poles.displacement(coordinate - 1, &motion.state(asked.time));
+                let name = Text::new("{curve} at {value}")
+                    .with_text("curve", Text::new("coordinate {at}").with("at", coordinate))
+                    .with_quantity("value", asked.time, "s");
+                plot = plot.mark(name, (asked.time, x));
             }
             Exhibit::Plot(plot)
         });

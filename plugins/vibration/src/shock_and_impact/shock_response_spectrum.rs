@@ -543,10 +543,15 @@ fn plot(curve: &[Ordinate], asked: &[f64]) -> Plot {
     let near = |asked: f64| {
         curve.iter().min_by(|a, b| (a.frequency - asked).abs().total_cmp(&(b.frequency - asked).abs()))
     };
-    asked
-        .iter()
-        .filter_map(|&asked| near(asked))
-        .fold(plot, |plot, ordinate| plot.mark("requested", (ordinate.frequency, ordinate.maximax())))
+    // The first of them is the input that the curves are over, whose own points are marked.
+    asked.iter().skip(1).filter_map(|&asked| near(asked)).fold(plot, |plot, ordinate| {
+        let name = Text::new("{curve} at {value}").with_text("curve", "maximax").with_quantity(
+            "value",
+            ordinate.frequency,
+            "Hz",
+        );
+        plot.mark(name, (ordinate.frequency, ordinate.maximax()))
+    })
 }
 
 /// The spectrum in numbers, about a dozen rows of it.

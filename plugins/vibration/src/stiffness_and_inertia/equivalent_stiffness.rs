@@ -466,7 +466,10 @@ fn sketched<T: Suspended>(springs: &T, carried: Option<(&'static str, &'static s
     let (width, height) = sketch::size(springs);
     let half = (width / 2.0).max(0.9);
     let mut sketch = Sketch::new("The springs and the body they support");
-    if !sketch::stands_alone(springs) {
+    let stands = sketch::stands_alone(springs);
+    // The force on a beam alone acts near it.
+    let height = if stands && carried.is_none() { 0.5 * height } else { height };
+    if !stands {
         sketch.ground((half, 0.0), (-half, 0.0));
     }
     sketch::hanging(springs, (0.0, 0.0), height, &[], &mut sketch);

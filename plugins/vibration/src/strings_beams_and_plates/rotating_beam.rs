@@ -296,7 +296,12 @@ impl RotatingBeam {
     /// The frequencies over the speed, with the multiples of the speed.
     fn campbell(&self, blade: &Rotating, unit: f64) -> Exhibit {
         const POINTS: u16 = 24;
-        let last = if blade.speed > 0.0 { 2.0 * blade.speed } else { 4.0 };
+        // Far enough for the first mode to rise.
+        let still = Rotating { speed: 0.0, ..*blade }.ritz(14, 1).ok();
+        let still = still
+            .and_then(|ritz| ritz.lambdas.first().copied())
+            .map_or(4.0, |lambda| 1.5 * lambda.abs().sqrt());
+        let last = still.max(2.0 * blade.speed);
         let share = match self.direction {
             BladeDirection::Flapwise => 0.0,
             BladeDirection::Lagwise => 1.0,

@@ -226,16 +226,16 @@ impl Analysis for TaperedBeam {
             let ritz = |terms: usize| Some((terms, beam.ritz(terms, self.modes).ok()?.0));
             series.get_or_init(|| beam.convergence_terms(wanted).filter_map(ritz).collect())
         };
-        sheet.show(|| convergence(series(), self.modes, unit.value()));
-        sheet.show(|| distance(series(), &lambdas));
         let sampled = || -> Vec<Sampled> {
             let one =
                 |(n, shape): (usize, &VaryingMode)| Sampled::new(n, self.length, |xi| shape.deflection(xi));
             (1..).zip(&shapes).map(one).collect()
         };
+        sheet.show(|| Exhibit::Drawing(self.drawing(&beam)));
         sheet.show(|| shapes_plot(&sampled()));
         sheet.show(|| shapes_film(&sampled(), self.length, |sketch, width, y| self.ends(sketch, width, y)));
-        sheet.show(|| Exhibit::Drawing(self.drawing(&beam)));
+        sheet.show(|| convergence(series(), self.modes, unit.value()));
+        sheet.show(|| distance(series(), &lambdas));
         Ok(())
     }
 }

@@ -219,7 +219,7 @@ impl Analysis for CompoundLever {
         let plain: Vec<f64> = works.iter().map(|work| work.value()).collect();
         let of_sought = -total.value();
         sheet.show(|| Exhibit::Table(self.table(&plain, of_sought)));
-        sheet.show(|| Exhibit::Drawing(self.drawing()));
+        sheet.show(|| Exhibit::Drawing(self.schematic().drawing()));
         Ok(())
     }
 }
@@ -346,11 +346,30 @@ impl CompoundLever {
         }
     }
 
+    /// The same levers with arms whose squares are in the proportions of theirs: a short arm beside a long one is still seen.
+    fn schematic(&self) -> Self {
+        let (size, mut it) = (self.size(), self.clone());
+        let shown = |arm: &mut f64| *arm = arm.signum() * (size * arm.abs()).sqrt();
+        for link in &mut it.links {
+            shown(&mut link.driving);
+            shown(&mut link.driven);
+        }
+        for load in &mut it.loads {
+            if let LoadKind::Force { arm, .. } = &mut load.kind {
+                shown(arm);
+            }
+        }
+        if let LeverUnknown::Force { arm, .. } = &mut it.sought {
+            shown(arm);
+        }
+        it
+    }
+
     fn drawing(&self) -> Drawing {
         let size = self.size();
         // The links are drawn short: any length is as good, and arms are what counts.
         let pivots: Vec<[f64; 2]> = self.pivots().into_iter().map(|[x, y]| [x, SHORT * y]).collect();
-        let mut sketch = Sketch::new("The levers, horizontal, with vertical links");
+        let mut sketch = Sketch::new("The levers, horizontal, with vertical links (not to scale)");
         let place =
             |lever: u32, arm: f64| pivots.get((lever as usize).wrapping_sub(1)).map(|[x, y]| (x + arm, *y));
         for (lever, &[x, y]) in pivots.iter().enumerate() {

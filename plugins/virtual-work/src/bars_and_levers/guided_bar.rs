@@ -248,15 +248,17 @@ impl GuidedBar {
         let unit = sketch.symbol();
         let (end, free) = (sign * 1.15 * l, self.free());
         if free != 0.0 {
-            let ghost = [(0.0, sign * l * free.cos()), (l * free.sin(), 0.0)];
-            sketch.line("θ₀", ghost[0], ghost[1], Ink::Faint);
+            // The end of the bar at B where the spring is free.
+            let (x, y) = (l * free.sin(), sign * l * free.cos());
+            sketch.line("θ₀", (x, 0.0), (0.7 * x, 0.3 * y), Ink::Faint);
         }
         sketch
             .guide((0.0, end.max(0.0)), (0.0, end.min(0.0)))
             .guide((0.0, 0.0), (1.15 * l, 0.0))
             .slider("", a, FRAC_PI_2)
             .slider("", b, 0.0)
-            .link("L", a, b)
+            .bars([a, b])
+            .dimension("L", a, b, 4.0 * sign)
             .angle("θ", a, -sign * FRAC_PI_2, (-a.1).atan2(b.0))
             .joint("A", a)
             .joint("B", b);
@@ -275,7 +277,7 @@ impl GuidedBar {
         match self.spring {
             GuidedSpring::None => {}
             GuidedSpring::Horizontal { distance, .. } => {
-                let (end, wall) = (on(distance / l), 1.3 * l.max(distance));
+                let (end, wall) = (on(distance / l), 1.2 * distance + 0.2 * l);
                 sketch
                     .ground((wall, end.1 - 2.0 * unit), (wall, end.1 + 2.0 * unit))
                     .spring("k", (wall, end.1), end)

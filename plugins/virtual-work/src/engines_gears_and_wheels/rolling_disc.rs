@@ -440,8 +440,14 @@ impl RollingDisc {
                         // Beside the line of the rod, on a bracket of the centre.
                         sketch
                             .bars([centre, bracket])
-                            .spring(name, wall, bracket)
-                            .dimension("x_w", o, (spring.wall, 0.0), -(radius / unit + 2.5))
+                            .spring("", wall, bracket)
+                            .label(name, (wall.0 + 0.25 * (bracket.0 - wall.0), high - 1.3 * unit))
+                            .dimension(
+                                "x_w",
+                                o,
+                                (spring.wall, 0.0),
+                                -spring.wall.signum() * (radius / unit + 2.5),
+                            )
                             .ground((wall.0, wall.1 + 3.0 * unit), (wall.0, wall.1 - 3.0 * unit));
                     }
                     if there.damping > 0.0 {

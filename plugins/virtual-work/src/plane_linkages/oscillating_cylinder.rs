@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use dalembert_core::{About, Analysis, Ink, Inputs, Refusal, Worksheet, exhibit::Point as At, register};
+use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, exhibit::Point as At, register};
 use dalembert_mechanics::{
     Real, Vector,
     planar::{BodyPoint, Effort, PlanarError, PlanarJoint, PlanarLoad, RelativeCoordinate},
@@ -440,7 +440,7 @@ impl OscillatingCylinder {
         sheet.show(|| {
             let shortest =
                 cycle.curve(|found| found.length).into_iter().fold(f64::INFINITY, |s, (_, x)| s.min(x));
-            let size = self.crank + self.pivot.x.hypot(self.pivot.y);
+            let size = 1.5 * (self.crank + self.pivot.x.hypot(self.pivot.y));
             built::animation(
                 "The inverted slider-crank",
                 ("angle", self.angle),
@@ -453,7 +453,6 @@ impl OscillatingCylinder {
                     let pin = At::from(built::away([0.0; 2], there.crank, angle));
                     let (unit, barrel) = (sketch.symbol(), 0.75 * shortest);
                     sketch
-                        .circle(o, there.crank, Ink::Faint)
                         .link("r", o, pin)
                         .pin("C", pivot)
                         .cylinder("", pivot, pin, barrel)

@@ -4,7 +4,7 @@ mod motion;
 
 use std::f64::consts::{PI, TAU};
 
-use dalembert_core::{About, Analysis, Ink, Inputs, Refusal, Worksheet, exhibit::Point as At, register};
+use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, exhibit::Point as At, register};
 use dalembert_mechanics::{
     Real, Vector,
     planar::{BodyPoint, PlanarError, PlanarJoint, PlanarLoad, RelativeCoordinate},
@@ -544,7 +544,7 @@ impl QuickReturn {
                     let (o, centre, pin) = ((0.0, 0.0), (0.0, there.frame), At::from(there.pin()));
                     let end = At::from(built::away([0.0; 2], there.lever, found.lever.angle));
                     let unit = sketch.symbol();
-                    sketch.circle(centre, there.crank, Ink::Faint).dimension("d", o, centre, 6.0);
+                    sketch.dimension("d", o, centre, 6.0);
                     if let (
                         LeverOutput::Slider { height, link_mass, slider_mass, .. },
                         Some((position, ..)),
@@ -559,9 +559,8 @@ impl QuickReturn {
                             .slider("", slider, 0.0)
                             .link("l", end, slider);
                         figure::link_mass(sketch, 5, link_mass.as_ref(), (end, slider), 2.0);
-                        if *slider_mass != 0.0 {
-                            sketch.label("m₆", (position, height - 0.6 * unit));
-                        }
+                        let mass = if *slider_mass == 0.0 { "" } else { "m₆" };
+                        sketch.label(mass, (position, height - 0.6 * unit));
                         sketch.joint("", slider);
                         figure::on_slider(sketch, "F", slider, (found.force, 0.0), 0.4 * there.lever);
                     } else {
@@ -570,7 +569,8 @@ impl QuickReturn {
                     }
                     sketch
                         .slider("", pin, found.lever.angle)
-                        .link("L", o, end)
+                        .bars([o, end])
+                        .label("L", figure::away(end, -0.2 * there.lever, found.lever.angle))
                         .link("r", centre, pin)
                         .axis(centre, (6.0 * unit, centre.1))
                         .pin("C", o)

@@ -36,13 +36,13 @@ fn draw(linkage: &Linkage, pose: &Pose, counterweights: &[Counterweight], sketch
             }
         }
         Follower::Rocker { link, .. } => {
-            sketch.link("c", b, end).dimension("d", o, end, -5.0);
-            inertia(4, link, (end, b), sketch);
+            sketch.link("c", b, end).dimension("d", o, end, -7.0);
+            inertia(4, link, (end, b), -1.8, sketch);
         }
     }
     sketch.link("a", o, a).link("b", a, b);
-    inertia(2, linkage.crank_link, (o, a), sketch);
-    inertia(3, linkage.coupler_link, (a, b), sketch);
+    inertia(2, linkage.crank_link, (o, a), 3.0, sketch);
+    inertia(3, linkage.coupler_link, (a, b), 1.8, sketch);
     sketch.pin("O₂", o).joint("A", a).joint("B", b).couple("ω", o, (1.8, 3.1), Ink::Motion);
     if let Follower::Rocker { .. } = linkage.follower {
         sketch.pin("O₄", end);
@@ -59,8 +59,8 @@ fn draw(linkage: &Linkage, pose: &Pose, counterweights: &[Counterweight], sketch
     }
 }
 
-/// The mass of a link at its centre, from its first pin to its second.
-fn inertia(number: usize, link: LinkInertia, (from, to): (Point, Point), sketch: &mut Sketch) {
+/// The mass of a link at its centre, from its first pin to its second, with the distance of the centre to that side of it.
+fn inertia(number: usize, link: LinkInertia, (from, to): (Point, Point), side: f64, sketch: &mut Sketch) {
     if link.mass == 0.0 {
         return;
     }
@@ -68,9 +68,10 @@ fn inertia(number: usize, link: LinkInertia, (from, to): (Point, Point), sketch:
     let centre = away(from, link.distance, along + link.offset);
     let rest = if link.inertia == 0.0 { String::new() } else { format!(", {}", letter("I", number)) };
     if link.distance != 0.0 {
-        sketch.dimension(Text::verbatim(letter("ρ", number)), from, centre, -1.8);
+        sketch.dimension(Text::verbatim(letter("ρ", number)), from, centre, side);
     }
-    if link.offset != 0.0 {
+    // A centre on the line of the pins, beyond the first one, is seen without an arc.
+    if link.offset.sin().abs() > 1e-9 {
         sketch.axis(from, centre).angle(
             Text::verbatim(letter("δ", number)),
             from,

@@ -13,11 +13,11 @@ use crate::shared::{
 };
 
 impl FreeAxisymmetric {
-    /// The plane of axis, angular velocity and angular momentum: H upwards.
+    /// The plane of axis, angular velocity and angular momentum: H to the right.
     pub(super) fn cones_in_section(&self, ratio: f64, omega: Vector3<f64>) -> Drawing {
         let (theta, beta) = angles(ratio, omega);
         let [axial, transverse] = self.letters();
-        let at = |angle: f64, length: f64| (length * angle.sin(), length * angle.cos());
+        let at = |angle: f64, length: f64| (length * angle.cos(), length * angle.sin());
         let (origin, velocity) = ((0.0, 0.0), theta - beta);
         let title = if ratio < 1.0 {
             "Body cone (about z) and space cone (about H) in section: direct precession"
@@ -28,18 +28,18 @@ impl FreeAxisymmetric {
         sketch
             .line("", origin, at(theta, 1.3), Ink::Faint)
             .label(flat::letters(&["z", axial]), at(theta, 1.3))
-            .line("", origin, at(theta + FRAC_PI_2, 0.9), Ink::Faint)
-            .label(transverse, at(theta + FRAC_PI_2, 0.9))
+            .line("", origin, at(theta + FRAC_PI_2, 0.4), Ink::Faint)
+            .label(transverse, at(theta + FRAC_PI_2, 0.4))
             .bars([origin, at(velocity, 1.0), at(theta + beta, 1.0), origin])
             .curve([at(velocity, 1.0), at(-velocity, 1.0), origin], Ink::Motion)
-            .force("H_G", origin, (0.0, 1.45))
+            .force("H_G", origin, (1.45, 0.0))
             .vector("ω", origin, at(velocity, 1.2), Ink::Result)
             .mass_centre("G", origin);
         let mut arc = |from: f64, to: f64, radius: f64, name: &'static str| {
             if (to - from).abs() > 1e-3 {
                 let (low, high) = (from.min(to), from.max(to));
                 sketch
-                    .arc(origin, radius, (FRAC_PI_2 - high, FRAC_PI_2 - low), Ink::Faint)
+                    .arc(origin, radius, (low, high), Ink::Faint)
                     .label(name, at(f64::midpoint(from, to), radius));
             }
         };

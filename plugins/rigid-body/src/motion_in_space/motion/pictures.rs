@@ -7,7 +7,10 @@ use dalembert_mechanics::rigid::simulate::{self as follow, RotatingBody, Rotatio
 use nalgebra::{Matrix3, Vector3};
 
 use super::Motion;
-use crate::shared::scene::{self, Scene};
+use crate::shared::{
+    flat,
+    scene::{self, Scene},
+};
 
 impl Motion {
     /// All figures and tables.
@@ -105,28 +108,32 @@ impl Motion {
         let reach = body.arm.norm().max(size);
         let trace: Vec<Vector3<f64>> = samples.iter().map(|s| self.axis_of(s) * reach).collect();
         scene::animation("The rotating body", 6.0, |part| {
-            let sample = &samples[((samples.len() - 1) as f64 * part).round() as usize];
+            let now = ((samples.len() - 1) as f64 * part).round() as usize;
+            let sample = &samples[now];
             let rotation = sample.turning.attitude.to_rotation_matrix().into_inner();
             let mut scene = Scene::new();
-            // The fixed axes stand beside the body, whose own ones start from its centre.
-            scene.axes(
-                Vector3::new(1.2, -1.2, -0.8) * reach,
-                &Matrix3::identity(),
-                0.6 * size,
-                ["X", "Y", "Z"],
-            );
-            scene.line(trace.iter().copied(), Ink::Faint);
+            let is_on_pivot = body.arm != Vector3::zeros();
+            // The fixed axes stand at the pivot, or beside a free body, whose own ones start from its centre.
+            let stand = if is_on_pivot { Vector3::zeros() } else { Vector3::new(1.2, -1.2, -0.8) * reach };
+            scene.axes(stand, &Matrix3::identity(), 0.6 * size, ["X", "Y", "Z"]);
+            // The path of the axis in the last third of the time.
+            scene.line(trace[now.saturating_sub(samples.len() / 3)..=now].iter().copied(), Ink::Faint);
             let centre = rotation * body.arm;
             scene.cuboid(centre, &rotation, edges, Ink::Body);
-            if body.arm != Vector3::zeros() {
+            if is_on_pivot {
                 scene.line([Vector3::zeros(), centre], Ink::Body);
                 scene.label(Vector3::zeros(), "O");
-                let side = rotation.column(1) * (0.3 * size);
-                scene.dimension("r_G", [Vector3::zeros(), centre], side);
+                scene.label(centre / 2.0, "r_G");
                 scene.label(centre, "m");
             }
-            scene.arrow(Vector3::zeros(), self.axis_of(sample) * reach, Ink::Result, self.axis.name());
-            scene.axes(centre, &rotation, 0.7 * size, self.moments.letters());
+            for (axis, letter) in self.moments.letters().into_iter().enumerate() {
+                let along = rotation.column(axis) * (0.7 * size);
+                if axis == self.axis.index() {
+                    scene.arrow(centre, along, Ink::Result, flat::letters(&[self.axis.name(), letter]));
+                } else {
+                    scene.arrow(centre, along, Ink::Faint, letter);
+                }
+            }
             scene.arrow(Vector3::zeros(), sample.omega * (1.2 * size / omega), Ink::Motion, "ω");
             scene.arrow(Vector3::zeros(), sample.momentum * (1.2 * size / momentum), Ink::Force, "H");
             scene

@@ -62,7 +62,8 @@ fn equal_ellipsoid(mass: f64, moments: Vector3<f64>) -> Vector3<f64> {
 }
 
 impl BodyPart {
-    /// Letters of the mass and the position at the centre of mass, those of the shape on its outline.
+    /// Letters of the mass and the position at the centre of mass, those of the shape on its outline. A point at the origin,
+    /// where the axes begin, has none.
     fn label(
         &self,
         scene: &mut Scene,
@@ -77,10 +78,15 @@ impl BodyPart {
             Amount::PerArea { .. } => "σ",
             Amount::PerVolume { .. } => "ρ",
         };
-        scene.label(place(there.centre), flat::of_row(&[mass, "r"], row));
+        let is_placed = there.centre != Vector3::zeros();
+        let letters: &[&str] = if is_placed { &[mass, "r"] } else { &[mass] };
+        scene.label(place(there.centre), flat::of_row(letters, row));
         if let Some((from, to)) = self.shape.ends() {
-            scene.label(place(from), flat::of_row(&["a"], row));
-            scene.label(place(to), flat::of_row(&["b"], row));
+            for (letter, end) in [("a", from), ("b", to)] {
+                if end != Vector3::zeros() {
+                    scene.label(place(end), flat::of_row(&[letter], row));
+                }
+            }
         } else if let Some(line) = lines.first().filter(|_| !self.shape.letters().is_empty()) {
             scene.label(place(line[line.len() / 8]), flat::of_row(self.shape.letters(), row));
         }

@@ -23,8 +23,9 @@ pub(crate) enum Hanging<'a, T> {
     Series(&'a [T]),
     /// Side by side.
     Parallel(&'a [T]),
-    /// A beam that the load bends: clamped at one end, or on two supports.
-    Beam { cantilever: bool },
+    /// A beam that the load bends: clamped at one end, or on two supports; the distance of the load from the left one as a
+    /// share of the length, where it is given.
+    Beam { cantilever: bool, share: Option<f64> },
     /// A single spring, of a kind; empty for one of given stiffness.
     One(&'static str),
 }
@@ -37,7 +38,7 @@ impl Suspended for Spring {
             Spring::Parallel { members } => return Hanging::Parallel(members),
             Spring::Equal { .. } => "equal springs",
             Spring::Stiffness { .. } | Spring::Deflected { .. } | Spring::Tuned { .. } => "",
-            Spring::Cantilever { .. } => return Hanging::Beam { cantilever: true },
+            Spring::Cantilever { .. } => return Hanging::Beam { cantilever: true, share: None },
             Spring::Column { .. } => "column",
             Spring::Bar { .. } | Spring::TaperedBar { .. } => "bar",
             Spring::TorsionBar { .. } => "torsion bar",
@@ -51,10 +52,13 @@ impl Suspended for Spring {
             Spring::UTube { .. } => "liquid column",
             Spring::Lever { .. } => "through a lever",
             Spring::Inclined { .. } => "inclined",
-            Spring::SimplySupported { .. }
-            | Spring::Clamped { .. }
-            | Spring::ClampedPinned { .. }
-            | Spring::Overhang { .. } => return Hanging::Beam { cantilever: false },
+            Spring::SimplySupported { length, distance, .. }
+            | Spring::Clamped { length, distance, .. }
+            | Spring::ClampedPinned { length, distance, .. } => {
+                let share = distance.map(|distance| distance / length);
+                return Hanging::Beam { cantilever: false, share };
+            }
+            Spring::Overhang { .. } => return Hanging::Beam { cantilever: false, share: None },
         })
     }
 }
@@ -101,7 +105,7 @@ fn coil<T: Suspended>(spring: &T) -> Option<&'static str> {
 /// True for cantilevers side by side, which stand on one wall with their tips joined.
 fn are_cantilevers<T: Suspended>(members: &[T]) -> bool {
     members.len() > 1
-        && members.iter().all(|member| matches!(member.hanging(), Hanging::Beam { cantilever: true }))
+        && members.iter().all(|member| matches!(member.hanging(), Hanging::Beam { cantilever: true, .. }))
 }
 
 /// The size of a spring or a network that is drawn hanging down: width and height.
@@ -142,6 +146,10 @@ pub(crate) fn hanging<T: Suspended>(
             let each = height / members.len() as f64;
             for (n, member) in members.iter().enumerate() {
                 let top = (top.0, top.1 - n as f64 * each);
+                if n > 0 {
+                    // From the tip above to that of this one.
+                    sketch.bars([top, (top.0, top.1 - each / 2.0)]);
+                }
                 hanging(member, top, each, &[place, &[n + 1]].concat(), sketch);
             }
         }
@@ -154,8 +162,11 @@ pub(crate) fn hanging<T: Suspended>(
             for (n, (member, width)) in members.iter().zip(&widths).enumerate() {
                 let bends = stands_alone(member);
                 // A cantilever carries at the end of its width.
-                let share =
-                    if matches!(member.hanging(), Hanging::Beam { cantilever: true }) { 0.85 } else { 0.5 };
+                let share = if matches!(member.hanging(), Hanging::Beam { cantilever: true, .. }) {
+                    0.85
+                } else {
+                    0.5
+                };
                 let x = left + share * width;
                 let (top, end) = ((x, top.1 - gap), (x, end.1 + gap));
                 let place = [place, &[n + 1]].concat();
@@ -181,7 +192,7 @@ pub(crate) fn hanging<T: Suspended>(
             }
             sketch.bars([(end.0, end.1 + gap), end]);
         }
-        Hanging::Beam { cantilever: true } => {
+        Hanging::Beam { cantilever: true, .. } => {
             // The load hangs on the free end; the wall stands by itself.
             let (wall, level) = (top.0 - 0.7 * BEAM, top.1 - height / 2.0);
             sketch
@@ -196,16 +207,28 @@ pub(crate) fn hanging<T: Suspended>(
                     -1.5,
                 );
         }
-        Hanging::Beam { cantilever: false } => {
-            let (half, level) = (0.36 * BEAM, top.1 - 0.4 * height);
-            let ends = [(top.0 - half, level), (top.0 + half, level)];
+        Hanging::Beam { cantilever: false, share } => {
+            let (length, level) = (0.72 * BEAM, top.1 - 0.4 * height);
+            let left = top.0 - share.unwrap_or(0.5).clamp(0.3, 0.7) * length;
+            let (ends, load) = ([(left, level), (left + length, level)], (top.0, level));
             sketch
                 .bars(ends)
                 .pin("", ends[0])
                 .pin("", ends[1])
-                .label(Text::new(printer::symbol(&symbol(T::SYMBOL, place))), (top.0 + 0.5 * half, level))
-                .bars([(top.0, level), end])
-                .dimension(Text::new(printer::symbol(&symbol("L", place))), ends[0], ends[1], 1.5);
+                .label(
+                    Text::new(printer::symbol(&symbol(T::SYMBOL, place))),
+                    (f64::midpoint(top.0, ends[1].0), level),
+                )
+                .bars([load, end]);
+            if share.is_some() {
+                sketch.dimension(Text::new(printer::symbol(&symbol("a", place))), ends[0], load, 1.5);
+            }
+            sketch.dimension(
+                Text::new(printer::symbol(&symbol("L", place))),
+                ends[0],
+                ends[1],
+                if share.is_some() { 4.0 } else { 1.5 },
+            );
         }
         Hanging::One("shaft") => {
             for side in [-0.07, 0.07] {

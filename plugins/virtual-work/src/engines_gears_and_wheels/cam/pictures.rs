@@ -104,7 +104,7 @@ impl View<'_> {
         plots
     }
 
-    /// The course of the follower over the angle of the cam, as a timing diagram is drawn: its lift and its angles.
+    /// A cam, and the course of its follower over the angle, as a timing diagram is drawn: its lift and its angles.
     pub(super) fn diagram(&self) -> Drawing {
         const WIDE: f64 = 3.0;
         let segments = &self.course.segments;
@@ -113,7 +113,7 @@ impl View<'_> {
         let highest = motions.iter().fold(0.0f64, |most, motion| most.max(motion.lift.abs()));
         let (start, scale) = (segments.first().map_or(0.0, |first| first.from), 1.0 / highest.max(1e-300));
         let at = |angle: f64, lift: f64| (WIDE * (angle - start) / whole, scale * lift);
-        let mut sketch = Sketch::new("Lift of the follower over the angle of the cam");
+        let mut sketch = Sketch::new("Cam (not to scale), and lift of the follower over its angle");
         let course: Vec<Point> = motions.iter().map(|motion| at(motion.angle, motion.lift)).collect();
         sketch
             .motion("θ", (0.0, 0.0), (1.1 * WIDE, 0.0))
@@ -131,9 +131,22 @@ impl View<'_> {
                 sketch.dimension(name("h"), at(side, low), at(side, low + segment.rise.abs()), -1.5);
             }
         }
+        // Radii about a base circle that is not given, and the follower at the start.
+        let (hub, base) = ((-1.6, 0.3), 0.45);
+        let radius = |lift: f64| base + 0.5 * scale * lift;
+        let on_cam = |motion: &Motion| {
+            let (sin, cos) = (motion.angle - start).sin_cos();
+            (hub.0 + radius(motion.lift) * sin, hub.1 + radius(motion.lift) * cos)
+        };
+        let foot = hub.1 + motions.first().map_or(base, |first| radius(first.lift));
+        sketch
+            .circle(hub, base, Ink::Faint)
+            .curve(motions.iter().map(on_cam).collect::<Vec<Point>>(), Ink::Body)
+            .pin("", hub)
+            .bars([(hub.0 - 0.2, foot), (hub.0 + 0.2, foot)])
+            .bars([(hub.0, foot), (hub.0, foot + 0.6)]);
         if self.speed.is_some() {
-            let tail = at(start + 0.3 * whole, -0.42 * highest);
-            sketch.label("ω", tail);
+            turning(&mut sketch, hub, ("ω", 1.0), ("", 0.0));
         }
         sketch.finish()
     }

@@ -1,8 +1,8 @@
 //! The engine in motion, with its forces.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{PI, TAU};
 
-use dalembert_core::{Exhibit, Ink, Point, Sketch};
+use dalembert_core::{Exhibit, Ink, Sketch};
 use dalembert_mechanics::slider_crank::{engine::Forces, piston};
 
 use super::{Gas, Throw, exhibits::View};
@@ -55,57 +55,55 @@ fn largest(forces: &Forces) -> f64 {
 fn frame(view: &View<'_>, angle: f64, forces: Option<&Forces>, size: f64) -> Sketch {
     let kernel = view.kernel;
     let (r, l, e) = (kernel.crank, kernel.rod, kernel.offset);
-    // The stroke stands as gravity tells; without gravity it lies.
-    let [along, across] = kernel.gravity;
-    let stands = if along == 0.0 { 0.0 } else { along.atan2(across) };
-    let stands = if (stands - FRAC_PI_2).abs() < 1e-12 { FRAC_PI_2 } else { stands };
-    let (sine, cosine) = stands.sin_cos();
-    let turned = |(x, y): Point| (x * cosine - y * sine, x * sine + y * cosine);
     let obliquity = piston::obliquity_with_offset(r, l, e, angle);
     let pin = (r * angle.cos(), r * angle.sin());
     let gudgeon = (piston::position(r, l, angle, obliquity), e);
     let half = 0.35 * r;
     let far = piston::farthest(r, l, e);
     let (low, high) = (far - 2.0 * r - half, far + 1.6 * half);
-    let [o, a, b] = [(0.0, 0.0), pin, gudgeon].map(turned);
+    let (o, a, b) = ((0.0, 0.0), pin, gudgeon);
     let mut sketch = Sketch::default();
     sketch
         .size(far + r + 1.6 * half)
         .circle(o, r, Ink::Faint)
         .curve(
-            [(low, e + 1.2 * half), (high, e + 1.2 * half), (high, e - 1.2 * half), (low, e - 1.2 * half)]
-                .map(turned),
+            [(low, e + 1.2 * half), (high, e + 1.2 * half), (high, e - 1.2 * half), (low, e - 1.2 * half)],
             Ink::Faint,
         )
         .body(
             if view.engine.reciprocating > 0.0 { "m_R" } else { "" },
-            [(-half, -half), (half, -half), (half, half), (-half, half)]
-                .map(|(x, y)| turned((gudgeon.0 + x, e + y))),
+            [(-half, -half), (half, -half), (half, half), (-half, half)].map(|(x, y)| (gudgeon.0 + x, e + y)),
         )
         .link("r", o, a)
         .link("l", a, b)
-        .axis(o, turned((0.8 * r, 0.0)))
-        .angle("θ", o, stands, stands + angle.rem_euclid(TAU))
+        .axis(o, (0.8 * r, 0.0))
+        .angle("θ", o, 0.0, angle.rem_euclid(TAU))
         .pin("O", o)
         .joint("A", a)
         .joint("P", b);
+    // The stroke lies, whatever its direction; gravity tells how the engine stands.
+    let [along, across] = kernel.gravity;
+    if along != 0.0 {
+        let (tail, part) = ((0.5 * far, -1.2 * r), 0.7 * r / along.hypot(across));
+        sketch.force("g", tail, (tail.0 - part * along, tail.1 - part * across));
+    }
     let wall = e - 1.2 * half;
     if has_bore(&view.engine.gas) {
-        let top = [(high, wall), (high, e + 1.2 * half)].map(turned);
+        let top = [(high, wall), (high, e + 1.2 * half)];
         sketch.dimension("D", top[0], top[1], -2.0);
     }
     if let Throw::Stroke { .. } = view.engine.throw {
-        let ends = [(far - 2.0 * r, wall), (far, wall)].map(turned);
+        let ends = [(far - 2.0 * r, wall), (far, wall)];
         sketch.dimension("S", ends[0], ends[1], -2.0);
     }
     if e != 0.0 {
-        let ends = [(low, 0.0), (low, e)].map(turned);
+        let ends = [(low, 0.0), (low, e)];
         sketch.dimension("e", ends[0], ends[1], 0.0);
     }
     if view.engine.friction.is_some_and(|friction| friction > 0.0) {
         // Against the motion, beside the piston; the crank turns forward.
         let way = if angle.rem_euclid(TAU) < PI { 1.0 } else { -1.0 };
-        let beside = |along: f64| turned((gudgeon.0 + way * along * half, e + 0.8 * half));
+        let beside = |along: f64| (gudgeon.0 + way * along * half, e + 0.8 * half);
         sketch.force("F_f", beside(-1.0), beside(1.0));
     }
     if view.running {
@@ -115,7 +113,7 @@ fn frame(view: &View<'_>, angle: f64, forces: Option<&Forces>, size: f64) -> Ske
     if kernel.rod_mass > 0.0 {
         let part = kernel.rod_centre / l;
         let centre = (pin.0 + part * (gudgeon.0 - pin.0), pin.1 + part * (gudgeon.1 - pin.1));
-        sketch.mass_centre("G", turned(centre));
+        sketch.mass_centre("G", centre);
     }
     let Some(forces) = forces.filter(|_| size > 0.0) else { return sketch };
     let scale = 1.3 * r / size;
@@ -127,7 +125,7 @@ fn frame(view: &View<'_>, angle: f64, forces: Option<&Forces>, size: f64) -> Ske
     for (tail, (x, y), name) in arrows {
         let (x, y) = (scale * x, scale * y);
         if x.hypot(y) >= 0.02 * r {
-            sketch.force(name, turned(tail), turned((tail.0 + x, tail.1 + y)));
+            sketch.force(name, tail, (tail.0 + x, tail.1 + y));
         }
     }
     sketch

@@ -6,8 +6,7 @@ use dalembert_mechanics::planar::Pose;
 use super::{Driven, PartLoad, Parts};
 use crate::shared::figure::letter;
 
-/// Bodies whose masses and moments of inertia are named beside their centres of mass; of more the letters of the centres
-/// fill the drawing.
+/// Bodies whose centres of mass, masses and moments of inertia are named; letters of more would fill the drawing.
 const MOST_NAMED: usize = 4;
 
 impl Parts {
@@ -18,8 +17,7 @@ impl Parts {
             let [x, y, _] = positions[row];
             let has_centre = body.centre.norm() > 0.0;
             let given = [("G", has_centre), ("m", true), ("I_G", body.inertia != 0.0)];
-            let most = if self.bodies.len() > MOST_NAMED { 1 } else { 3 };
-            let names = given.iter().filter(|(_, is_given)| *is_given).take(most);
+            let names = given.iter().filter(|(_, is_given)| *is_given && self.bodies.len() <= MOST_NAMED);
             let names: Vec<String> = names.map(|(symbol, _)| letter(symbol, row + 1)).collect();
             sketch.mass_centre(Text::verbatim(names.join(", ")), (x, y));
         }
