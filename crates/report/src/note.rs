@@ -12,9 +12,9 @@ use crate::{
 
 /// Begin of the comment, before its options.
 const BEGIN: &str = "problem file of dalembert ";
-/// Its last line.
+/// Last line of the comment.
 const END: &str = "end of the problem file";
-/// What a comment of HTML cannot hold, and what stands for it there.
+/// Signs that a comment of HTML cannot hold, and those that stand for them there.
 const ESCAPES: [(&str, &str); 2] = [("&", "&amp;"), ("--", "&#45;&#45;")];
 
 /// Problem file of a note, and the options with which the note was written.
