@@ -43,7 +43,7 @@ fn a_sheet_has_the_data_of_its_variant() {
     assert!(one.contains("variant 2023001"), "{one}");
     assert_ne!(one, printed(&["variants", &fan, "--student", "2023002"]).replace("2023002", "2023001"));
     let portuguese = printed(&["--lang", "pt-BR", "variants", &fan, "--student", "2023001"]);
-    assert!(portuguese.contains("Determine") && portuguese.contains("variante 2023001"), "{portuguese}");
+    assert!(portuguese.contains("Determinar") && portuguese.contains("variante 2023001"), "{portuguese}");
 }
 
 #[test]

@@ -251,7 +251,9 @@ fn described(
     let summary = Text::from(about.summary).render(locale);
     lines.extend(wrapped(&summary, room).into_iter().map(Line::from));
     lines.extend(wrapped(about.id, room).into_iter().map(|line| Line::styled(line, model.look.dim())));
-    let fields = listing.entry.fields().iter().map(|field| field.label);
+    // The choice of what is asked, or given, names no quantity.
+    let is_quantity = |label: &&str| !["Find", "Given"].contains(label);
+    let fields = listing.entry.fields().iter().map(|field| field.label).filter(is_quantity);
     let fields: Vec<String> = fields.map(|label| lower(&Text::from(label).render(locale))).collect();
     listed(model, "Inputs", &fields, room, lines);
     let answers = solution.iter().flat_map(|solution| &solution.answers);
