@@ -69,7 +69,7 @@ pub fn run(root: &Path, words: &[&str]) -> Result<()> {
     }
     write_file(&folder.join("index.html"), &html::languages())?;
     copy(&root.join("docs/pictures"), &folder.join("en/pictures"))?;
-    if checked { check::run(root, &program, &folder) } else { Ok(()) }
+    if checked { check::run(root, &program, &folder, &documents) } else { Ok(()) }
 }
 
 /// Writes all pages in a language, and says how many.

@@ -2,6 +2,7 @@
 //! and compared.
 
 use dalembert_core::{Language, Locale, Text};
+use itertools::Itertools as _;
 use serde_json::{Value as Json, json};
 use similar::{Algorithm, DiffOp, capture_diff_slices};
 
@@ -162,11 +163,15 @@ pub fn differences(
                 (old_index..old_index + old_len, new_index..new_index + new_len)
             }
         };
-        let mut places = new.filter(|at| !printed[*at].is_empty());
-        found.extend(old.map(|line| Difference {
-            printed: places.next().map(|at| (at + 1, words(printed[at], format))),
-            computed: words(now[line], format),
-        }));
+        let mut left: Vec<(usize, String)> = new.map(|at| (at + 1, words(printed[at], format))).collect();
+        for computed in old.map(|line| words(now[line], format)) {
+            // Of the lines in its place, the one that says most of the same.
+            let common = |(_, text): &(usize, String)| {
+                text.split_whitespace().filter(|word| computed.split_whitespace().contains(word)).count()
+            };
+            let place = left.iter().map(common).position_max().filter(|at| common(&left[*at]) > 0);
+            found.push(Difference { printed: place.map(|at| left.remove(at)), computed });
+        }
     }
     (now.len(), found)
 }

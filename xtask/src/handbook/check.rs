@@ -11,7 +11,7 @@ use std::{
 use anyhow::{Context, Result, bail, ensure};
 use serde_json::{Value as Json, json};
 
-use super::{html::escaped, words::Words};
+use super::{Documents, html::escaped, words::Words};
 use crate::{
     cargo::Program,
     docs::{array, text},
@@ -31,9 +31,14 @@ const BROWSERS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
 ///
 /// # Errors
 /// What is wrong with it.
-pub(super) fn run(root: &Path, program: &Program, folder: &Path) -> Result<()> {
+pub(super) fn run(root: &Path, program: &Program, folder: &Path, documents: &Documents) -> Result<()> {
     let pages = pages(folder)?;
     let mut faults = Vec::new();
+    let listed = Server::start(program, "en")?.ask("list", &Json::Null)?;
+    let ids = array(&listed).iter().map(|entry| text(entry, "id")).filter(|id| !id.starts_with("exam/"));
+    let (derived, missing): (Vec<&str>, Vec<&str>) = ids.partition(|id| !documents.theory_of(id).is_empty());
+    println!("theory: {} analyses have their derivation, {} have none", derived.len(), missing.len());
+    faults.extend(missing.iter().map(|id| format!("{id}: no page of docs/theory names it")));
     let (count, broken) = links(folder, &pages);
     println!("links: {count} in {} pages, {} broken", pages.len(), broken.len());
     faults.extend(broken);
