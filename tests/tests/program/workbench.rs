@@ -146,7 +146,9 @@ fn the_worked_solution_is_exported_and_exported_anew() {
     pty.expect("worked solution written to");
     let path = folder.path().join("rotating-unbalance.html");
     let first = fs::read_to_string(&path).expect("the file is there");
-    assert!(first.contains("<svg") && first.contains("19.456") && first.ends_with("</html>\n"));
+    assert!(first.contains("<svg") && first.contains("19.456") && first.contains("</html>\n"));
+    let confirmed = crate::program().arg("confirm").arg(&path).status().expect("the program runs");
+    assert!(confirmed.success());
     // At another speed: the file is not lost without a word.
     pty.types("<end><del>1500 rpm<enter>");
     pty.expect("4.5535");
