@@ -68,7 +68,8 @@ impl NoteSource {
         });
         let begin = format!("{BEGIN}{options}");
         let lines = [begin.as_str()].into_iter().chain(self.problem_file.lines()).chain([END]);
-        let with = |sign: &str| lines.clone().map(|line| format!("{sign}{line}\n")).collect::<String>();
+        let with =
+            |sign: &str| lines.clone().map(|line| format!("{sign}{line}\n")).collect::<Vec<_>>().concat();
         match format {
             DocumentFormat::Text => note,
             DocumentFormat::Latex => format!("{note}{}", with("% ")),
@@ -138,7 +139,7 @@ impl NoteSource {
 /// remarks may be added, and figures differ in their last digit from machine to machine.
 pub fn differences(
     note: &str,
-    document: Document,
+    document: &Document,
     format: DocumentFormat,
     locale: &Locale,
 ) -> (usize, Vec<Difference>) {
@@ -217,7 +218,8 @@ mod tests {
         for format in FORMATS {
             let note = source.append_to(format.write(&document("19 mm"), None, &locale), format);
             assert_eq!(NoteSource::of_note(&note).as_ref(), Ok(&source), "{note}");
-            let trimmed: String = note.lines().map(|line| format!("{}\r\n", line.trim_end())).collect();
+            let trimmed: Vec<&str> = note.lines().map(str::trim_end).collect();
+            let trimmed = trimmed.join("\r\n");
             assert_eq!(NoteSource::of_note(&trimmed).as_ref(), Ok(&source), "{note}");
             assert!(NoteSource::of_note(&note.replace(END, "")).is_err());
         }
@@ -229,13 +231,13 @@ mod tests {
         let locale = Locale::english();
         for format in FORMATS {
             let note = format.write(&document("19.456 mm"), None, &locale);
-            let (count, found) = differences(&note, document("19.456 mm"), format, &locale);
+            let (count, found) = differences(&note, &document("19.456 mm"), format, &locale);
             assert!(count >= 3, "{count} lines of {format:?}");
             assert_eq!(found, [], "{note}");
             let remarked = note.replace("A fan.", "A fan.\n\nChecked by hand.");
-            assert_eq!(differences(&remarked, document("19.456 mm"), format, &locale).1, []);
+            assert_eq!(differences(&remarked, &document("19.456 mm"), format, &locale).1, []);
             let (_, found) =
-                differences(&note.replace("456 mm", "465 mm"), document("19.456 mm"), format, &locale);
+                differences(&note.replace("456 mm", "465 mm"), &document("19.456 mm"), format, &locale);
             assert_eq!(found.len(), 1, "{found:?}");
             assert!(found[0].computed.contains("456 mm"), "{found:?}");
             assert!(found[0].printed.as_ref().is_some_and(|(_, line)| line.contains("465 mm")), "{found:?}");

@@ -38,7 +38,7 @@ pub(crate) fn run(confirm: &Confirm, console: &Console) -> Result<ExitCode, Fail
     (locale.style.digits, locale.style.ascii) = (source.digits, source.ascii);
     let locale = locale.at(problem.entry.about.id);
     let (document, locale) = solve::on_paper(&problem, &problem.worked(&outcome), format, locale, console);
-    let (count, found) = differences(&note, document, format, &locale);
+    let (count, found) = differences(&note, &document, format, &locale);
     let mut lines = Vec::new();
     if source.version != env!("CARGO_PKG_VERSION") {
         let text = Text::new("the note was written by dalembert {version}; this is {this}");
