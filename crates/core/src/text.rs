@@ -211,6 +211,14 @@ impl<F: FnOnce() -> Text> From<F> for Text {
 }
 
 impl Locale {
+    /// Locale of a language.
+    pub fn of(language: Language) -> Self {
+        match language {
+            Language::English => Self::english(),
+            Language::Portuguese => Self::portuguese(),
+        }
+    }
+
     /// English with a decimal point, five digits.
     pub fn english() -> Self {
         Self { language: Language::English, style: Style::default(), place: "" }
@@ -251,8 +259,11 @@ impl Default for Locale {
 }
 
 impl Language {
+    /// Every language.
+    pub const ALL: [Self; 2] = [Self::English, Self::Portuguese];
+
     /// Tag of the language (BCP 47): `en`, `pt-BR`.
-    pub fn tag(self) -> &'static str {
+    pub const fn tag(self) -> &'static str {
         match self {
             Self::English => "en",
             Self::Portuguese => "pt-BR",
@@ -261,7 +272,7 @@ impl Language {
 
     /// Language of a tag.
     pub fn of_tag(tag: &str) -> Option<Self> {
-        [Self::English, Self::Portuguese].into_iter().find(|language| language.tag() == tag)
+        Self::ALL.into_iter().find(|language| language.tag() == tag)
     }
 
     /// The language that a name such as `pt_BR.UTF-8` asks for.

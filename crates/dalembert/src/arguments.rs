@@ -33,7 +33,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FILE")]
     pub(crate) record: Option<PathBuf>,
     /// Language of the output
-    #[arg(long, global = true, value_name = "LANGUAGE", value_parser = ["en", "pt-BR"])]
+    #[arg(long, global = true, value_name = "LANGUAGE", value_parser = Language::ALL.map(Language::tag))]
     pub(crate) lang: Option<String>,
     /// Print ASCII characters only
     #[arg(long, global = true)]

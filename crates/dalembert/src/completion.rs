@@ -10,7 +10,7 @@ use std::{
 };
 
 use clap_complete::engine::{ArgValueCompleter, CompletionCandidate, PathCompleter, ValueCompleter as _};
-use dalembert_core::{Entry, Language, Locale, Record, Stop, Text, cases, catalogue, file, find, vary};
+use dalembert_core::{Entry, Locale, Record, Stop, Text, cases, catalogue, file, find, vary};
 
 use crate::console;
 
@@ -69,10 +69,7 @@ fn analyses(current: &OsStr) -> Vec<CompletionCandidate> {
 /// Those that begin with what is typed.
 fn offered(all: impl IntoIterator<Item = (String, Text)>, current: &OsStr) -> Vec<CompletionCandidate> {
     let current = current.to_string_lossy();
-    let locale = match console::requested_language(&[], None) {
-        Language::English => Locale::english(),
-        Language::Portuguese => Locale::portuguese(),
-    };
+    let locale = Locale::of(console::requested_language(&[], None));
     all.into_iter()
         .filter(|(value, _)| value.starts_with(&*current))
         .map(|(value, help)| CompletionCandidate::new(value).help(Some(help.render(&locale).into())))

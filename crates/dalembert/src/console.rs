@@ -39,10 +39,7 @@ impl Console {
     pub(crate) fn of_process(language: Language, only_ascii: bool) -> Self {
         let capabilities = Capabilities::detect(&Environment::of_process());
         let stdout = io::stdout();
-        let mut locale = match language {
-            Language::English => Locale::english(),
-            Language::Portuguese => Locale::portuguese(),
-        };
+        let mut locale = Locale::of(language);
         locale.style.ascii = only_ascii || (stdout.is_terminal() && capabilities.glyphs == Glyphs::Ascii);
         let width = match rustix::termios::tcgetwinsize(&stdout) {
             Ok(size) if size.ws_col > 0 => usize::from(size.ws_col).min(WIDEST),

@@ -38,11 +38,7 @@ pub fn printed_steps_give_their_results(entries: &[&'static Entry]) -> usize {
             (Language::English, 5, false),
             (Language::Portuguese, 5, false),
         ] {
-            let mut locale = match language {
-                Language::English => Locale::english(),
-                Language::Portuguese => Locale::portuguese(),
-            }
-            .digits(digits);
+            let mut locale = Locale::of(language).digits(digits);
             locale.style.ascii = ascii;
             for step in &solution.steps {
                 let mut written = printer::step(&solution, step, &locale);

@@ -167,11 +167,8 @@ impl Replay {
                 return Ok(());
             }
             "language" => {
-                self.language = match rest {
-                    "en" => Language::English,
-                    "pt-BR" => Language::Portuguese,
-                    _ => return Err(quoting("`{word}` is not a language: write `en` or `pt-BR`", rest)),
-                };
+                let unknown = || quoting("`{word}` is not a language: write `en` or `pt-BR`", rest);
+                self.language = Language::of_tag(rest).ok_or_else(unknown)?;
                 return Ok(());
             }
             "look" => {

@@ -96,7 +96,8 @@ const KEYS: [&str; 11] = [
     "keys",
 ];
 /// Names of languages, as in `--lang`.
-const LANGUAGES: [(&str, Language); 2] = [("en", Language::English), ("pt-BR", Language::Portuguese)];
+const LANGUAGES: [(&str, Language); 2] =
+    [(Language::English.tag(), Language::English), (Language::Portuguese.tag(), Language::Portuguese)];
 /// Names of markers.
 const MARKERS: [(&str, Marker); 4] = [
     ("braille", Marker::Braille),
