@@ -294,6 +294,13 @@ impl Plot {
         self
     }
 
+    /// The same plot with a mark on one of its curves, named by the curve and its abscissa.
+    #[must_use]
+    pub fn mark_on(self, curve: impl Into<Text>, at: (f64, f64)) -> Self {
+        let label = marks::on_curve(curve.into(), at.0, self.x.unit);
+        self.mark(label, at)
+    }
+
     /// The same plot with a named horizontal line.
     #[must_use]
     pub fn level(mut self, label: impl Into<Text>, y: f64) -> Self {

@@ -46,11 +46,14 @@ fn marks(plot: &Plot, record: &Record, input: f64, answers: &[Answer]) -> Vec<Ma
     let label = |series: &Series, x: f64| match (over_answer.is_some(), is_alone) {
         (true, _) => Text::new("here"),
         (false, true) => Text::new("at {value}").with_quantity("value", x, plot.x.unit),
-        (false, false) => Text::new("{curve} at {value}")
-            .with_text("curve", series.label.clone())
-            .with_quantity("value", x, plot.x.unit),
+        (false, false) => on_curve(series.label.clone(), x, plot.x.unit),
     };
     marked.into_iter().map(|(series, at)| Mark { label: label(series, at.0), at }).collect()
+}
+
+/// Name of a mark on a curve, one of several.
+pub(super) fn on_curve(curve: Text, x: f64, unit: &'static str) -> Text {
+    Text::new("{curve} at {value}").with_text("curve", curve).with_quantity("value", x, unit)
 }
 
 /// The abscissa of a value of the input on a curve, for an angle perhaps turns further on; `None` where the curve has no

@@ -282,10 +282,7 @@ impl MultiDegreeResponse {
             for asked in &self.times {
                 let coordinate = self.observed[0].coordinate;
                 let x = poles.displacement(coordinate - 1, &motion.state(asked.time));
-                let name = Text::new("{curve} at {value}")
-                    .with_text("curve", Text::new("coordinate {at}").with("at", coordinate))
-                    .with_quantity("value", asked.time, "s");
-                plot = plot.mark(name, (asked.time, x));
+                plot = plot.mark_on(Text::new("coordinate {at}").with("at", coordinate), (asked.time, x));
             }
             Exhibit::Plot(plot)
         });

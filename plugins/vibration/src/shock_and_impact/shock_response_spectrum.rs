@@ -544,14 +544,11 @@ fn plot(curve: &[Ordinate], asked: &[f64]) -> Plot {
         curve.iter().min_by(|a, b| (a.frequency - asked).abs().total_cmp(&(b.frequency - asked).abs()))
     };
     // The first of them is the input that the curves are over, whose own points are marked.
-    asked.iter().skip(1).filter_map(|&asked| near(asked)).fold(plot, |plot, ordinate| {
-        let name = Text::new("{curve} at {value}").with_text("curve", "maximax").with_quantity(
-            "value",
-            ordinate.frequency,
-            "Hz",
-        );
-        plot.mark(name, (ordinate.frequency, ordinate.maximax()))
-    })
+    asked
+        .iter()
+        .skip(1)
+        .filter_map(|&asked| near(asked))
+        .fold(plot, |plot, ordinate| plot.mark_on("maximax", (ordinate.frequency, ordinate.maximax())))
 }
 
 /// The spectrum in numbers, about a dozen rows of it.
