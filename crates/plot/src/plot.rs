@@ -393,7 +393,7 @@ impl Canvas<'_> {
         }
     }
 
-    /// The name of each band in it; of bands of one name the first that is seen is named.
+    /// The name of each band in it.
     fn band_labels(&self, dots: &Dots, locale: &Locale, labels: &mut Labels) {
         for (band, ends) in self.axes.named_bands(locale) {
             let [first, last] = self.columns(ends);

@@ -533,6 +533,7 @@ used-to-find-the-mass-of-the-flywheel = Usado para obter a massa do volante.
 fluctuation-of-speed-of-a-flywheel = Flutuação de velocidade de um volante
 order = Ordem
 find = Determinar
+unknown = Incógnita
 
 # virtual-work/guided-bar
 bar-in-two-guides = Barra em duas guias

@@ -341,7 +341,7 @@ impl CompoundLever {
                 Column { heading: "Load".into(), unit: "" },
                 Column { heading: "Virtual work".into(), unit: "N*m" },
             ],
-            rows: known.chain([row("Find".into(), of_sought)]).collect(),
+            rows: known.chain([row("Unknown".into(), of_sought)]).collect(),
             foot: Vec::new(),
         }
     }

@@ -89,16 +89,13 @@ fn frame(view: &View<'_>, angle: f64, forces: Option<&Forces>, size: f64) -> Ske
     }
     let wall = e - 1.2 * half;
     if has_bore(&view.engine.gas) {
-        let top = [(high, wall), (high, e + 1.2 * half)];
-        sketch.dimension("D", top[0], top[1], -2.0);
+        sketch.dimension("D", (high, wall), (high, e + 1.2 * half), -2.0);
     }
     if let Throw::Stroke { .. } = view.engine.throw {
-        let ends = [(far - 2.0 * r, wall), (far, wall)];
-        sketch.dimension("S", ends[0], ends[1], -2.0);
+        sketch.dimension("S", (far - 2.0 * r, wall), (far, wall), -2.0);
     }
     if e != 0.0 {
-        let ends = [(low, 0.0), (low, e)];
-        sketch.dimension("e", ends[0], ends[1], 0.0);
+        sketch.dimension("e", (low, 0.0), (low, e), 0.0);
     }
     if view.engine.friction.is_some_and(|friction| friction > 0.0) {
         // Against the motion, beside the piston; the crank turns forward.
