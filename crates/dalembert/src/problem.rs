@@ -52,6 +52,8 @@ pub(crate) struct LoadedProblem {
     pub(crate) units: UnitSetting,
     /// Units of answers: `(answer, unit)`.
     pub(crate) show: Vec<(String, String)>,
+    /// Text of its file; empty for a case.
+    pub(crate) text: String,
 }
 
 impl LoadedProblem {
@@ -70,9 +72,8 @@ impl LoadedProblem {
         }
     }
 
-    /// Text of a problem file with these inputs, written over that of the file that was named, if it was one.
-    pub(crate) fn file_text(&self, named: &str, draft: Draft) -> Result<String, Failure> {
-        let over = if find(named).is_some() { String::new() } else { text_of(named)? };
+    /// Text of a problem file with these inputs, written over that of the file that it was read from.
+    pub(crate) fn file_text(&self, draft: Draft) -> String {
         let problem = ProblemFile {
             entry: self.entry,
             title: self.name.english(),
@@ -85,7 +86,7 @@ impl LoadedProblem {
             notes: Vec::new(),
             files: Vec::new(),
         };
-        Ok(file::write(&problem, &over))
+        file::write(&problem, &self.text)
     }
 }
 
@@ -238,6 +239,7 @@ fn of_analysis(
             record,
             units: asked.units.unwrap_or_default(),
             show: Vec::new(),
+            text: String::new(),
         }),
         _ => {
             if is_incomplete && asked.case.is_none() {
@@ -349,6 +351,7 @@ pub(crate) fn of_file(
             record,
             units,
             show: problem.show,
+            text: text.to_owned(),
         }),
         _ => Err(Failure::Input(set.into_iter().map(|err| named(err, &draft, &shape)).collect())),
     }

@@ -13,9 +13,7 @@ mod inputs;
 use std::path::Path;
 
 use dalembert_core::{Entry, Language, Locale, Record, Solution, Text, UnitSetting, nearest};
-use dalembert_report::{
-    Block, RESULT_KEYS, WorkedProblem, document, html, html_fragment, json_of, latex, markdown, text,
-};
+use dalembert_report::{Block, DocumentFormat, RESULT_KEYS, WorkedProblem, document, html_fragment, json_of};
 use serde_json::{Map, Value as Json, json};
 
 pub use self::inputs::NamedValue;
@@ -45,9 +43,6 @@ const KEYS: [&str; 14] = [
     "lang",
     "only",
 ];
-
-/// Width of a report as text.
-const COLUMNS: usize = 80;
 
 /// Failure of a request.
 #[derive(Clone, Debug)]
@@ -179,12 +174,13 @@ pub fn reported(request: &Map<String, Json>, language: Language) -> Result<Json,
     let solved = RequestedProblem::read(&request, language)?.solve()?;
     let locale = solved.requested.locale;
     let document = document(&solved.worked(), &locale);
+    let write = |format: DocumentFormat| Json::from(format.write(&document, None, &locale));
     Ok(match format.as_str() {
-        Some("html") => html(&document, &locale).into(),
+        Some("html") => write(DocumentFormat::Html),
         Some("html_fragment") => html_fragment(&document).into(),
-        Some("latex") => latex(&document).into(),
-        Some("markdown") => markdown(&document, None).into(),
-        Some("text") => text(&document, COLUMNS).into(),
+        Some("latex") => write(DocumentFormat::Latex),
+        Some("markdown") => write(DocumentFormat::Markdown),
+        Some("text") => write(DocumentFormat::Text),
         Some("figures") => document.blocks.iter().filter_map(figure).collect(),
         _ => {
             let why = Text::new("format = {value}: write one of {known}").with("path", "format");
@@ -237,10 +233,7 @@ pub fn guarded<T>(what: &str, run: impl FnOnce() -> T) -> Result<T, RequestFailu
 /// Language and numbers of a request.
 pub(crate) fn locale(request: &Map<String, Json>, language: Language) -> Locale {
     let language = request.get("lang").and_then(Json::as_str).map_or(language, Language::of);
-    let mut locale = match language {
-        Language::English => Locale::english(),
-        Language::Portuguese => Locale::portuguese(),
-    };
+    let mut locale = Locale::of(language);
     if let Some(digits @ 1..=17) = request.get("digits").and_then(Json::as_u64) {
         locale.style.digits = digits as u8;
     }
@@ -263,7 +256,7 @@ fn read(request: &Map<String, Json>, locale: Locale) -> Result<RequestedProblem,
     let case = keys.whole("case", 1, u64::from(u32::MAX)).map(|case| case as u32);
     keys.whole("digits", 1, 17);
     let language = keys.text("lang");
-    if let Some(language) = language.filter(|language| !["en", "pt-BR"].contains(language)) {
+    if let Some(language) = language.filter(|language| Language::of_tag(language).is_none()) {
         keys.errors.push(Text::new("lang {language}: write en or pt-BR").with("language", language));
     }
     let strict = match request.get("strict") {

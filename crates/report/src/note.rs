@@ -1,6 +1,8 @@
 //! Calculation notes that carry their problem file: as a comment at their end, from which the same note can be written again
 //! and compared.
 
+use std::path::Path;
+
 use dalembert_core::{Language, Locale, Text};
 use itertools::Itertools as _;
 use serde_json::{Value as Json, json};
@@ -79,6 +81,21 @@ impl NoteSource {
                 format!("{note}\n<!--\n{escaped}-->\n")
             }
         }
+    }
+
+    /// The note as files, as [`DocumentFormat::files`] has them, with its source.
+    pub fn files(
+        &self,
+        format: DocumentFormat,
+        document: &Document,
+        path: &Path,
+        locale: &Locale,
+    ) -> Option<Vec<(String, String)>> {
+        let mut files = format.files(document, path, locale)?;
+        if let Some((_, note)) = files.first_mut() {
+            *note = self.append_to(std::mem::take(note), format);
+        }
+        Some(files)
     }
 
     /// The source of a note.

@@ -23,10 +23,9 @@ pub struct TitleBlock([String; LINES.len()]);
 
 impl TitleBlock {
     /// Keys of the lines.
-    pub const KEYS: [&str; LINES.len()] = {
-        let [(project, _), (author, _), (checker, _), (date, _), (revision, _)] = LINES;
-        [project, author, checker, date, revision]
-    };
+    pub fn keys() -> [&'static str; LINES.len()] {
+        LINES.map(|(key, _)| key)
+    }
 
     /// Sets the text of a key.
     ///
@@ -36,12 +35,12 @@ impl TitleBlock {
         match LINES.iter().position(|(known, _)| *known == key) {
             Some(at) => text.trim().clone_into(&mut self.0[at]),
             None => {
-                return Err(match nearest(key, Self::KEYS.into_iter()) {
+                return Err(match nearest(key, Self::keys().into_iter()) {
                     Some(near) => {
                         Text::new("a title block has no `{key}`; did you mean `{near}`?").with("near", near)
                     }
                     None => Text::new("a title block has no `{key}`; it has {keys}")
-                        .with("keys", Self::KEYS.join(", ")),
+                        .with("keys", Self::keys().join(", ")),
                 }
                 .with("key", key));
             }

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use dalembert_core::{Language, Locale, Text};
+use dalembert_core::{Locale, Text};
 use dalembert_report::{DocumentFormat, NoteSource, differences};
 use dalembert_tui::files;
 
@@ -31,10 +31,7 @@ pub(crate) fn run(confirm: &Confirm, console: &Console) -> Result<ExitCode, Fail
         Ok(solution) if !source.answers.is_empty() => Ok(solve::working_of(&solution, &source.answers)?),
         outcome => outcome,
     };
-    let mut locale = match source.language {
-        Language::English => Locale::english(),
-        Language::Portuguese => Locale::portuguese(),
-    };
+    let mut locale = Locale::of(source.language);
     (locale.style.digits, locale.style.ascii) = (source.digits, source.ascii);
     let locale = locale.at(problem.entry.about.id);
     let (document, locale) = solve::on_paper(&problem, &problem.worked(&outcome), format, locale, console);

@@ -33,7 +33,7 @@ pub(crate) fn run(asked: &Optimise, console: &Console) -> Result<ExitCode, Failu
     if let Some(path) = path.filter(|path| path.extension() == Some(OsStr::new("toml"))) {
         let solution = outcome.map_err(Failure::Refused)?;
         let Some(found) = solution.determined.as_deref() else { return Err(nothing_wanted()) };
-        output::write(path, &text_of_optimum(asked, &problem, found)?, asked.force)?;
+        output::write(path, &text_of_optimum(&problem, found)?, asked.force)?;
         return Ok(ExitCode::SUCCESS);
     }
     let destination = Destination {
@@ -95,10 +95,10 @@ fn nothing_wanted() -> Failure {
 }
 
 /// The problem with the optimum in place of the unknowns, written over the text of its file where it has one.
-fn text_of_optimum(asked: &Optimise, problem: &LoadedProblem, found: &Determined) -> Result<String, Failure> {
+fn text_of_optimum(problem: &LoadedProblem, found: &Determined) -> Result<String, Failure> {
     let mut draft = problem.draft.clone();
     draft
         .take_found(&problem.entry.shape(), found)
         .map_err(|error| Failure::Fault(format!("{}: {}", error.path, error.why.english())))?;
-    problem.file_text(&asked.problem, draft)
+    Ok(problem.file_text(draft))
 }

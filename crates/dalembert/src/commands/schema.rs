@@ -113,7 +113,7 @@ fn of_file(problem: Json) -> Map<String, Json> {
 /// Title block of notes: texts, dates or numbers.
 fn title_block() -> Json {
     let line = json!({ "type": ["string", "integer"] });
-    let lines = TitleBlock::KEYS.into_iter().map(|key| (key.to_owned(), line.clone()));
+    let lines = TitleBlock::keys().into_iter().map(|key| (key.to_owned(), line.clone()));
     object(&[], lines.collect())
 }
 

@@ -131,16 +131,13 @@ pub(crate) fn write(
         return status(&worked, console);
     }
     let (document, locale) = on_paper(problem, &worked, paper, locale, console);
-    let source = NoteSource::new(problem.file_text(to.problem, problem.draft.clone())?, to.answers, &locale);
+    let source = NoteSource::new(problem.file_text(problem.draft.clone()), to.answers, &locale);
     match to.path {
         None => print(&source.append_to(paper.write(&document, None, &locale), paper))?,
         Some(path) => {
-            let files = paper.files(&document, path, &locale).unwrap_or_default();
-            let mut files: Vec<_> =
+            let files = source.files(paper, &document, path, &locale).unwrap_or_default();
+            let files: Vec<_> =
                 files.into_iter().map(|(name, text)| (path.with_file_name(name), text)).collect();
-            if let Some((_, note)) = files.first_mut() {
-                *note = source.append_to(std::mem::take(note), paper);
-            }
             for (file, _) in &files {
                 output::allowed(file, Path::new(to.problem), to.force)?;
             }

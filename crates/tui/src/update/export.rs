@@ -153,9 +153,6 @@ fn files(
     };
     let document = document(&worked, locale).under(&problem.document.title_block, locale);
     let document = document.map(&|words| filter_untrusted(words).into_owned());
-    let mut files = paper.files(&document, path, locale)?;
-    if let Some((_, note)) = files.first_mut() {
-        *note = NoteSource::new(problem.as_text(), &[], locale).append_to(std::mem::take(note), paper);
-    }
+    let files = NoteSource::new(problem.as_text(), &[], locale).files(paper, &document, path, locale)?;
     Some(files.into_iter().map(|(name, text)| (path.with_file_name(name), text)).collect())
 }
