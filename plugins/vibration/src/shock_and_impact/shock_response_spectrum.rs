@@ -145,12 +145,13 @@ impl Analysis for ShockResponseSpectrum {
                 sheet.check(what, change, W::Num::from(shock.area()));
             });
         }
+        let mut asked = Vec::new();
         for (n, &frequency) in given.frequencies.iter().enumerate() {
-            self.at(frequency, n + 1, &spectrum, pulse, sheet)?;
+            asked.push(self.at(frequency, n + 1, &spectrum, pulse, sheet)?);
         }
         let curve = spectrum.curve([self.lowest, self.highest], self.count(&shock), sheet)?;
         largest(&curve, &spectrum, pulse, sheet)?;
-        sheet.show(|| Exhibit::Plot(plot(&curve, &self.frequencies)));
+        sheet.show(|| Exhibit::Plot(plot(&curve, &asked)));
         sheet.show(|| Exhibit::Table(table(&curve)));
         Ok(())
     }
@@ -343,7 +344,7 @@ impl ShockResponseSpectrum {
         spectrum: &Spectrum<'_>,
         pulse: Option<(W::Num, W::Num)>,
         sheet: W,
-    ) -> Result<(), Refusal> {
+    ) -> Result<Ordinate, Refusal> {
         let row = |base: &'static str| dalembert_core::Symbol::from(base).row(n);
         let ordinate = spectrum.at(frequency.value())?;
         let why = (
@@ -412,7 +413,7 @@ impl ShockResponseSpectrum {
                 }
             });
         }
-        Ok(())
+        Ok(ordinate)
     }
 
     /// Primary and residual amplification without damping, for `n = t_d/T`; `None` where there is no closed form.
@@ -522,7 +523,8 @@ fn largest<W: Worksheet>(
     Ok(())
 }
 
-fn plot(curve: &[Ordinate], asked: &[f64]) -> Plot {
+/// The spectrum, with its ordinates at the asked frequencies.
+fn plot(curve: &[Ordinate], asked: &[Ordinate]) -> Plot {
     let line = |label: &'static str, of: fn(&Ordinate) -> f64| {
         let answer = Name::from((label, 1));
         Series::line(label, curve.iter().map(|ordinate| (ordinate.frequency, of(ordinate))).collect())
@@ -540,14 +542,10 @@ fn plot(curve: &[Ordinate], asked: &[f64]) -> Plot {
         lines,
     )
     .over("frequencies[1]");
-    let near = |asked: f64| {
-        curve.iter().min_by(|a, b| (a.frequency - asked).abs().total_cmp(&(b.frequency - asked).abs()))
-    };
     // The first of them is the input that the curves are over, whose own points are marked.
     asked
         .iter()
         .skip(1)
-        .filter_map(|&asked| near(asked))
         .fold(plot, |plot, ordinate| plot.mark_on("maximax", (ordinate.frequency, ordinate.maximax())))
 }
 
