@@ -516,13 +516,14 @@ pub fn program() -> PathBuf {
     if let Some(path) = std::env::var_os("DALEMBERT_BIN") {
         return path.into();
     }
-    let features = if cfg!(feature = "parquet") { "parquet" } else { "" };
-    built("dalembert", &["--package", "dalembert", "--features", features])
+    let features = if cfg!(feature = "parquet") { "dalembert/parquet" } else { "" };
+    // All packages are selected, so that the program rests on the same dependencies as the tests.
+    built("dalembert", &["--workspace", "--bin", "dalembert", "--features", features])
 }
 
 /// The smallest program on the terminal's lifecycle, which is built first.
 pub fn lifecycle() -> PathBuf {
-    built("examples/lifecycle", &["--package", "dalembert-terminal", "--example", "lifecycle"])
+    built("examples/lifecycle", &["--workspace", "--example", "lifecycle"])
 }
 
 /// Programs built by this process: tests run at once, and one of them builds.

@@ -44,11 +44,12 @@ pub(crate) fn git(root: &Path, arguments: &[&str]) -> Result<String> {
 pub(crate) struct Program(PathBuf);
 
 impl Program {
-    /// Builds the program of the tree in `folder`, among what is built for `root`.
+    /// Builds the program of the tree in `folder`, among what is built for `root`. All packages are selected, as for the
+    /// tests: the program alone would have other features of what it depends on, and all of that would be built twice.
     pub(crate) fn built(folder: &Path, root: &Path) -> Result<Self> {
         let target = target(root);
         run(cargo(folder)
-            .args(["build", "--quiet", "--package", "dalembert"])
+            .args(["build", "--quiet", "--workspace", "--bin", "dalembert"])
             .env("CARGO_TARGET_DIR", &target))?;
         Ok(Self(target.join("debug").join(format!("dalembert{}", env::consts::EXE_SUFFIX))))
     }
