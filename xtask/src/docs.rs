@@ -15,6 +15,8 @@ use crate::{
     server,
 };
 
+mod architecture;
+mod decisions;
 mod inputs;
 
 /// The folder of the reference: a page for each analysis in the folder of its family.
@@ -25,8 +27,8 @@ const PROBLEM_FILES: &str = include_str!("docs/problem_files.md");
 
 const BEGIN: &str = "<!-- Written by `cargo xtask docs`. -->\n";
 
-/// Writes the pages of the reference, docs/problem-files.md and docs/units.md, and removes pages of analyses that are no
-/// more.
+/// Writes the pages of the reference, docs/problem-files.md, docs/units.md, the index of decisions and
+/// docs/architecture.svg, and removes pages of analyses that are no more.
 pub fn write(root: &Path) -> Result<()> {
     let generated = generated(root)?;
     for path in superfluous(root, &generated)? {
@@ -112,6 +114,8 @@ fn generated(root: &Path) -> Result<Vec<(String, String)>> {
     let units = cargo::output(&mut symbols)?;
     files.push(("docs/problem-files.md".to_owned(), format!("{BEGIN}{PROBLEM_FILES}")));
     files.push(("docs/units.md".to_owned(), format!("{BEGIN}{}{units}", include_str!("docs/units.md"))));
+    files.push(decisions::index(root)?);
+    files.push(architecture::picture(root)?);
     Ok(files)
 }
 

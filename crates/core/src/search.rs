@@ -9,12 +9,13 @@
 
 use std::{cmp::Reverse, collections::BTreeSet};
 
+use itertools::Itertools;
 use nucleo_matcher::{
     Config, Matcher, Utf32Str,
     pattern::{AtomKind, CaseMatching, Normalization, Pattern},
 };
 
-use crate::{ChildList, Entry, Field, Locale, Shape, Text, cases::Case};
+use crate::{ChildList, Entry, Field, Language, Locale, Shape, Text, cases::Case};
 
 /// Weight of a word in the names of an analysis.
 const NAMES: u32 = 8;
@@ -167,16 +168,12 @@ impl Index {
     /// Index of an analysis and its cases.
     pub fn of(entry: &Entry, cases: &[Case]) -> Self {
         let about = entry.about;
-        let portuguese = Locale::portuguese().at(about.id);
-        let both = |english: &'static str| [english.to_owned(), Text::from(english).render(&portuguese)];
-        let family = family(entry.family());
-        let names = [both(about.title), both(about.topic)].into_iter().flatten().chain([
-            about.id.to_owned(),
-            family.english(),
-            family.render(&portuguese),
-        ]);
+        let locales = Language::ALL.map(|language| Locale::of(language).at(about.id));
+        let in_each = |text: &Text| locales.map(|locale| text.render(&locale));
+        let names = [Text::from(about.title), Text::from(about.topic), family(entry.family())];
+        let names = names.iter().flat_map(in_each).chain([about.id.to_owned()]);
         let books = about.sources.iter().map(|source| format!("{} {}", source.short, source.full));
-        let words = both(about.summary).into_iter().chain(books);
+        let words = in_each(&about.summary.into()).into_iter().chain(books);
         let mut labels = Labels::default();
         labels.fields(entry.fields());
         // The name of an answer is its label in most analyses.
@@ -185,19 +182,14 @@ impl Index {
             .flat_map(|case| &case.expect)
             .map(|expected| expected.answer.split('[').next().unwrap_or_default())
             .collect();
-        let answers = answers.into_iter().flat_map(|answer| {
-            let label = answer.replace('_', " ");
-            [Text::new(label.clone()).render(&portuguese), label]
-        });
+        let answers = answers.into_iter().flat_map(|answer| in_each(&Text::new(answer.replace('_', " "))));
         let inputs = labels
             .words
             .iter()
-            .flat_map(|label| both(label))
+            .flat_map(|label| in_each(&Text::new(*label)))
             .chain(labels.symbols.iter().map(|&symbol| symbol.to_owned()));
-        let of_case = |case: &Case| {
-            let both = |text: &Text| [text.english(), text.render(&portuguese)].join("\n");
-            folded(&format!("{}\n{}", both(&case.title()), both(&case.source)))
-        };
+        let of_case =
+            |case: &Case| folded(&[case.title(), case.source.clone()].iter().flat_map(in_each).join("\n"));
         let joined = |texts: &mut dyn Iterator<Item = String>| folded(&texts.collect::<Vec<_>>().join("\n"));
         Self {
             names: joined(&mut names.into_iter()),

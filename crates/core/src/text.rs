@@ -262,6 +262,13 @@ impl Language {
     /// Every language.
     pub const ALL: [Self; 2] = [Self::English, Self::Portuguese];
 
+    /// The language after this one, in a circle.
+    #[must_use]
+    pub fn next(self) -> Self {
+        let after = Self::ALL.into_iter().skip_while(|language| *language != self).nth(1);
+        after.unwrap_or(Self::ALL[0])
+    }
+
     /// Tag of the language (BCP 47): `en`, `pt-BR`.
     pub const fn tag(self) -> &'static str {
         match self {

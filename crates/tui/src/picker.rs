@@ -6,7 +6,7 @@ use std::{
 };
 
 use dalembert_core::{
-    Entry, Locale, Solution, Text,
+    Entry, Language, Locale, Solution, Text,
     cases::{self, Case},
     exercises::{Exercise, Exercises},
     search::{self, Found, Index},
@@ -243,7 +243,7 @@ impl<'m> Contents<'m> {
     fn leads_to_field(self, filter: &str) -> bool {
         let is_known = self.place(ANALYSIS).is_some();
         is_known
-            && in_either_language(|locale| {
+            && in_any_language(|locale| {
                 let name = Text::from(FIELD).render(locale);
                 let balancing = search::family("balancing").render(locale);
                 search::has_words(&name, filter) && !search::has_words(&balancing, filter)
@@ -255,7 +255,7 @@ impl<'m> Contents<'m> {
     fn exercises_of_lists(self, filter: &str) -> Vec<Leaf> {
         let is_one_word = filter.split_whitespace().nth(1).is_none();
         let is_named = |heading: &Heading| {
-            in_either_language(|locale| {
+            in_any_language(|locale| {
                 let of = Contents { locale, ..self };
                 search::has_words(&of.name(Heading::Exercises), filter)
                     || !is_one_word && search::has_words(&of.name(*heading), filter)
@@ -370,9 +370,9 @@ impl<'m> Contents<'m> {
     }
 }
 
-/// True if something holds in English or in Portuguese.
-fn in_either_language(holds: impl Fn(&Locale) -> bool) -> bool {
-    [Locale::default(), Locale::portuguese()].iter().any(holds)
+/// Returns true if something holds in one of the languages.
+fn in_any_language(holds: impl Fn(&Locale) -> bool) -> bool {
+    Language::ALL.map(Locale::of).iter().any(holds)
 }
 
 impl Heading {

@@ -95,9 +95,6 @@ const KEYS: [&str; 11] = [
     "editor",
     "keys",
 ];
-/// Names of languages, as in `--lang`.
-const LANGUAGES: [(&str, Language); 2] =
-    [(Language::English.tag(), Language::English), (Language::Portuguese.tag(), Language::Portuguese)];
 /// Names of markers.
 const MARKERS: [(&str, Marker); 4] = [
     ("braille", Marker::Braille),
@@ -205,7 +202,9 @@ impl Reader<'_> {
     fn set(&mut self, key: &str, item: &Item) -> Result<(), Text> {
         let settings = &mut self.settings;
         match key {
-            "language" => settings.language = Some(one_of(key, item, &LANGUAGES)?),
+            "language" => {
+                settings.language = Some(one_of(key, item, &Language::ALL.map(|one| (one.tag(), one)))?)
+            }
             "theme" => settings.theme = one_of(key, item, &Theme::ALL.map(|theme| (theme.id(), theme)))?,
             "ascii" => settings.ascii = flag(key, item)?,
             "mouse" => settings.mouse = Some(flag(key, item)?),

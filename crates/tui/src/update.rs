@@ -22,7 +22,7 @@ mod settings;
 
 use std::path::PathBuf;
 
-use dalembert_core::{Draft, Entry, Language, Text};
+use dalembert_core::{Draft, Entry, Text};
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use tui_input::{Input, InputRequest};
 
@@ -302,10 +302,7 @@ fn everywhere(model: &mut Model, action: Action) -> Option<Vec<Intent>> {
         Action::Help if model.dialog.is_none() => vec![Intent::Show(Dialog::help())],
         Action::Palette => vec![Intent::Show(Dialog::palette())],
         Action::Language => {
-            model.set_language(match model.locale.language {
-                Language::English => Language::Portuguese,
-                Language::Portuguese => Language::English,
-            });
+            model.set_language(model.locale.language.next());
             Vec::new()
         }
         Action::NextProblem => vec![Intent::NextProblem],

@@ -1,8 +1,8 @@
 //! The file of settings as it is begun: everything that can be set, all of it commented out.
 
-use dalembert_core::{Locale, Text};
+use dalembert_core::{Language, Locale, Text};
 
-use super::{DECIMALS, LANGUAGES, MARKERS, Settings};
+use super::{DECIMALS, MARKERS, Settings};
 use crate::{
     keys::{ALWAYS, Binding, COMMON, Key, PANES, PROBLEM},
     look::Theme,
@@ -28,7 +28,7 @@ pub fn default_file(locale: &Locale) -> String {
             "language",
             String::new(),
             Text::new("Language: {known}; default: that of the environment.")
-                .with("known", names(&LANGUAGES.map(|(name, _)| name))),
+                .with("known", names(&Language::ALL.map(Language::tag))),
         ),
         (
             "theme",
