@@ -18,7 +18,7 @@ type Cells = BTreeMap<u32, BTreeMap<u32, Data>>;
 ///
 /// Errors: a file that is no workbook; an unknown sheet; nothing in the chosen part; a date, a time of day, an error or a
 /// truth value among the cells, each with its name.
-pub fn spreadsheet(bytes: Vec<u8>, kind: Workbook, part: &SheetPart) -> Result<String, Text> {
+pub(crate) fn spreadsheet(bytes: Vec<u8>, kind: Workbook, part: &SheetPart) -> Result<String, Text> {
     let unreadable = |why: String| Text::new("this spreadsheet cannot be read: {why}").with("why", why);
     match kind {
         Workbook::Xlsx => {

@@ -18,7 +18,7 @@ pub enum Workbook {
 
 impl Workbook {
     /// Format of a file by its extension.
-    pub fn of_extension(extension: &str) -> Option<Self> {
+    pub(crate) fn of_extension(extension: &str) -> Option<Self> {
         match extension.to_ascii_lowercase().as_str() {
             "xlsx" | "xlsm" => Some(Self::Xlsx),
             "ods" => Some(Self::Ods),
@@ -29,13 +29,13 @@ impl Workbook {
 
 /// A sheet and a part of it: `Data!A:C`, `Data!A,C`, `Data!B2:C40`, `A:C` or `Data`.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct SheetPart {
+pub(crate) struct SheetPart {
     /// Name of the sheet; without one the first that has numbers.
-    pub sheet: Option<String>,
+    pub(crate) sheet: Option<String>,
     /// Ranges of columns in their order, counted from 0; without any, all columns.
-    pub columns: Vec<RangeInclusive<u32>>,
+    pub(crate) columns: Vec<RangeInclusive<u32>>,
     /// Rows, counted from 0.
-    pub rows: RangeInclusive<u32>,
+    pub(crate) rows: RangeInclusive<u32>,
 }
 
 impl Default for SheetPart {
@@ -46,7 +46,7 @@ impl Default for SheetPart {
 
 impl SheetPart {
     /// Reads what stands behind `#`. Without `!`, a word is the name of a sheet, and what has a colon is a range.
-    pub fn read(text: &str) -> Result<Self, Text> {
+    pub(crate) fn read(text: &str) -> Result<Self, Text> {
         let text = text.trim();
         let (sheet, ranges) = match text.rsplit_once('!') {
             Some((sheet, ranges)) => (Some(sheet), ranges),
