@@ -23,7 +23,7 @@ const WITHIN: f64 = 1e-12;
 /// A number of so many characters in an error is taken for one of the file's.
 const LONG: usize = 4;
 
-/// What is to be read of the files.
+/// Expected readings of the files.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Expected {
@@ -40,7 +40,7 @@ struct Truth {
     rows: Vec<[f64; 2]>,
 }
 
-/// What is to be read of a file or a part of it.
+/// Expected reading of a file or a part of it.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Entry {
@@ -87,7 +87,7 @@ pub struct Reading {
     pub program: String,
     /// Outcome.
     pub outcome: Outcome,
-    /// Last line that the program printed in place of an answer.
+    /// Errors that the program printed in place of an answer.
     pub said: String,
 }
 
@@ -122,11 +122,11 @@ fn reading(
     ensure!(path.is_file(), "{} is not there", path.display());
     let set = format!("{}=@{}{part}", truth.table, path.display());
     let output = program.args(["solve", &truth.analysis, "--format", "json", "--set", &set]).output()?;
-    // Errors are JSON too, in the answer or beside it.
-    let printed =
-        String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
-    let said = printed.replace(&*path.to_string_lossy(), &entry.name);
-    let read = serde_json::from_slice::<Json>(&output.stdout).ok();
+    let printed = String::from_utf8_lossy(&output.stdout);
+    let read = serde_json::from_str::<Json>(&printed).ok();
+    let errors = read.as_ref().and_then(|read| read["errors"].as_array());
+    let messages = errors.into_iter().flatten().filter_map(|error| error["message"].as_str());
+    let said = messages.collect::<Vec<_>>().join("\n").replace(&*path.to_string_lossy(), &entry.name);
     let table = read.as_ref().and_then(|read| read["inputs"][&truth.table]["si"].as_array());
     let is_without = entry.needs.as_deref().is_some_and(|feature| !features.contains(&feature));
     let outcome = match (table, &entry.refused) {
@@ -141,7 +141,6 @@ fn reading(
             compared(rows, read.as_ref().map_or(&Json::Null, |read| &read["warnings"]), entry, truth)
         }
     };
-    let said = if outcome == Outcome::Right { String::new() } else { said.trim().to_owned() };
     Ok(Reading { file: entry.name.clone() + &part, program: entry.program.clone(), outcome, said })
 }
 

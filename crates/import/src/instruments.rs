@@ -2,7 +2,7 @@
 
 use dalembert_core::Text;
 
-use crate::{numbers::written, units_above::bracketed};
+use crate::units_above::bracketed;
 
 /// The text with a time in each row and its units in the heading, where an instrument is recognised; line by line the same.
 ///
@@ -128,6 +128,11 @@ fn labview(text: &str) -> Result<String, Text> {
         table.push('\n');
     }
     Ok(table)
+}
+
+/// A number that reads back as itself.
+pub(crate) fn written(x: f64) -> String {
+    if x == 0.0 || (1e-3..1e7).contains(&x.abs()) { format!("{x}") } else { format!("{x:e}") }
 }
 
 #[cfg(test)]

@@ -67,7 +67,8 @@ pub fn table(
             let Part { skip, choice } = part;
             let sheet = if choice.is_empty() { SheetPart::default() } else { SheetPart::read(&choice)? };
             let text = spreadsheet(bytes, kind, &sheet)?;
-            lines::table(&lines::without_first(&text, skip)?, &[], columns)
+            let last = workbook::name_of_column(columns.len().saturating_sub(1) as u32);
+            lines::table(&lines::without_first(&text, skip)?, &[], columns, &format!("A:{last}"))
         }
         Format::Wave => wave(&bytes, &part.without_skip()?, columns.len()),
         Format::Matlab => matlab(&bytes, &part.without_skip()?, columns.len()),
@@ -75,8 +76,48 @@ pub fn table(
         Format::Text => {
             let text = lines::without_first(&encoding::text(&bytes)?, part.skip)?;
             let text = instruments::with_times(&text)?.unwrap_or(text);
-            lines::table(&text, &part.numbers()?, columns)
+            let first: Vec<String> = (1..=columns.len()).map(|column| column.to_string()).collect();
+            lines::table(&text, &part.numbers()?, columns, &first.join(","))
         }
+    }
+}
+
+/// The first columns and rows of a file, so that some can be chosen.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Sample {
+    /// Names of the columns as they are written behind `#`: `1`, `2`, … or `A`, `B`, ….
+    pub columns: Vec<String>,
+    /// Cells of the heading and of the first rows.
+    pub rows: Vec<Vec<String>>,
+}
+
+/// Columns of a sample.
+const WIDEST_SAMPLE: usize = 8;
+
+impl Sample {
+    /// So many lines of a file of this name and these bytes; empty where it has no columns of text to choose from.
+    pub fn of(path: &Path, bytes: &[u8], part: Option<&str>, count: usize) -> Self {
+        let Ok(part) = part.map_or_else(|| Ok(Part::default()), Part::read) else { return Self::default() };
+        let skipped = |text: &str| lines::without_first(text, part.skip).unwrap_or_default();
+        let (rows, is_workbook) = match Format::of(path, bytes) {
+            Ok(Format::Text) => {
+                let text = skipped(&encoding::text(bytes).unwrap_or_default());
+                let text = instruments::with_times(&text).ok().flatten().unwrap_or(text);
+                (lines::beginning(&text, count), false)
+            }
+            Ok(Format::Workbook(kind)) => {
+                let mut sheet = SheetPart::read(&part.choice).unwrap_or_default();
+                sheet.columns = vec![0..=WIDEST_SAMPLE as u32 - 1];
+                let text = spreadsheet(bytes.to_vec(), kind, &sheet).unwrap_or_default();
+                (lines::beginning(&skipped(&text), count), true)
+            }
+            _ => (Vec::new(), false),
+        };
+        let width = rows.iter().map(Vec::len).max().unwrap_or(0).min(WIDEST_SAMPLE);
+        let name =
+            |n: usize| if is_workbook { workbook::name_of_column(n as u32) } else { (n + 1).to_string() };
+        let rows = rows.into_iter().map(|cells| cells.into_iter().take(width).collect()).collect();
+        Self { columns: (0..width).map(name).collect(), rows }
     }
 }
 

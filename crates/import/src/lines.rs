@@ -2,7 +2,7 @@
 
 use dalembert_core::{Field, Text};
 
-use crate::units_above::{self, UnitsAbove};
+use crate::units_above::{self, UnitsAbove, bracketed};
 
 /// Separator of the cells of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,6 +37,15 @@ impl Separator {
         }
         cells
     }
+
+    /// Cells of a line of names; above columns that blanks set apart, a name may have one.
+    fn names(self, line: &str, width: usize) -> Vec<String> {
+        let wide: Vec<&str> = line.split("  ").map(str::trim).filter(|cell| !cell.is_empty()).collect();
+        if self == Self::Blank && wide.len() == width {
+            return wide.into_iter().map(str::to_owned).collect();
+        }
+        self.split(line)
+    }
 }
 
 /// Returns true if a cell begins as a number; with blanks between them, one that ends in a comma is no cell.
@@ -63,18 +72,17 @@ struct Layout {
 
 impl Layout {
     /// Layout of lines whose last ones are rows of numbers. The separator is the first that gives as many columns as are
-    /// wanted, else the one that gives the most.
+    /// wanted, else the first.
     fn of(lines: &[&str], chosen: &[usize], wanted: usize) -> Option<Self> {
-        let found: Vec<Self> =
+        let mut found: Vec<Self> =
             SEPARATORS.iter().filter_map(|separator| Self::with(*separator, lines, chosen)).collect();
-        let fits = |layout: &Self| if chosen.is_empty() { layout.width == wanted } else { true };
-        let at = found.iter().position(fits);
-        let widest = (0..found.len()).max_by_key(|at| (found[*at].width, found.len() - at));
-        found.into_iter().nth(at.or(widest)?)
+        let fits = |layout: &Self| !chosen.is_empty() || layout.width == wanted;
+        let at = found.iter().position(fits).unwrap_or(0);
+        (at < found.len()).then(|| found.swap_remove(at))
     }
 
     fn with(separator: Separator, lines: &[&str], chosen: &[usize]) -> Option<Self> {
-        let (mut first, mut width) = (None, 0);
+        let (mut first, mut width, mut label) = (None, 0, None);
         for (at, line) in lines.iter().enumerate().rev() {
             let cells = separator.split(line);
             if cells.is_empty() || is_remark(line) {
@@ -85,26 +93,68 @@ impl Layout {
             if is_one_column || is_other || !is_row(&cells, separator, chosen) {
                 break;
             }
+            if !cells[0].is_empty() {
+                let is_number = begins_with_number(&cells[0]);
+                if *label.get_or_insert(is_number) != is_number {
+                    break;
+                }
+            }
             (first, width) = (Some(at), cells.len());
         }
         let first = first?;
-        let is_heading = |line: &&&str| {
-            let cells = separator.split(line);
+        let mut heading = first;
+        for (at, line) in lines[..first].iter().enumerate().rev() {
+            let cells = separator.names(line, width);
             let is_complete = cells.len() == width || separator == Separator::Blank && cells.len() > 1;
-            !is_remark(line) && is_complete && !cells.iter().any(|cell| begins_with_number(cell))
-        };
-        let heading = first - lines[..first].iter().rev().take_while(is_heading).count();
+            let has_names =
+                !cells.iter().any(|cell| begins_with_number(cell)) && !units_above::is_key(&cells);
+            match cells.is_empty() {
+                true => {}
+                false if !is_remark(line) && is_complete && has_names => heading = at,
+                false => break,
+            }
+        }
         Some(Self { separator, heading, first, width })
+    }
+
+    /// Index of the line up to which a preamble reaches: that of the heading, or of the rows below a line that names
+    /// their units; 0 where a row of numbers stands above.
+    ///
+    /// Error: a line just above the rows with numbers in their columns and a word before them, or the reverse.
+    fn preamble(&self, lines: &[&str], chosen: &[usize]) -> Result<usize, Text> {
+        let last = lines[..self.first]
+            .iter()
+            .enumerate()
+            .rev()
+            .find(|(_, line)| !self.separator.split(line).is_empty());
+        let Some((at, line)) = last.filter(|(_, line)| !is_remark(line)) else { return Ok(0) };
+        let cells = self.separator.split(line);
+        if cells.len() == self.width && is_row(&cells, self.separator, chosen) {
+            let why = Text::new(
+                "line {line} has numbers, but begins as no other row: leave it out with the lines above it, as in `#{columns},skip={line}`",
+            );
+            let columns: Vec<String> = chosen.iter().map(ToString::to_string).collect();
+            return Err(why.with("line", at + 1).with("columns", columns.join(",")));
+        }
+        let top = if units_above::is_key(&cells) { self.first } else { self.heading };
+        let is_word = |cells: &[String]| cells[0].starts_with(char::is_alphabetic);
+        let is_row_above = |line: &&str| {
+            let cells = self.separator.split(line);
+            is_row(&cells, self.separator, chosen) && (!is_word(&cells) || chosen.contains(&1))
+        };
+        let is_preamble = top < self.first || units_above::is_key(&cells);
+        Ok(if is_preamble && !lines[..top].iter().any(is_row_above) { top } else { 0 })
     }
 }
 
 /// Returns true if cells are a row of numbers, as far as their columns are chosen.
 fn is_row(cells: &[String], separator: Separator, chosen: &[usize]) -> bool {
     let is_number = |cell: &String| {
-        begins_with_number(cell) && !(separator == Separator::Blank && cell.len() > 1 && cell.ends_with(','))
+        let is_of_blanks = separator == Separator::Blank && cell.len() > 1 && cell.ends_with(',');
+        begins_with_number(cell) && !is_of_blanks && !cell.contains([';', '\t'])
     };
     match chosen {
-        [] => cells.iter().all(is_number),
+        [] => cells.iter().any(is_number) && cells.iter().all(|cell| cell.is_empty() || is_number(cell)),
         chosen => chosen.iter().all(|at| cells.get(at - 1).is_some_and(is_number)),
     }
 }
@@ -118,27 +168,34 @@ fn is_row(cells: &[String], separator: Separator, chosen: &[usize]) -> bool {
 ///
 /// Errors: a row that has not all columns; more columns than the table takes; a unit in the preamble that belongs to no
 /// column.
-pub(crate) fn table(text: &str, columns: &[usize], fields: &'static [Field]) -> Result<String, Text> {
+/// `example` is a part with as many columns as there are fields.
+pub(crate) fn table(
+    text: &str,
+    columns: &[usize],
+    fields: &'static [Field],
+    example: &str,
+) -> Result<String, Text> {
     let lines: Vec<&str> = text.lines().collect();
     let Some(layout) = Layout::of(&lines, columns, fields.len()) else {
         return if columns.is_empty() { Ok(text.to_owned()) } else { chosen(&lines, columns) };
     };
+    heading_fits(&lines, &layout, columns)?;
     if columns.is_empty() && layout.width > fields.len() {
         let why = Text::new(
             "the rows have {have} columns and the table {want}: name the columns to take, as in `#{columns}`",
         );
-        let first: Vec<String> = (1..=fields.len()).map(|column| column.to_string()).collect();
         let why = why.with("have", layout.width).with("want", fields.len());
-        return Err(why.with("columns", first.join(",")));
+        return Err(why.with("columns", example));
     }
-    heading_fits(&lines, &layout, columns)?;
     marks_agree(&lines, &layout, columns)?;
-    let is_row = |line: &&str| is_row(&layout.separator.split(line), layout.separator, columns);
-    let has_preamble = layout.heading < layout.first && !lines[..layout.heading].iter().any(is_row);
-    let top = if has_preamble { layout.heading } else { 0 };
+    let top = layout.preamble(&lines, columns)?;
     let above: Vec<Vec<String>> = lines[..top].iter().map(|line| layout.separator.split(line)).collect();
     let units = units_above::of(&above, layout.width)?;
     let mut table = String::new();
+    if let Some(beside) = units_beside(&lines, &layout, columns)? {
+        table += &joined(&beside.units, columns, layout.width);
+        table.push('\n');
+    }
     for (at, line) in lines.iter().enumerate() {
         let cells = || layout.separator.split(line);
         match &units {
@@ -146,6 +203,9 @@ pub(crate) fn table(text: &str, columns: &[usize], fields: &'static [Field]) -> 
                 table += &joined(units, columns, layout.width);
             }
             _ if at < top => table += &remark(line),
+            _ if (layout.heading..layout.first).contains(&at) => {
+                table += &heading(line, &layout, columns);
+            }
             _ if is_remark(line) => table += &chosen_remark(line, &layout, columns),
             _ if columns.is_empty() && !line.trim_end().ends_with([';', ',', '\t']) => table += line,
             _ => match cells() {
@@ -163,6 +223,53 @@ pub(crate) fn table(text: &str, columns: &[usize], fields: &'static [Field]) -> 
         table.push('\n');
     }
     Ok(table)
+}
+
+/// The first so many lines of names and rows, cell by cell; none where no rows are recognised.
+pub(crate) fn beginning(text: &str, count: usize) -> Vec<Vec<String>> {
+    let lines: Vec<&str> = text.lines().collect();
+    let Some(layout) = Layout::of(&lines, &[], 0) else { return Vec::new() };
+    let above =
+        lines[layout.heading..layout.first].iter().map(|line| layout.separator.names(line, layout.width));
+    let rows = lines[layout.first..].iter().map(|line| layout.separator.split(line));
+    above.chain(rows).filter(|cells| !cells.is_empty()).take(count).collect()
+}
+
+/// A line of names or units with the chosen columns; as it is, where nothing of it changes.
+fn heading(line: &str, layout: &Layout, columns: &[usize]) -> String {
+    let names = layout.separator.names(line, layout.width);
+    let is_wide = layout.separator == Separator::Blank && layout.separator.split(line).len() != names.len();
+    let has_words = names.iter().any(|name| units_above::symbol(name).is_some());
+    if columns.is_empty() && !is_wide && !has_words && !line.trim_end().ends_with([';', ',', '\t']) {
+        return line.to_owned();
+    }
+    let in_symbols =
+        |name: String| if units_above::symbol(&name).is_some() { bracketed(&name) } else { name };
+    let names: Vec<String> = names.into_iter().map(in_symbols).collect();
+    joined(&names, columns, layout.width.max(names.len()))
+}
+
+/// Units of a preamble that stands in columns left of the chosen ones, beside the rows.
+fn units_beside(lines: &[&str], layout: &Layout, columns: &[usize]) -> Result<Option<UnitsAbove>, Text> {
+    let left = columns.iter().min().map_or(0, |first| first - 1);
+    if left < 2 || layout.heading < layout.first {
+        return Ok(None);
+    }
+    let cells = |line: &&str| layout.separator.split(line).into_iter().take(left).collect();
+    let beside: Vec<Vec<String>> = lines[layout.first..].iter().map(cells).collect();
+    let is_key = |cells: &Vec<String>| cells.first().is_some_and(|key| key.starts_with(char::is_alphabetic));
+    let is_blank = |cells: &Vec<String>| cells.iter().all(String::is_empty);
+    let keys: Vec<Vec<String>> =
+        beside.into_iter().take_while(|cells| is_blank(cells) || is_key(cells)).collect();
+    let mut units = units_above::of(&keys, columns.len())?;
+    if let Some(found) = &mut units {
+        let mut wide = vec![units_above::NONE.to_owned(); layout.width];
+        for (at, unit) in columns.iter().zip(&found.units) {
+            unit.clone_into(&mut wide[at - 1]);
+        }
+        found.units = wide;
+    }
+    Ok(units)
 }
 
 /// The text with bare remarks in place of its first lines, so that the others keep their numbers.
@@ -185,7 +292,7 @@ pub(crate) fn without_first(text: &str, skip: usize) -> Result<String, Text> {
 fn heading_fits(lines: &[&str], layout: &Layout, chosen: &[usize]) -> Result<(), Text> {
     let above = lines[..layout.first].iter().enumerate().rev().find(|(_, line)| !line.trim().is_empty());
     let Some((at, line)) = above.filter(|(_, line)| !is_remark(line)) else { return Ok(()) };
-    let cells = layout.separator.split(line);
+    let cells = layout.separator.names(line, layout.width);
     let is_of_words = !cells.iter().any(|cell| begins_with_number(cell));
     if !is_of_words {
         return Ok(());
@@ -206,39 +313,60 @@ fn heading_fits(lines: &[&str], layout: &Layout, chosen: &[usize]) -> Result<(),
     Ok(())
 }
 
-/// Error: a point may set thousands apart, since other numbers have a decimal comma.
+/// Error: what may set thousands apart would be read as a decimal mark.
+///
+/// Digits in groups of three are read as decimal places where another number shows that the mark is decimal, as 0,5 does,
+/// or semicolons set the columns apart, as they do where the comma is decimal.
 fn marks_agree(lines: &[&str], layout: &Layout, columns: &[usize]) -> Result<(), Text> {
     let rows = &lines[layout.first..];
-    if layout.separator == Separator::Byte(b',') || !rows.iter().any(|line| line.contains(',')) {
+    if !rows.iter().any(|line| line.contains(',')) {
         return Ok(());
     }
-    let has_comma = |cell: &str| cell.matches(',').count() == 1 && !cell.contains('.');
-    let may_be_thousands = |cell: &str| {
-        let mut groups = cell.trim_start_matches(['+', '-', '−']).split('.');
-        let first = groups.next().unwrap_or_default();
-        let others: Vec<&str> = groups.collect();
-        let is_of_digits = |group: &str| group.bytes().all(|byte| byte.is_ascii_digit());
-        (1..=3).contains(&first.len())
-            && is_of_digits(first)
-            && !others.is_empty()
-            && others.iter().all(|group| group.len() == 3 && is_of_digits(group))
-    };
-    let (mut commas, mut thousands) = (false, None);
+    let mut decimals = [layout.separator == Separator::Byte(b';'), false];
+    let mut groups: [Option<(usize, String)>; 2] = [None, None];
     for (at, line) in rows.iter().enumerate().filter(|(_, line)| !is_remark(line)) {
         let cells = layout.separator.split(line);
-        let read = |n: usize| columns.is_empty() || columns.contains(&(n + 1));
-        for (_, cell) in cells.iter().enumerate().filter(|(n, _)| read(*n)) {
-            commas = commas || has_comma(cell);
-            if thousands.is_none() && may_be_thousands(cell) {
-                thousands = Some((layout.first + at + 1, cell.clone()));
+        let is_chosen = |n: usize| columns.is_empty() || columns.contains(&(n + 1));
+        for cell in cells.iter().enumerate().filter_map(|(n, cell)| is_chosen(n).then_some(cell)) {
+            for (n, mark) in [',', '.'].into_iter().enumerate() {
+                match grouping(cell, mark) {
+                    Some(true) => _ = groups[n].get_or_insert_with(|| (layout.first + at + 1, cell.clone())),
+                    Some(false) => decimals[n] = true,
+                    None => {}
+                }
             }
         }
-        if commas && let Some((line, cell)) = thousands {
-            let why = "line {line}: {cell} has a point where other numbers have a decimal comma: save the file without points between thousands";
-            return Err(Text::new(why).with("line", line).with("cell", cell));
-        }
     }
-    Ok(())
+    let [commas, points] = groups;
+    let refused = |(line, cell): (usize, String), why: &'static str| {
+        Err(Text::new(why).with("line", line).with("cell", cell))
+    };
+    match (commas, points, decimals) {
+        (Some(cell), _, [_, true] | [false, _]) => refused(
+            cell,
+            "line {line}: the comma of {cell} may set thousands apart: save the file without commas between thousands",
+        ),
+        (_, Some(cell), [true, _]) => refused(
+            cell,
+            "line {line}: the point of {cell} may set thousands apart, since other numbers have a decimal comma: save the file without points between thousands",
+        ),
+        _ => Ok(()),
+    }
+}
+
+/// True if the digits behind a mark are in groups of three, and not below one; `None` where there is no such mark, or
+/// another one as well.
+fn grouping(cell: &str, mark: char) -> Option<bool> {
+    let unsigned = cell.trim_start_matches(['+', '-', '−']);
+    let mut parts = unsigned.split(mark);
+    let first = parts.next()?;
+    let others: Vec<&str> = parts.collect();
+    let is_of_digits = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
+    if others.is_empty() || unsigned.contains(|c| [',', '.'].contains(&c) && c != mark) {
+        return None;
+    }
+    let is_grouped = others.iter().all(|part| part.len() == 3 && is_of_digits(part));
+    Some((1..=3).contains(&first.len()) && is_of_digits(first) && !first.starts_with('0') && is_grouped)
 }
 
 /// The chosen columns of lines whose end is no row of numbers: what is not read of them is named by the reader of tables.
@@ -309,7 +437,7 @@ mod tests {
 
     fn read(text: &str, skip: usize, columns: &[usize]) -> Result<String, String> {
         let text = without_first(text, skip).map_err(|why| why.english())?;
-        table(&text, columns, fields()).map_err(|why| why.english())
+        table(&text, columns, fields(), "1,2").map_err(|why| why.english())
     }
 
     #[test]
@@ -365,12 +493,27 @@ mod tests {
     }
 
     #[test]
+    fn a_decimal_comma_is_shown_by_other_numbers() {
+        for text in [
+            "t;x\n1,500;1,200\n",
+            "t\tx\n0,500\t1,200\n",
+            "t,x\n\"0,5\",\"1,200\"\n",
+            "t;x\n0.5;1.200\n",
+            "t\tx\n1.500\t1.200\n",
+        ] {
+            assert_eq!(read(text, 0, &[]), Ok(text.to_owned()));
+        }
+    }
+
+    #[test]
     fn what_cannot_be_assigned_to_columns_is_refused() {
         for (text, columns, words) in [
             ("t;a;x\n0;1;2\n1;2;3\n", &[][..], "name the columns to take, as in `#1,2`"),
             ("t,x\n0,0,1,5\n0,1,2,5\n", &[1, 3], "twice as many commas"),
             ("t / ms x / mm\n0 1\n1 2\n", &[1, 2], "has 6 words above 2 columns"),
-            ("t;x\n0,5;1.200\n1,5;2.300\n", &[], "line 2: 1.200 has a point"),
+            ("t;x\n0,5;1.200\n1,5;2.300\n", &[], "line 2: the point of 1.200 may"),
+            ("t,x\n0,\"1,200\"\n1,\"2,300\"\n", &[], "line 2: the comma of 1,200 may"),
+            ("t\tx\n0.5\t1,200\n1.5\t2,300\n", &[], "line 2: the comma of 1,200 may"),
         ] {
             let why = read(text, 0, columns).expect_err(text);
             assert!(why.contains(words), "{why}");

@@ -2,6 +2,8 @@
 
 use dalembert_core::Text;
 
+use crate::instruments::written;
+
 /// A column of numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct NamedColumn {
@@ -52,11 +54,6 @@ fn name(name: &str) -> String {
     let name = name.replace(['\t', '\n', '\r', '"', ';'], " ");
     let is_number = ["pi", "π", "inf", "nan", "infinity"].iter().any(|word| name.eq_ignore_ascii_case(word));
     if is_number || !name.starts_with(char::is_alphabetic) { format!("column {name}") } else { name }
-}
-
-/// A number that reads back as itself.
-pub(crate) fn written(x: f64) -> String {
-    if x == 0.0 || (1e-3..1e7).contains(&x.abs()) { format!("{x}") } else { format!("{x:e}") }
 }
 
 #[cfg(test)]

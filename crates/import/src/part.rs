@@ -1,4 +1,4 @@
-//! What stands behind the `#` of a file name.
+//! Parts of a file, behind the `#` of its name.
 
 use dalembert_core::Text;
 
@@ -17,7 +17,7 @@ pub(crate) struct Part {
 impl Part {
     /// Reads what stands behind `#`.
     ///
-    /// Error: what stands behind `skip=` is no number of lines.
+    /// Error: what stands behind `skip=` is not a number of lines.
     pub(crate) fn read(text: &str) -> Result<Self, Text> {
         let mut part = Self::default();
         let mut others = Vec::new();
@@ -25,7 +25,7 @@ impl Part {
             match item.trim().strip_prefix(SKIP) {
                 Some(lines) => {
                     part.skip = lines.trim().parse().map_err(|_| {
-                        Text::new("`skip={lines}` is no number of lines: write one, as in `#skip=12` or `#1,3,skip=12`")
+                        Text::new("`skip={lines}` is not a number of lines: write one, as in `#skip=12` or `#1,3,skip=12`")
                             .with("lines", lines)
                     })?;
                 }
@@ -43,7 +43,7 @@ impl Part {
         self.items().map(number).collect()
     }
 
-    /// What is set apart by commas.
+    /// Items set apart by commas.
     pub(crate) fn items(&self) -> impl Iterator<Item = &str> {
         self.choice.split(',').map(str::trim).filter(|item| !item.is_empty())
     }

@@ -2,11 +2,11 @@ use std::path::Path;
 
 use dalembert_core::{Field, Inputs, Shape};
 
-use crate::table;
+use crate::{Sample, table};
 
-/// A sample of a motion.
+/// A point of a motion.
 #[derive(Clone, Debug, Inputs)]
-struct Sample {
+struct Motion {
     /// Time.
     #[input("t", "s")]
     time: f64,
@@ -17,7 +17,7 @@ struct Sample {
 
 /// Columns of a table of times and displacements.
 pub(crate) fn fields() -> &'static [Field] {
-    match Sample::SHAPE {
+    match Motion::SHAPE {
         Shape::Group(fields) => fields(),
         _ => &[],
     }
@@ -52,4 +52,13 @@ fn formats_that_are_not_read_are_named_with_the_repair() {
 fn lines_to_skip_are_of_files_with_lines() {
     let why = refusal("run.uff", b"    -1\n    58\n", Some("skip=3"));
     assert!(why.contains("this file has none"), "{why}");
+}
+
+#[test]
+fn a_sample_has_the_columns_to_choose_from() {
+    let text = b"Run 3\nt [s];a [g];x [mm]\n0;1,5;2\n0,1;1,6;3\n";
+    let sample = Sample::of(Path::new("run.csv"), text, None, 2);
+    assert_eq!(sample.columns, ["1", "2", "3"]);
+    assert_eq!(sample.rows, [["t [s]", "a [g]", "x [mm]"], ["0", "1,5", "2"]]);
+    assert_eq!(Sample::of(Path::new("users.txt"), b"root:x:0\n", None, 2), Sample::default());
 }

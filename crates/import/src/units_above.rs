@@ -16,13 +16,22 @@ const SYMBOLS: [(&str, &str); 8] = [
     ("hertz", "Hz"),
 ];
 
+/// The unit of a column that none is named for: an empty cell would not count as one.
+pub(crate) const NONE: &str = "[-]";
+
 /// The units of all columns, as a heading.
 #[derive(Debug, PartialEq)]
 pub(crate) struct UnitsAbove {
     /// Index of the line that names the last of them.
     pub(crate) line: usize,
-    /// `[s]`, `[mm]`, …; empty where a column has none.
+    /// `[s]`, `[mm]`, …; [`NONE`] where a column has none.
     pub(crate) units: Vec<String>,
+}
+
+/// Returns true if a line names units, by its first cell.
+pub(crate) fn is_key(cells: &[String]) -> bool {
+    let key = cells.first().map(|key| key.to_lowercase()).unwrap_or_default();
+    cells.len() > 1 && UNIT.iter().any(|word| key.contains(word))
 }
 
 /// The units that lines of a preamble name, for so many columns: `Vertical Units,V`, `Y_Unit_Label  mm`, `Unit;s;mm`.
@@ -31,16 +40,16 @@ pub(crate) struct UnitsAbove {
 pub(crate) fn of(above: &[Vec<String>], width: usize) -> Result<Option<UnitsAbove>, Text> {
     let mut found: Option<UnitsAbove> = None;
     for (line, cells) in above.iter().enumerate() {
-        let Some((key, values)) = cells.split_first() else { continue };
+        let Some((key, values)) = cells.split_first().filter(|_| is_key(cells)) else { continue };
         let key = key.to_lowercase();
         let values: Vec<&String> = values
             .iter()
             .filter(|value| value.chars().any(|c| c.is_alphabetic() || "°%µ".contains(c)))
             .collect();
-        if !UNIT.iter().any(|word| key.contains(word)) || values.is_empty() {
+        if values.is_empty() {
             continue;
         }
-        let known = found.get_or_insert_with(|| UnitsAbove { line, units: vec![String::new(); width] });
+        let known = found.get_or_insert_with(|| UnitsAbove { line, units: vec![NONE.to_owned(); width] });
         known.line = line;
         let first = |letter: char| key.starts_with(letter) && !key[1..].starts_with(char::is_alphabetic);
         let (is_first, is_other) =
@@ -49,6 +58,8 @@ pub(crate) fn of(above: &[Vec<String>], width: usize) -> Result<Option<UnitsAbov
             (true, _, 1) => vec![0],
             (_, true, have) if have == 1 || have + 1 == width => (1..width).collect(),
             (false, false, have) if have == width => (0..width).collect(),
+            // The key stands in the first column.
+            (false, false, have) if have > 1 && have + 1 == width => (1..width).collect(),
             _ => {
                 let why = Text::new(
                     "line {line} names a unit above the heading, but not of which column: write it into the heading, as in `x [mm]`, or leave the lines out, as in `#skip={line}`",
@@ -63,11 +74,15 @@ pub(crate) fn of(above: &[Vec<String>], width: usize) -> Result<Option<UnitsAbov
     Ok(found)
 }
 
-/// A unit in brackets, by its symbol.
+/// A unit in brackets, by its symbol; without the channel before it, `CH1:mm`.
 pub(crate) fn bracketed(unit: &str) -> String {
-    let unit = unit.trim().trim_matches(['[', ']', '(', ')']);
-    let symbol = SYMBOLS.iter().find(|(word, _)| unit.eq_ignore_ascii_case(word));
-    format!("[{}]", symbol.map_or(unit, |(_, symbol)| symbol))
+    let unit = unit.rsplit(':').next().unwrap_or_default().trim().trim_matches(['[', ']', '(', ')']);
+    format!("[{}]", symbol(unit).unwrap_or(unit))
+}
+
+/// Symbol of a unit that is written as a word.
+pub(crate) fn symbol(word: &str) -> Option<&'static str> {
+    SYMBOLS.iter().find(|(known, _)| word.eq_ignore_ascii_case(known)).map(|(_, symbol)| *symbol)
 }
 
 #[cfg(test)]
@@ -83,9 +98,11 @@ mod tests {
             |text: &str, width: usize| of(&cells(text), width).map(|found| found.map(|all| all.units));
         for (text, wanted) in [
             ("Horizontal Units,S\nVertical Units,Volts", vec!["[S]", "[V]", "[V]"]),
-            ("Vertical Units,mm,N", vec!["", "[mm]", "[N]"]),
+            ("Vertical Units,mm,N", vec!["[-]", "[mm]", "[N]"]),
             ("Unit,s,mm,N", vec!["[s]", "[mm]", "[N]"]),
-            ("Y_Unit_Label,mm,mm", vec!["", "[mm]", "[mm]"]),
+            ("Y_Unit_Label,mm,mm", vec!["[-]", "[mm]", "[mm]"]),
+            ("Einheit,s,mm", vec!["[-]", "[s]", "[mm]"]),
+            ("Vertical Units,CH1:mm", vec!["[-]", "[mm]", "[mm]"]),
         ] {
             let wanted: Vec<String> = wanted.into_iter().map(str::to_owned).collect();
             assert_eq!(units(text, 3), Ok(Some(wanted)), "{text}");

@@ -60,12 +60,8 @@ pub(crate) fn table(bytes: &[u8], part: &Part, wanted: usize) -> Result<String, 
     numbers::text(&columns)
 }
 
-/// The reason of the reader, or the repair for a kind of samples that it has not.
+/// The reason of the reader, with the kinds of samples that are read.
 fn unreadable(error: Error) -> Text {
-    match error {
-        Error::Unsupported | Error::InvalidSampleFormat | Error::TooWide => Text::new(
-            "this WAV file has samples that are not read here: save it as PCM of 16, 24 or 32 bits, or as 32-bit floating-point numbers",
-        ),
-        other => Text::new("this WAV file cannot be read: {why}").with("why", other),
-    }
+    let why = "this WAV file cannot be read ({why}): save it as PCM of 16, 24 or 32 bits, or as 32-bit floating-point numbers";
+    Text::new(why).with("why", error)
 }

@@ -106,17 +106,21 @@ fn corner(text: &str) -> Option<(u32, Option<u32>)> {
     (column <= MOST.0).then(|| (column - 1, row))
 }
 
-/// Name of a cell, `B7`, from its column and row, counted from 0.
+/// Name of a cell, `B7`, from its row and column, counted from 0.
 #[cfg(feature = "spreadsheets")]
 pub(crate) fn name_of((row, column): (u32, u32)) -> String {
+    format!("{}{}", name_of_column(column), row + 1)
+}
+
+/// Letters of a column, counted from 0.
+pub(crate) fn name_of_column(column: u32) -> String {
     let mut letters = Vec::new();
     let mut left = column + 1;
     while left > 0 {
         letters.push(b'A' + ((left - 1) % 26) as u8);
         left = (left - 1) / 26;
     }
-    let letters: String = letters.iter().rev().map(|letter| char::from(*letter)).collect();
-    format!("{letters}{}", row + 1)
+    letters.iter().rev().map(|letter| char::from(*letter)).collect()
 }
 
 #[cfg(test)]

@@ -14,8 +14,10 @@ import gzip
 import json
 import math
 import os
+import re
 import struct
 import wave
+import zipfile
 
 import h5py
 import numpy as np
@@ -26,10 +28,10 @@ import scipy.io
 import scipy.io.wavfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-ROWS = 24
+ROWS = 48
 
 # Time in ms and displacement in micrometres, whole numbers: every notation has all their digits.
-DECAY = [(2 * n, round(12000 * math.exp(-0.04 * n) * math.cos(0.7 * n))) for n in range(ROWS)]
+DECAY = [(2 * n, round(12000 * math.exp(-0.03 * n) * math.cos(0.4 * n))) for n in range(ROWS)]
 # Frequency in Hz and receptance in nm/N of 2 kg on 80 kN/m and 40 N s/m.
 RESPONSE = [
     (f, round(1e9 / math.hypot(80e3 - 2 * (2 * math.pi * f) ** 2, 40 * 2 * math.pi * f)))
@@ -71,6 +73,16 @@ def write(name, text, encoding="utf-8", newline="\n"):
 def raw(name, data):
     with open(path(name), "wb") as file:
         file.write(data)
+
+
+def settle(name):
+    """Takes the time at which it was made out of a workbook, so that its bytes are the same each time."""
+    with zipfile.ZipFile(path(name)) as book:
+        parts = [(part.filename, book.read(part)) for part in book.infolist()]
+    with zipfile.ZipFile(path(name), "w", zipfile.ZIP_DEFLATED) as book:
+        for part, data in parts:
+            data = re.sub(rb"20\d\d-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d+)?", b"2024-05-12T00:00:00", data) if "docProps" in part or part == "meta.xml" else data
+            book.writestr(zipfile.ZipInfo(part, (2024, 5, 12, 0, 0, 0)), data, zipfile.ZIP_DEFLATED)
 
 
 def number(x, digits=3, comma=False):
@@ -126,7 +138,7 @@ def excel():
         "cp1252", "\r\n")
     entry("excel-three.csv", "Excel, three columns", refused=["3 columns", "`#1,2`"])
     entry("excel-three.csv", "Excel, columns 1 and 3 of three", part="1,3")
-    entry("excel-three.csv", "Excel, the wrong columns of three", part="1,2", refused=["`g`", "mm"])
+    entry("excel-three.csv", "Excel, the wrong columns of three", part="1,2", refused=["gives g for", "mm"])
     thousands = lambda x: f"{x:,}".replace(",", ".")
     write("excel-de-thousands.csv", "Zeit [s];Weg [µm]\n" + rows(";", time=in_seconds(True), value=thousands), "cp1252")
     entry("excel-de-thousands.csv", "Excel, German, thousands set apart by points", refused=["decimal comma", "thousands"])
@@ -161,9 +173,8 @@ def workbooks():
             page = made.create_sheet(other)
             for line in cells:
                 page.append(line)
-        # Without the time of day, the bytes are the same each time.
-        made.properties.created = made.properties.modified = datetime.datetime(2024, 5, 12)
         made.save(path(name))
+        settle(name)
 
     plain = [["t [ms]", "x [µm]"]] + [list(row) for row in DECAY]
     book("excel.xlsx", "Sheet1", plain)
@@ -172,7 +183,7 @@ def workbooks():
     titled += [[t, "note", x] for t, x in DECAY]
     book("excel-title.xlsx", "Run 1", [["Nothing here"]], [("Run 2", titled)])
     entry("excel-title.xlsx", "Excel, workbook, two of three columns below a title", part="Run 2!A,C")
-    entry("excel-title.xlsx", "Excel, workbook, a range of cells", part="Run 2!A4:A28,C4:C28")
+    entry("excel-title.xlsx", "Excel, workbook, a range of cells", part=f"Run 2!A4:A{5 + ROWS},C4:C{5 + ROWS}")
     entry("excel-title.xlsx", "Excel, workbook, an unknown sheet", part="Run 9", refused=["`Run 9`", "`Run 2`"])
     block = [["Model", "QX840"], ["Rate in Hz", 500], ["Time", "Way"], ["ms", "µm"]] + [list(row) for row in DECAY]
     book("excel-preamble.xlsx", "Data", block)
@@ -189,14 +200,17 @@ def workbooks():
     entry("excel-text.xlsx", "Excel, workbook, numbers kept as text with a decimal comma")
     frame = pd.DataFrame({"t_ms": [t for t, _ in DECAY], "x_um": [x for _, x in DECAY]})
     frame.to_excel(path("pandas-index.xlsx"))
+    settle("pandas-index.xlsx")
     entry("pandas-index.xlsx", "pandas, to_excel with its index", refused=["3 columns"])
     entry("pandas-index.xlsx", "pandas, to_excel, columns B and C", part="Sheet1!B:C")
     frame.to_excel(path("pandas.ods"), engine="odf", index=False)
+    settle("pandas.ods")
     entry("pandas.ods", "pandas, to_excel in OpenDocument")
     response = pd.DataFrame({"f [Hz]": [f for f, _ in RESPONSE], "H [nm/N]": [a for _, a in RESPONSE]})
     with pd.ExcelWriter(path("two-sheets.ods"), engine="odf") as writer:
         frame.to_excel(writer, sheet_name="Decay", index=False)
         response.to_excel(writer, sheet_name="Response", index=False)
+    settle("two-sheets.ods")
     entry("two-sheets.ods", "OpenDocument, the second sheet", part="Response", truth="response")
     raw("archive.csv", open(path("excel.xlsx"), "rb").read())
     entry("archive.csv", "a workbook renamed to .csv", refused=["archive", ".xlsx"])
@@ -239,7 +253,7 @@ def languages():
     entry("gnuplot.dat", "gnuplot, units in a remark")
     fortran = lambda scale: lambda x: f" {x / scale:.8E}".replace("E", "D")
     write("fortran.dat", rows("", time=fortran(1e3), value=fortran(1e3)))
-    entry("fortran.dat", "Fortran, exponents with D", refused=["line 1"])
+    entry("fortran.dat", "Fortran, exponents with D", assumed=["s", "mm"])
     write("nan.csv", "t [ms],x [um]\n" + rows(",").replace(f"\n6,{DECAY[3][1]}\n", "\n6,NaN\n"))
     entry("nan.csv", "a missing number as NaN", refused=["line 5", "NaN"])
     write("dashes.csv", "t [ms];x [um]\n" + rows(";").replace(f"\n6;{DECAY[3][1]}\n", "\n6;--\n"))
@@ -248,50 +262,50 @@ def languages():
     entry("footer.csv", "a line of words below the rows", refused=[f"line {ROWS + 2}"])
     write("stamps.csv", "Timestamp,x [mm]\n" + "".join(
         f"2024-05-12 10:00:00.{t:03},{number(x / 1e3)}\n" for t, x in DECAY))
-    entry("stamps.csv", "a date and time of day in each row", refused=["line 2"])
+    entry("stamps.csv", "a date and time of day in each row", refused=["line 2", "write the time in seconds"])
     write("clock.csv", "Time;x [mm]\n" + "".join(f"00:00:00.{t:03};{number(x / 1e3)}\n" for t, x in DECAY))
-    entry("clock.csv", "a time of day in each row", refused=["line 2"])
+    entry("clock.csv", "a time of day in each row", refused=["line 2", "write the time in seconds"])
     write("wrong-unit.csv", "t [ms],F [N]\n" + rows(","))
-    entry("wrong-unit.csv", "forces in place of displacements", refused=["`N`", "mm"])
+    entry("wrong-unit.csv", "forces in place of displacements", refused=["gives N for", "mm"])
     write("unknown-unit.csv", "t [ms],x [px]\n" + rows(","))
     entry("unknown-unit.csv", "a unit that there is not", refused=["px"])
 
 
 def oscilloscopes():
     preamble = ("Model,MSO46\nFirmware Version,1.28.7\nWaveform Type,ANALOG\nPoint Format,Y\nHorizontal Units,s\n"
-                "Horizontal Scale,0.004\nHorizontal Delay,0.0\nSample Interval,0.002\nRecord Length,24\n"
+                "Horizontal Scale,0.004\nHorizontal Delay,0.0\nSample Interval,0.002\nRecord Length,48\n"
                 "Gating,0.0% to 100.0%\nProbe Attenuation,1\nVertical Units,{}\nVertical Offset,0\nVertical Scale,2\n"
                 "Vertical Position,0\n,\n,\nLabel,\nTIME,CH1\n")
     write("tektronix.csv", preamble.format("mm") + rows(",", **POINT), newline="\r\n")
     entry("tektronix.csv", "Tektronix MSO, a channel scaled to mm")
     entry("tektronix.csv", "Tektronix MSO, its preamble skipped", part="skip=18", assumed=["s", "mm"])
     write("tektronix-volts.csv", preamble.format("V") + rows(",", **POINT), newline="\r\n")
-    entry("tektronix-volts.csv", "Tektronix MSO, volts", refused=["`V`", "mm"])
-    keys = ["Record Length,2.4e+01,", "Sample Interval,2.0e-03,", "Trigger Point,0.0e+00,", ",,", ",,", "Source,CH1,",
+    entry("tektronix-volts.csv", "Tektronix MSO, volts", refused=["unknown unit `V`"])
+    keys = ["Record Length,4.8e+01,", "Sample Interval,2.0e-03,", "Trigger Point,0.0e+00,", ",,", ",,", "Source,CH1,",
             "Vertical Units,mm,", "Vertical Scale,2.0e+00,", "Vertical Offset,0.0e+00,", "Horizontal Units,s,"]
     beside = [f"{keys[n] if n < len(keys) else ',,'},{t / 1e3:.6f},{x / 1e3:.5f},\n" for n, (t, x) in enumerate(DECAY)]
     write("tektronix-tds.csv", "".join(beside), newline="\r\n")
-    entry("tektronix-tds.csv", "Tektronix TDS, keys beside the rows", refused=["`#"])
+    entry("tektronix-tds.csv", "Tektronix TDS, keys beside the rows", refused=["5 columns", "`#1,2`"])
     entry("tektronix-tds.csv", "Tektronix TDS, columns 4 and 5", part="4,5")
     samples = "".join(f"{n},{number(x / 1e3, 4)},\n" for n, (_, x) in enumerate(DECAY))
     write("rigol-volts.csv", "X,CH1,Start,Increment,\nSequence,Volt,0.000000e+00,2.000000e-03\n" + samples)
-    entry("rigol-volts.csv", "Rigol DS1000Z, volts against the number of a sample", refused=["`V`", "mm"])
+    entry("rigol-volts.csv", "Rigol DS1000Z, volts against the number of a sample", refused=["unknown unit `V`"])
     write("rigol.csv", "X,CH1,Start,Increment,\nSequence,mm,0.000000e+00,2.000000e-03\n" + samples)
     entry("rigol.csv", "Rigol DS1000Z, a channel in mm against the number of a sample")
     write("rigol-mso.csv", "Time(s),CH1(mm),t0 =0.000000e+00, tInc = 2.000000e-03,\n" + rows(",", **POINT, end=",,"))
-    entry("rigol-mso.csv", "Rigol MSO5000", refused=["line 1"])
+    entry("rigol-mso.csv", "Rigol MSO5000")
     entry("rigol-mso.csv", "Rigol MSO5000, its first line skipped", part="skip=1", assumed=["s", "mm"])
-    write("siglent.csv", "Record Length,Analog:24\nSample Interval,Analog:2.0e-03\nVertical Units,CH1:mm\n"
+    write("siglent.csv", "Record Length,Analog:48\nSample Interval,Analog:2.0e-03\nVertical Units,CH1:mm\n"
           "Vertical Scale,CH1:2.00\nModel Number,SDS1104X-E\nSerial Number,none\nSource,CH1\nSecond,mm\n" + rows(",", **POINT))
-    entry("siglent.csv", "Siglent SDS, units with the name of the channel", refused=["line"])
-    entry("siglent.csv", "Siglent SDS, the lines above the heading skipped", part="skip=7", assumed=["s"])
+    entry("siglent.csv", "Siglent SDS, units with the name of the channel")
+    entry("siglent.csv", "Siglent SDS, the lines above the heading skipped", part="skip=7")
     write("keysight.csv", "x-axis,1\nsecond,Volt\n" + rows(",", **POINT))
-    entry("keysight.csv", "Keysight InfiniiVision, volts", refused=["mm"])
+    entry("keysight.csv", "Keysight InfiniiVision, volts", refused=["unknown unit `V`"])
     write("picoscope.csv", "Time,Channel A\n(ms),(µm)\n\n" + rows(","), "utf-8", "\r\n")
     entry("picoscope.csv", "PicoScope, a line of units in brackets and a blank line")
     write("picoscope-volts.csv", "Time,Channel A\n(ms),(mV)\n\n" + rows(","), "utf-8", "\r\n")
-    entry("picoscope-volts.csv", "PicoScope, millivolts", refused=["mV", "mm"])
-    write("lecroy.csv", "LECROYWS4104,61234,Waveform\nSegments,1,SegmentSize,24\nSegment,TrigTime,TimeSinceSegment1\n"
+    entry("picoscope-volts.csv", "PicoScope, millivolts", refused=["unknown unit `mV`"])
+    write("lecroy.csv", "LECROYWS4104,61234,Waveform\nSegments,1,SegmentSize,48\nSegment,TrigTime,TimeSinceSegment1\n"
           "#1,12-May-2024 10:11:12,0\nTime,Ampl\n" + rows(",", **POINT), newline="\r\n")
     entry("lecroy.csv", "LeCroy, trace as text", assumed=["s", "mm"])
 
@@ -300,7 +314,7 @@ def loggers():
     header = ("LabVIEW Measurement\t\nWriter_Version\t2\nReader_Version\t2\nSeparator\tTab\nDecimal_Separator\t{mark}\n"
               "Multi_Headings\tNo\nX_Columns\t{x}\nTime_Pref\tRelative\nOperator\tana\nDate\t2024/05/12\n"
               "Time\t10:11:12.123456\n***End_of_Header***\t\n\t\n")
-    segment = ("Channels\t{n}\t\nSamples\t24\t\nDate\t2024/05/12\t\nTime\t10:11:12.123456\t\nY_Unit_Label\t{units}\t\n"
+    segment = ("Channels\t{n}\t\nSamples\t48\t\nDate\t2024/05/12\t\nTime\t10:11:12.123456\t\nY_Unit_Label\t{units}\t\n"
                "X_Dimension\tTime\t\nX0\t0.0000000000000000E+0\t\nDelta_X\t{step}\t\n***End_of_Header***\t\t\n")
     one = header.format(mark=".", x="One") + segment.format(n=1, units="mm", step="0.002000")
     write("labview.lvm", one + "X_Value\tDisplacement\tComment\n" + rows("\t", **POINT), newline="\r\n")
@@ -316,11 +330,11 @@ def loggers():
         f"{number(t / 1e3)}\t{n / 10:.1f}\t{number(x / 1e3)}\n" for n, (t, x) in enumerate(DECAY)))
     entry("labview-two.lvm", "LabVIEW, two channels", refused=["3 columns"])
     entry("labview-two.lvm", "LabVIEW, the second channel", part="1,3")
-    entry("labview-two.lvm", "LabVIEW, accelerations in place of displacements", part="1,2", refused=["`g`"])
+    entry("labview-two.lvm", "LabVIEW, accelerations in place of displacements", part="1,2", refused=["gives g for"])
     write("labview-segments.lvm", one + "X_Value\tDisplacement\tComment\n" + rows("\t", **POINT)
           + segment.format(n=1, units="mm", step="0.002") + "X_Value\tDisplacement\tComment\n" + rows("\t", **POINT))
     entry("labview-segments.lvm", "LabVIEW, two sets of rows", refused=["one set of measurements", "skip="])
-    catman = ("Datei:\tversuch7.tst\nDatum:\t12.05.2024 10:11:12\nAnzahl der Kanäle:\t2\nLänge:\t24\n"
+    catman = ("Datei:\tversuch7.tst\nDatum:\t12.05.2024 10:11:12\nAnzahl der Kanäle:\t2\nLänge:\t48\n"
               "Abtastrate [Hz]:\t500\n\nZeit  1 - Standardmessrate [s]\tWeg [mm]\n")
     write("catman.asc", catman + rows("\t", **COMMA), "cp1252", "\r\n")
     entry("catman.asc", "catman, ASCII with a header of channels")
@@ -347,7 +361,7 @@ def loggers():
     write("polytec.txt", "Source File Name: \tarm.pvd\nPoint Index: \t1\nComponent: \tRoot Point\nSignal: \tFRF\n\n"
           "Frequency\tMagnitude\n[ Hz ]\t[ nm/N ]\n" + "".join(f"{f}\t{a}\n" for f, a in RESPONSE), newline="\r\n")
     entry("polytec.txt", "Polytec, ASCII of a point", truth="response")
-    write("diadem.csv", "Kanalname;Zeit;Weg\nEinheit;s;mm\nAnzahl;24;24\n;Zeit;Weg\n" + "".join(
+    write("diadem.csv", "Kanalname;Zeit;Weg\nEinheit;s;mm\nAnzahl;48;48\n;Zeit;Weg\n" + "".join(
         f"{n};{number(t / 1e3, 3, True)};{number(x / 1e3, 3, True)}\n" for n, (t, x) in enumerate(DECAY)), "cp1252")
     entry("diadem.csv", "DIAdem, keys in the first column", part="2,3")
     write("arduino.csv", "ms,um\n" + rows(","), newline="\r\n")
@@ -366,8 +380,8 @@ def loggers():
     entry("abaqus.rpt", "Abaqus, XY report", assumed=["s", "mm"])
     write("adams.tab", "Time\tMARKER_2.X\nsec\tmm\n" + rows("\t", **POINT))
     entry("adams.tab", "Adams, a result set by tabs")
-    write("unit-in-preamble.csv", "Operator,Ana\nUnit,um,calibrated\nRate,500\ntime,way\n" + rows(","))
-    entry("unit-in-preamble.csv", "a preamble with one unit for two columns", refused=["line 2", "skip=2"])
+    write("unit-in-preamble.csv", "Operator,Ana\nUnit,um\nRate,500\ntime,way\n" + rows(","))
+    entry("unit-in-preamble.csv", "a preamble whose units are not those of the columns", refused=["line 2", "skip=2"])
 
 
 def recordings():
@@ -416,19 +430,19 @@ def matlab():
     save("plain.mat", {"signal": signal})
     entry("plain.mat", "MATLAB 6, not compressed", assumed=["s", "mm"])
     save("vectors.mat", {"t": t, "x": x, "fs": 500.0, "title": "arm"})
-    entry("vectors.mat", "MATLAB, several vectors", refused=["`t` 24×1", "`x` 24×1", "#t,x"])
+    entry("vectors.mat", "MATLAB, several vectors", refused=["`t` 48×1", "`x` 48×1", "#t,x"])
     entry("vectors.mat", "MATLAB, two vectors by their names", part="t,x", assumed=["s", "mm"])
-    entry("vectors.mat", "MATLAB, a vector that there is not", part="t,y", refused=["`y`", "`x` 24×1"])
-    entry("vectors.mat", "MATLAB, a text in place of numbers", part="t,title", refused=["`title` is text"])
+    entry("vectors.mat", "MATLAB, a vector that there is not", part="t,y", refused=["`y`", "`x` 48×1"])
+    entry("vectors.mat", "MATLAB, a text in place of numbers", part="t,title", refused=["`title` is a text"])
     save("rows.mat", {"t_ms": (t.T * 1e3).round().astype(np.int16), "x_um": (x.T * 1e3).round().astype(np.int16)},
          do_compression=True)
     entry("rows.mat", "MATLAB, rows of 16-bit numbers whose names have units", part="t_ms,x_um")
     save("struct.mat", {"run": {"t": t, "x": x, "sensor": "A"}}, do_compression=True)
-    entry("struct.mat", "MATLAB, a structure", refused=["`run.t` 24×1", "`run.x` 24×1"])
+    entry("struct.mat", "MATLAB, a structure", refused=["`run.t` 48×1", "`run.x` 48×1"])
     entry("struct.mat", "MATLAB, fields of a structure", part="run.t,run.x", assumed=["s", "mm"])
     wide = np.hstack([t, x * 0 + 1, x])
     save("wide.mat", {"data": wide, "other": wide}, do_compression=True)
-    entry("wide.mat", "MATLAB, matrices of three columns", refused=["`data` 24×3"])
+    entry("wide.mat", "MATLAB, matrices of three columns", refused=["`data` 48×3"])
     entry("wide.mat", "MATLAB, two columns of a matrix", part="data!1,3", assumed=["s", "mm"])
     save("complex.mat", {"t": t, "z": x * 1j}, do_compression=True)
     entry("complex.mat", "MATLAB, complex numbers", part="t,z", refused=["`z` is complex"])
@@ -444,9 +458,9 @@ def matlab():
 
 
 def universal():
-    def function(name, node, binary=0):
+    def function(name, node):
         data = np.array([a / 1e9 for _, a in RESPONSE], dtype=float)
-        return dict(type=58, binary=binary, func_type=4, ver_num=0, load_case_id=0, rsp_ent_name="NONE", rsp_node=node,
+        return dict(type=58, binary=0, func_type=4, ver_num=0, load_case_id=0, rsp_ent_name="NONE", rsp_node=node,
                     rsp_dir=3, ref_ent_name="NONE", ref_node=1, ref_dir=3, id1=name, id2="NONE", id3="NONE", id4="NONE",
                     id5="NONE", x=np.array([f for f, _ in RESPONSE], dtype=float), data=data + 0j, data_type=2,
                     num_pts=len(data), abscissa_spacing=0, abscissa_min=20.0, abscissa_inc=0, z_axis_value=0,
@@ -459,10 +473,15 @@ def universal():
                     z_axis_axis_lab="", z_axis_axis_units_lab="", z_axis_spec_data_type=0, z_axis_len_unit_exp=0,
                     z_axis_force_unit_exp=0, z_axis_temp_unit_exp=0)
 
-    for name, binary in [("function.uff", 0), ("function-binary.uff", 1)]:
-        made = pyuff.UFF(path(name))
-        made.write_sets(function("FRF arm", 1, binary), "overwrite", force_double=True)
-        entry(name, "pyuff, dataset 58" + (" in binary" if binary else ""), truth="response", within=1e-5)
+    made = pyuff.UFF(path("function.uff"))
+    made.write_sets(function("FRF arm", 1), "overwrite", force_double=True)
+    entry("function.uff", "pyuff, dataset 58", truth="response", within=1e-5)
+    # The same records with the values as bytes.
+    records = open(path("function.uff"), "rb").read().split(b"\n")[2:13]
+    values = b"".join(struct.pack("<3d", f, a / 1e9, 0.0) for f, a in RESPONSE)
+    head = f"    -1\n    58b{1:6}{2:6}{11:12}{len(values):12}{0:6}{0:6}{0:12}{0:12}\n".encode()
+    raw("function-binary.uff", head + b"\n".join(records) + b"\n" + values + b"\n    -1\n")
+    entry("function-binary.uff", "universal file, dataset 58 in binary", truth="response", within=1e-5)
     made = pyuff.UFF(path("functions.uff"))
     other = function("FRF tip", 2)
     other["data"] = other["data"] * 3

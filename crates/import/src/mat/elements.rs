@@ -181,7 +181,7 @@ fn matrix(
         6..=15 => Content::Other("an array of more than two dimensions"),
         1 => Content::Other("a cell array"),
         2 => Content::Other("an array of structures"),
-        4 => Content::Other("text"),
+        4 => Content::Other("a text"),
         5 => Content::Other("sparse"),
         _ => Content::Other("an object"),
     };
