@@ -453,7 +453,6 @@ close-without-changes = fechar sem alterar
 import-a-file-into-the-table = importar um arquivo para a tabela
 file-of-the-table-csv-txt-xlsx-ods-uff-wav-mat-lvm = Arquivo da tabela (.csv, .txt, .xlsx, .ods, .uff, .wav, .mat, .lvm)
 enter-takes-this-table-1-3-behind-the-name-chooses-columns-skip-2-leaves-lines-out = Enter usa esta tabela; `#1,3` depois do nome escolhe colunas, `#skip=2` omite linhas
-write-the-columns-to-take-behind-the-name-as-in-columns = escreva as colunas a usar depois do nome, como em `#{ $columns }`
 unit-assumed = { $unit } por suposição
 the-table-already-contains-this-file = a tabela já contém este arquivo
 this-problem-has-no-table-of-numbers-choose-a-table-option-first = este problema não tem tabela de números; escolha antes uma opção de tabela

@@ -121,13 +121,16 @@ fn broken_data_files_are_reported_by_what_is_in_them() {
     let empty = write(folder.path(), "empty.csv", "\n");
     let mut person = before(Person::at(60, 30).opens(RESPONSE), "accelerance", PARTS);
     for (path, reported) in [
-        (&two, "line 1 and 39 more: 2 columns separated by commas instead of 3: Frequency; Real"),
+        (&two, "line 1 and 39 more: 2 columns separated by commas"),
         (&five, "the rows have 5 columns and the table 3"),
         (&one, "line 1 and 1 more: one column instead of 3: Frequency;"),
     ] {
         person.pastes(&format!("@{path}"));
         assert!(words(&mut person).contains(reported), "{reported}: {}", person.sees());
-        person.types("<esc>");
+        // A dialog with the columns of the file, or a sentence.
+        if person.model.dialog.is_some() {
+            person.types("<esc>");
+        }
     }
     let kept = text(&person, PARTS);
     person.pastes(&format!("@{empty}"));

@@ -890,7 +890,6 @@ fn a_table_is_read_from_the_file_it_names() {
     assert!(person.sees().contains("not found: check"), "{}", person.sees());
     person.pastes(&format!("@{}", bad.display()));
     assert!(person.sees().contains("no row of numbers"), "{}", person.sees());
-    person.types("<esc>");
     assert_eq!(text(&person), read);
 }
 

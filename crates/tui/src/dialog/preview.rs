@@ -1,6 +1,6 @@
 //! A file of a table, as it is understood before it takes the place of what is there.
 
-use dalembert_core::{Field, table::TablePreview};
+use dalembert_core::{Field, Text, table::TablePreview};
 use dalembert_import::Sample;
 
 /// Rows that are shown.
@@ -20,19 +20,16 @@ pub struct ImportPreview {
 }
 
 impl ImportPreview {
-    /// Preview of a text for a table with these columns, or of the file that has none.
-    pub fn new(
-        typed: String,
-        field: &str,
-        text: Option<String>,
-        sample: Sample,
-        columns: &'static [Field],
-    ) -> Self {
-        let read = text.map(|text| {
-            let table = TablePreview::of(&text, columns, ROWS);
-            (text, table)
-        });
-        Self { typed, field: field.to_owned(), read, sample }
+    /// Preview of a text for a table with these columns.
+    ///
+    /// # Errors
+    /// The fault for which no row of the text can be read.
+    pub fn of(text: String, columns: &'static [Field]) -> Result<(String, TablePreview), Text> {
+        let table = TablePreview::of(&text, columns, ROWS);
+        match table.fault {
+            Some(fault) if table.count == 0 => Err(fault),
+            _ => Ok((text, table)),
+        }
     }
 
     /// The field and the text to take, if this was typed.

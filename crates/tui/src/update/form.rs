@@ -336,22 +336,23 @@ pub(super) fn table_read(
 ) -> Vec<Intent> {
     let Some(columns) = columns_of(model, field) else { return Vec::new() };
     let is_asked = matches!(model.dialog, Some(Dialog::Prompt { purpose: Purpose::Import, .. }));
-    let (text, error) = match result {
-        Ok(text) => (Some(text), None),
-        Err(err) => (None, Some(err.text())),
-    };
+    let read = result.map_err(|err| err.text()).and_then(|text| ImportPreview::of(text, columns));
     let typed = format!("@{}", path.display());
-    match error {
+    let (read, error) = match read {
+        Ok(read) => (Some(read), None),
         // The path stays there to be corrected.
-        Some(error) if is_asked && sample.rows.is_empty() => {
+        Err(error) if is_asked && sample.rows.is_empty() => {
             model.dialog = Some(Dialog::prompt_again(Purpose::Import, typed, error));
+            return Vec::new();
         }
-        Some(error) if sample.rows.is_empty() => model.report_error(error),
-        error => {
-            let preview = ImportPreview::new(typed, field, text, sample, columns);
-            model.dialog = Some(Dialog::preview(preview, error));
+        Err(error) if sample.rows.is_empty() => {
+            model.report_error(error);
+            return Vec::new();
         }
-    }
+        Err(error) => (None, Some(error)),
+    };
+    let preview = ImportPreview { typed, field: field.to_owned(), read, sample };
+    model.dialog = Some(Dialog::preview(preview, error));
     Vec::new()
 }
 

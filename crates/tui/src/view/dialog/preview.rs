@@ -18,32 +18,14 @@ const WIDEST: usize = 20;
 
 /// Lines of a preview in so many columns of the screen.
 pub(super) fn lines(model: &Model, preview: &ImportPreview, room: usize) -> Vec<Line<'static>> {
-    let mut lines = match &preview.read {
-        Some((_, table)) => understood(model, table, room),
-        None => to_choose_from(model, &preview.sample, room),
-    };
-    let hint = match &preview.read {
-        Some(_) => Text::new(
-            "Enter takes this table; `#1,3` behind the name chooses columns, `#skip=2` leaves lines out",
-        ),
-        None if lines.is_empty() => return lines,
-        None => Text::new("write the columns to take behind the name, as in `#{columns}`")
-            .with("columns", example(&preview.sample)),
-    };
-    lines.extend(
-        wrapped(&hint.render(&model.locale), room)
-            .into_iter()
-            .map(|text| Line::styled(text, model.look.dim())),
+    let Some((_, table)) = &preview.read else { return to_choose_from(model, &preview.sample, room) };
+    let mut lines = understood(model, table, room);
+    let hint = Text::new(
+        "Enter takes this table; `#1,3` behind the name chooses columns, `#skip=2` leaves lines out",
     );
+    let hint = wrapped(&hint.render(&model.locale), room);
+    lines.extend(hint.into_iter().map(|text| Line::styled(text, model.look.dim())));
     lines
-}
-
-/// The last two columns of a sample, which are often the ones that are wanted.
-fn example(sample: &Sample) -> String {
-    match sample.columns.as_slice() {
-        [.., before, last] => format!("{before},{last}"),
-        _ => "1,2".to_owned(),
-    }
 }
 
 /// Names and units of the columns over the first rows.
