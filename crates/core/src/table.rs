@@ -489,8 +489,9 @@ fn is_heading(cells: &[Cow<'_, str>], columns: &'static [Field]) -> bool {
 
 /// Returns true if a cell is a number without a unit.
 fn is_bare(cell: &str) -> bool {
-    units::read_quantity(&units::with_point(cell), &Unit::ONE, Kind::Other)
-        .is_ok_and(|number| number.unit.text.is_empty())
+    plain_number(cell).is_some()
+        || units::read_quantity(&units::with_point(cell), &Unit::ONE, Kind::Other)
+            .is_ok_and(|number| number.unit.text.is_empty())
 }
 
 /// Returns true if a cell that is no number may be a formula: it has a letter, a bracket or an operator.

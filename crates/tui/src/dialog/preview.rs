@@ -6,7 +6,7 @@ use dalembert_import::Sample;
 /// Rows that are shown.
 const ROWS: usize = 5;
 
-/// What was read of a file of a table.
+/// Reading of a file of a table.
 #[derive(Clone, Debug)]
 pub struct ImportPreview {
     /// Text that was typed: `@`, the file, and the part behind `#`.
