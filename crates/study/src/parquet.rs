@@ -8,7 +8,9 @@ mod columns;
 
 use std::path::{Path, PathBuf};
 
-use dalembert_core::{Text, study::DataColumn};
+use dalembert_core::Text;
+#[cfg(not(feature = "parquet"))]
+use dalembert_core::study::DataColumn;
 
 #[cfg(feature = "parquet")]
 pub use self::columns::{read, write};
