@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 pub mod bench;
 pub mod cluster;
 pub mod contact_sheet;
+pub mod dialects;
 pub mod dist;
 pub mod docs;
 pub mod errors;

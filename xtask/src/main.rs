@@ -3,8 +3,8 @@
 use std::{env, process::ExitCode};
 
 use xtask::{
-    bench, cluster, contact_sheet, dist, docs, errors, find, first_entry, handbook, new_analysis, new_plugin,
-    parquet, pictures, python, root, soak, teaching, tidy, verify, words,
+    bench, cluster, contact_sheet, dialects, dist, docs, errors, find, first_entry, handbook, new_analysis,
+    new_plugin, parquet, pictures, python, root, soak, teaching, tidy, verify, words,
 };
 
 const USAGE: &str = "\
@@ -38,6 +38,8 @@ usage: cargo xtask COMMAND
   parquet                    the program built with Parquet: clippy, and tables written and read back
   teaching                   1000 variants of 20 problems graded; files for Moodle, QTI and PrairieLearn read by them
   teaching --platforms       the files for the platforms alone
+  dialects [--make] [--all]  files as other programs write them: read right, refused with the repair, or silently wrong?
+                             --make writes them again (Python), --all prints every refusal
   errors [DIGITS]... [--log] the table of the corpus of student errors: how many causes Check names
   cluster [POINTS]           a study killed and resumed, in shards by GNU parallel and by a real Slurm: the same bytes?
   first-entry                the rate of published problems that were right at their first entry, from the history
@@ -72,6 +74,7 @@ fn main() -> ExitCode {
         ["dist", words @ ..] => dist::run(&root(), words),
         ["python"] => python::run(&root()),
         ["parquet"] => parquet::run(&root()),
+        ["dialects", words @ ..] => dialects::run(&root(), words),
         ["errors", words @ ..] => errors::run_corpus(&root(), words),
         ["teaching"] => teaching::run(&root()),
         ["teaching", "--platforms"] => teaching::platforms(&root()),

@@ -139,6 +139,51 @@ impl TableOutline {
     }
 }
 
+/// A column of a table as it is understood.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TableColumn {
+    /// Label.
+    pub label: &'static str,
+    /// Unit; empty for pure numbers.
+    pub unit: String,
+    /// True if no heading and no cell names the unit.
+    pub assumed: bool,
+}
+
+/// Columns and first rows of a table, to be looked over before it is taken.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TablePreview {
+    /// Columns.
+    pub columns: Vec<TableColumn>,
+    /// First rows, in the units of the columns; a cell that is no number is not finite.
+    pub rows: Vec<Vec<f64>>,
+    /// Number of rows.
+    pub count: usize,
+    /// The first fault.
+    pub fault: Option<Text>,
+}
+
+impl TablePreview {
+    /// Preview of the text of a table with at most so many rows.
+    pub fn of(text: &str, columns: &'static [Field], most: usize) -> Self {
+        let ReadTable { table, faults, .. } = read(text, columns);
+        let understood = columns.iter().zip(&table.units).zip(&table.assumed);
+        let own = |row: &[f64]| row.iter().zip(&table.units).map(|(si, unit)| unit.value(*si)).collect();
+        Self {
+            columns: understood
+                .map(|((column, unit), assumed)| TableColumn {
+                    label: column.label,
+                    unit: unit.pretty(),
+                    assumed: *assumed,
+                })
+                .collect(),
+            rows: table.rows().take(most).map(own).collect(),
+            count: table.rows().len(),
+            fault: faults.into_iter().next(),
+        }
+    }
+}
+
 /// Index of the first line with a row of numbers.
 fn first_row(text: &str, columns: &'static [Field]) -> Option<usize> {
     text.lines().position(|line| {
@@ -399,7 +444,12 @@ fn cells(line: &str, columns: usize, settled: Option<Separator>) -> (Vec<Cow<'_,
             return (cells, separator);
         }
     }
-    let fits = |separator: &Separator| separator.split(line).len() == columns;
+    let fits = |separator: &Separator| {
+        let cells = separator.split(line);
+        // `1, 2` is set apart by commas.
+        let is_of_commas = *separator == Blank && cells.iter().rev().skip(1).any(|cell| cell.ends_with(','));
+        cells.len() == columns && !is_of_commas
+    };
     let separator = [Semicolon, Tab, Blank, Comma].into_iter().find(fits).unwrap_or_else(|| {
         // `1, 2, 3` is set apart by commas.
         let (words, pieces) = (Blank.split(line), Comma.split(line).len());
@@ -439,8 +489,9 @@ fn is_heading(cells: &[Cow<'_, str>], columns: &'static [Field]) -> bool {
 
 /// Returns true if a cell is a number without a unit.
 fn is_bare(cell: &str) -> bool {
-    units::read_quantity(&units::with_point(cell), &Unit::ONE, Kind::Other)
-        .is_ok_and(|number| number.unit.text.is_empty())
+    plain_number(cell).is_some()
+        || units::read_quantity(&units::with_point(cell), &Unit::ONE, Kind::Other)
+            .is_ok_and(|number| number.unit.text.is_empty())
 }
 
 /// Returns true if a cell that is no number may be a formula: it has a letter, a bracket or an operator.
@@ -453,16 +504,30 @@ fn read_cell(text: &str, column: &Field, unit: &Unit) -> Result<f64, Text> {
     if let Some(number) = plain_number(text) {
         return Ok(unit.si(number));
     }
+    if is_of_clock(text) {
+        return Err("a date or a time of day: write the time in seconds, as a number".into());
+    }
     let kind = measure(column).map_or(Kind::Other, |measure| measure.of(unit).kind());
     // The separator of its columns tells that the comma of a table is a decimal one.
     let read = units::read_quantity(&units::with_point(text), unit, kind);
     read.map(|quantity| quantity.si).map_err(|err| reading::text(&err))
 }
 
-/// A number of digits, a point and an exponent, as instruments write them; anything else is left to the reader of
-/// quantities.
+/// Returns true if a cell has digits on both sides of a colon.
+fn is_of_clock(cell: &str) -> bool {
+    let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+    cell.match_indices(':')
+        .any(|(at, _)| is_digit(cell[..at].chars().next_back()) && is_digit(cell[at + 1..].chars().next()))
+}
+
+/// A number of digits, a point and an exponent, as instruments write them, or with the exponent of Fortran, `1.5D+01`;
+/// anything else is left to the reader of quantities.
 fn plain_number(text: &str) -> Option<f64> {
     let is_plain = |c: u8| c.is_ascii_digit() || matches!(c, b'.' | b'-' | b'+' | b'e' | b'E');
+    if let Some((mantissa, exponent)) = text.split_once('D').filter(|(_, rest)| rest.starts_with(['+', '-']))
+    {
+        return plain_number(&format!("{mantissa}E{exponent}"));
+    }
     let number: f64 = text.bytes().all(is_plain).then(|| text.parse().ok())??;
     (number == 0.0 || (1e-290..1e290).contains(&number.abs())).then_some(number)
 }

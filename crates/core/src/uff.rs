@@ -304,7 +304,8 @@ fn written(layout: &Layout, lines: &mut Lines<'_>, begin: usize) -> Result<Vec<f
         let by_blanks: Option<Vec<f64>> = line.split_whitespace().map(number).collect();
         let read = by_blanks.or_else(|| by_columns(&line, &columns, values.len()));
         let Some(read) = read else {
-            let why = Text::new("`{line}` is not a row of numbers").with("line", column(line.trim(), 0, 40));
+            let wrong = line.split_whitespace().find(|word| number(word).is_none()).unwrap_or(line.trim());
+            let why = Text::new("`{cell}` is not a number").with("cell", column(wrong, 0, 20));
             return Err(Skipped { line: lines.number, why });
         };
         values.extend(read);

@@ -14,7 +14,6 @@ use dalembert_core::{
     find, is_within,
 };
 use dalembert_report::WorkedProblem;
-use dalembert_study::parquet;
 use dalembert_tui::files::{self, FileError};
 
 use serde_json::{Map, Value as Json};
@@ -452,11 +451,6 @@ fn from_file(draft: &Draft, shape: &Shape, path: &str, value: &str) -> Result<Op
         Err(_) => None,
     });
     match columns {
-        Some(_) if parquet::is_parquet(Path::new(name)) => {
-            let path = Path::new(name);
-            let text = parquet::read_text(path);
-            text.map(Some).map_err(|why| FileError::NoTable { path: path.to_owned(), why })
-        }
         Some(columns) => files::read_table(Path::new(name), columns).map(Some),
         None => Ok(None),
     }

@@ -8,15 +8,19 @@ const SAMPLE: usize = 1024;
 
 /// The text of a file: UTF-8; UTF-16, as Excel writes Unicode text, with or without its mark; otherwise Windows-1252, of
 /// which Latin-1 is a part. Numbers and separators are the same bytes in any code page of the west, so that a wrong guess
-/// among these can only spoil words; a unit that it spoils is refused as unknown.
+/// among these can only spoil words; a unit that it spoils is refused as unknown. Lines that end in a carriage return alone,
+/// as older programs of the Macintosh write them, end in a line feed here.
 ///
 /// Error: the bytes are no text, but have control characters.
-pub fn text(bytes: &[u8]) -> Result<String, Text> {
+pub(crate) fn text(bytes: &[u8]) -> Result<String, Text> {
     let encoding = match Encoding::for_bom(bytes) {
         Some((encoding, _)) => encoding,
         None => unmarked(bytes),
     };
-    let text = encoding.decode(bytes).0.into_owned();
+    let mut text = encoding.decode(bytes).0.into_owned();
+    if text.contains('\r') && !text.contains('\n') {
+        text = text.replace('\r', "\n");
+    }
     // Form feeds and the mark at the end of old files are in texts, too.
     let is_binary =
         |c: char| c.is_control() && !matches!(c, '\t' | '\n' | '\r' | '\u{C}' | '\u{1A}') && c < '\u{80}';
@@ -67,6 +71,12 @@ mod tests {
         assert_eq!(text(b"t [s];x [\xB5m];\xB0\n0;1,5;2\n"), Ok("t [s];x [µm];°\n0;1,5;2\n".to_owned()));
         // Code page 850 has another micro sign: the unit is spoilt, and will be unknown.
         assert_eq!(text(b"x [\xE6m]\n1,5\n"), Ok("x [æm]\n1,5\n".to_owned()));
+    }
+
+    #[test]
+    fn lines_end_as_any_system_ends_them() {
+        assert_eq!(text(b"t;x\r0;1\r"), Ok("t;x\n0;1\n".to_owned()));
+        assert_eq!(text(b"t;x\r\n0;1\r\n"), Ok("t;x\r\n0;1\r\n".to_owned()));
     }
 
     #[test]

@@ -18,7 +18,7 @@ type Cells = BTreeMap<u32, BTreeMap<u32, Data>>;
 ///
 /// Errors: a file that is no workbook; an unknown sheet; nothing in the chosen part; a date, a time of day, an error or a
 /// truth value among the cells, each with its name.
-pub fn spreadsheet(bytes: Vec<u8>, kind: Workbook, part: &SheetPart) -> Result<String, Text> {
+pub(crate) fn spreadsheet(bytes: Vec<u8>, kind: Workbook, part: &SheetPart) -> Result<String, Text> {
     let unreadable = |why: String| Text::new("this spreadsheet cannot be read: {why}").with("why", why);
     match kind {
         Workbook::Xlsx => {
@@ -49,11 +49,16 @@ fn chosen(
         };
         return written(name, &cells_of(name)?, part);
     }
-    for name in names {
-        let cells = cells_of(name)?;
-        let mut values = cells.values().flat_map(BTreeMap::values);
-        if values.any(|value| matches!(value, Data::Int(_) | Data::Float(_))) {
-            return written(name, &cells, part);
+    let is_number = |value: &Data| matches!(value, Data::Int(_) | Data::Float(_));
+    // Numbers with a decimal comma that another language of the program has kept as texts.
+    let is_text_of_number =
+        |value: &Data| matches!(value, Data::String(text) if text.starts_with(|c: char| c.is_ascii_digit()));
+    for is_sought in [&is_number as &dyn Fn(&Data) -> bool, &is_text_of_number] {
+        for name in names {
+            let cells = cells_of(name)?;
+            if cells.values().flat_map(BTreeMap::values).any(is_sought) {
+                return written(name, &cells, part);
+            }
         }
     }
     Err(Text::new("these cells have no numbers"))

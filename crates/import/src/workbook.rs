@@ -18,7 +18,7 @@ pub enum Workbook {
 
 impl Workbook {
     /// Format of a file by its extension.
-    pub fn of_extension(extension: &str) -> Option<Self> {
+    pub(crate) fn of_extension(extension: &str) -> Option<Self> {
         match extension.to_ascii_lowercase().as_str() {
             "xlsx" | "xlsm" => Some(Self::Xlsx),
             "ods" => Some(Self::Ods),
@@ -29,13 +29,13 @@ impl Workbook {
 
 /// A sheet and a part of it: `Data!A:C`, `Data!A,C`, `Data!B2:C40`, `A:C` or `Data`.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct SheetPart {
+pub(crate) struct SheetPart {
     /// Name of the sheet; without one the first that has numbers.
-    pub sheet: Option<String>,
+    pub(crate) sheet: Option<String>,
     /// Ranges of columns in their order, counted from 0; without any, all columns.
-    pub columns: Vec<RangeInclusive<u32>>,
+    pub(crate) columns: Vec<RangeInclusive<u32>>,
     /// Rows, counted from 0.
-    pub rows: RangeInclusive<u32>,
+    pub(crate) rows: RangeInclusive<u32>,
 }
 
 impl Default for SheetPart {
@@ -46,7 +46,7 @@ impl Default for SheetPart {
 
 impl SheetPart {
     /// Reads what stands behind `#`. Without `!`, a word is the name of a sheet, and what has a colon is a range.
-    pub fn read(text: &str) -> Result<Self, Text> {
+    pub(crate) fn read(text: &str) -> Result<Self, Text> {
         let text = text.trim();
         let (sheet, ranges) = match text.rsplit_once('!') {
             Some((sheet, ranges)) => (Some(sheet), ranges),
@@ -106,17 +106,21 @@ fn corner(text: &str) -> Option<(u32, Option<u32>)> {
     (column <= MOST.0).then(|| (column - 1, row))
 }
 
-/// Name of a cell, `B7`, from its column and row, counted from 0.
+/// Name of a cell, `B7`, from its row and column, counted from 0.
 #[cfg(feature = "spreadsheets")]
 pub(crate) fn name_of((row, column): (u32, u32)) -> String {
+    format!("{}{}", name_of_column(column), row + 1)
+}
+
+/// Letters of a column, counted from 0.
+pub(crate) fn name_of_column(column: u32) -> String {
     let mut letters = Vec::new();
     let mut left = column + 1;
     while left > 0 {
         letters.push(b'A' + ((left - 1) % 26) as u8);
         left = (left - 1) / 26;
     }
-    let letters: String = letters.iter().rev().map(|letter| char::from(*letter)).collect();
-    format!("{letters}{}", row + 1)
+    letters.iter().rev().map(|letter| char::from(*letter)).collect()
 }
 
 #[cfg(test)]

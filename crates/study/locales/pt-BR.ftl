@@ -1,8 +1,6 @@
 ## Studies in files
 file-why = { $file }: { $why }
 line-line-cell-is-not-a-number = linha { $line }: `{ $cell }` não é um número
-row-row-column-is-not-a-number = linha { $row }: `{ $column }` não é um número
-this-program-is-built-without-parquet-take-a-csv-file-or-build-it-with-cargo-build-release-features-parquet = este programa foi compilado sem Parquet; use um arquivo CSV, ou compile-o com `cargo build --release --features parquet`
 shards-are-missing-missing-run-each-with-shard-as-in-shard-first = faltam partes: { $missing }; execute cada uma com --shard, como em --shard { $first }
 file-is-being-written-by-another-process-wait-for-it-or-stop-it = { $file } está sendo escrito por outro processo; espere-o ou interrompa-o
 file-is-of-another-plan-problem-or-version-of-the-program-delete-it-or-choose-another-name = { $file } é de outro plano, problema ou versão do programa; apague-o ou escolha outro nome

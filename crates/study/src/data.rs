@@ -31,7 +31,8 @@ fn columns(text: &str) -> Result<Vec<DataColumn>, Text> {
         .trim(csv::Trim::All)
         .from_reader(text.as_bytes());
     let broken = |error: csv::Error| Text::verbatim(error);
-    let mut columns: Vec<DataColumn> = reader.headers().map_err(broken)?.iter().map(heading).collect();
+    let mut columns: Vec<DataColumn> =
+        reader.headers().map_err(broken)?.iter().map(DataColumn::headed).collect();
     for record in reader.records() {
         let record = record.map_err(broken)?;
         for (column, cell) in columns.iter_mut().zip(&record) {
@@ -45,16 +46,6 @@ fn columns(text: &str) -> Result<Vec<DataColumn>, Text> {
         }
     }
     Ok(columns)
-}
-
-/// The column of a heading, without numbers.
-pub(crate) fn heading(text: &str) -> DataColumn {
-    let (name, unit) = text.trim_start_matches('\u{feff}').split_once('[').unwrap_or((text, ""));
-    DataColumn {
-        name: name.trim().to_owned(),
-        unit: unit.trim_end().trim_end_matches(']').trim().to_owned(),
-        numbers: Vec::new(),
-    }
 }
 
 #[cfg(test)]

@@ -8,7 +8,9 @@ mod columns;
 
 use std::path::{Path, PathBuf};
 
-use dalembert_core::{Text, study::DataColumn};
+use dalembert_core::Text;
+#[cfg(not(feature = "parquet"))]
+use dalembert_core::study::DataColumn;
 
 #[cfg(feature = "parquet")]
 pub use self::columns::{read, write};
@@ -37,8 +39,7 @@ pub fn available() -> Result<(), Text> {
     if cfg!(feature = "parquet") {
         return Ok(());
     }
-    let why = "this program is built without Parquet; take a CSV file, or build it with `cargo build --release --features parquet`";
-    Err(why.into())
+    Err(dalembert_import::WITHOUT_PARQUET.into())
 }
 
 /// The columns of numbers of a Parquet file.
@@ -57,20 +58,4 @@ pub fn read(_path: &Path) -> Result<Vec<DataColumn>, Text> {
 #[cfg(not(feature = "parquet"))]
 pub fn write(_run: &Run<'_>, _table: &Path) -> Result<(), StudyError> {
     available().map_err(StudyError::Unfit)
-}
-
-/// The columns of numbers of a Parquet file as the text of a CSV file.
-///
-/// # Errors
-/// Those of [`read`].
-pub fn read_text(path: &Path) -> Result<String, Text> {
-    let columns = read(path)?;
-    let headings: Vec<String> = columns.iter().map(DataColumn::heading).collect();
-    let mut text = headings.join(",") + "\n";
-    for row in 0..columns.first().map_or(0, |column| column.numbers.len()) {
-        let cells: Vec<String> = columns.iter().map(|column| column.numbers[row].to_string()).collect();
-        text += &cells.join(",");
-        text.push('\n');
-    }
-    Ok(text)
 }

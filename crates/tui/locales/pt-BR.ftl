@@ -451,8 +451,9 @@ a-published-value-disagrees = um valor publicado diverge
 # Tabelas de números
 close-without-changes = fechar sem alterar
 import-a-file-into-the-table = importar um arquivo para a tabela
-file-of-the-table-csv-txt-xlsx-ods-uff-unv = Arquivo da tabela (.csv, .txt, .xlsx, .ods, .uff, .unv)
-part-write-a-number-from-1-on-as-in-2-or-1-3 = `#{ $part }`: escreva um número a partir de 1, como em `#2` ou `#1,3`
+file-of-the-table-csv-txt-xlsx-ods-uff-wav-mat-lvm = Arquivo da tabela (.csv, .txt, .xlsx, .ods, .uff, .wav, .mat, .lvm)
+enter-takes-this-table-1-3-behind-the-name-chooses-columns-skip-2-leaves-lines-out = Enter usa esta tabela; `#1,3` depois do nome escolhe colunas, `#skip=2` omite linhas
+unit-assumed = { $unit } por suposição
 the-table-already-contains-this-file = a tabela já contém este arquivo
 this-problem-has-no-table-of-numbers-choose-a-table-option-first = este problema não tem tabela de números; escolha antes uma opção de tabela
 several-tables-move-to-one-of-them-first = há várias tabelas: vá até uma delas
@@ -460,7 +461,6 @@ key-edits-paste-replaces-import-imports-a-file = { $key } edita, colar substitui
 one-row-per-line-columns-separated-by-semicolons-tabs-spaces-or-commas-a-first-line-such-as-heading = Uma linha por ponto; colunas separadas por ponto e vírgula, tabulações, espaços ou vírgulas. Uma primeira linha como { $heading } dá as unidades. @nome lê um arquivo.
 file-holds-data-not-a-problem = { $file } contém dados, não um problema
 open-an-analysis-that-has-a-table-move-to-it-and-import-the-file-there-with-key = Abra uma análise que tenha tabela, vá até ela e importe o arquivo ali com { $key }.
-the-file-is-empty = o arquivo está vazio
 file-is-too-large-for-a-table-limit-most-mib-keep-every-tenth-row-or-the-range-of-interest = { $file } é grande demais para uma tabela (limite { $most } MiB): guarde uma linha em cada dez, ou a faixa de interesse
 one-line = uma linha
 

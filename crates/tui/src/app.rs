@@ -432,8 +432,8 @@ impl Runtime {
                     Msg::Listed(folder, names)
                 }
                 Effect::ReadTable { field, path, columns } => {
-                    let result = files::read_table(&files::at_home(path), columns);
-                    Msg::TableRead { field, result }
+                    let (result, sample) = files::preview_table(&files::at_home(path.clone()), columns);
+                    Msg::TableRead { field, path, result, sample }
                 }
                 Effect::Keep { problem, original, text } => {
                     self.autosave.note(problem, original.as_deref(), text);

@@ -1,6 +1,7 @@
 //! Dialogs over a screen, which take the keys: help, palette, lists, questions.
 
 mod names;
+mod preview;
 
 use std::path::PathBuf;
 
@@ -8,6 +9,7 @@ use dalembert_core::{Entry, Text, suggestions::Suggestion};
 use tui_input::Input;
 
 pub use names::Names;
+pub use preview::ImportPreview;
 
 use crate::{files::Crashed, keys::KeyContext, look::Theme, text_entry::TextEntry};
 
@@ -47,6 +49,8 @@ pub enum Dialog {
         error: Option<Text>,
         /// The files that may be meant, where it is the path of one.
         names: Names,
+        /// The file that was read for a table, until it is taken or another is typed.
+        preview: Option<Box<ImportPreview>>,
     },
     /// A question with a few answers.
     Ask {
@@ -198,8 +202,15 @@ impl Dialog {
         Self::prompt_with(purpose, TextEntry::new(typed), Some(error))
     }
 
+    /// The file of a table is shown before it is taken; with an error, why it cannot be.
+    pub fn preview(preview: ImportPreview, error: Option<Text>) -> Self {
+        let input = TextEntry::new(&preview.typed);
+        let (purpose, names) = (Purpose::Import, Names::default());
+        Dialog::Prompt { purpose, input, error, names, preview: Some(Box::new(preview)) }
+    }
+
     fn prompt_with(purpose: Purpose, input: TextEntry, error: Option<Text>) -> Self {
-        Dialog::Prompt { purpose, input, error, names: Names::default() }
+        Dialog::Prompt { purpose, input, error, names: Names::default(), preview: None }
     }
 
     /// The help, from its first line.

@@ -22,9 +22,10 @@ use std::{
 };
 
 pub use autosave::{Autosave, Crashed, autosave_path};
+pub use dalembert_import::holds_data;
 pub use memory::{Memory, recall, remember, remembered_path, sets, sets_path};
 pub use save::{Before, remove_leftovers, save, save_all};
-pub use table::{holds_data, read_table};
+pub use table::{preview_table, read_table};
 
 use dalembert_core::{Locale, Text, file};
 

@@ -165,7 +165,8 @@ impl Harness {
                     Msg::Listed(folder, names)
                 }
                 Effect::ReadTable { field, path, columns } => {
-                    Msg::TableRead { field, result: files::read_table(&path, columns) }
+                    let (result, sample) = files::preview_table(&path, columns);
+                    Msg::TableRead { field, path, result, sample }
                 }
                 Effect::Edit(editing) => self.edit(editing),
                 Effect::Keep { problem, text, .. } => {

@@ -50,8 +50,10 @@ pub enum Intent {
     AskUsual(Box<Suggestion>),
     /// The text of a table is taken, or the file that it names.
     TakeTable(String, String),
-    /// A file is read into the table under the cursor.
+    /// A file is read for the table under the cursor.
     Import(String),
+    /// The text of a file takes the place of that of a table.
+    ReplaceTable(String, String),
     /// The problem has another title.
     Rename(String),
 

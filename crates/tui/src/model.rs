@@ -7,6 +7,7 @@ use dalembert_core::{
     exercises::{self, Exercises},
     file,
 };
+use dalembert_import::Sample;
 use dalembert_units::Decimal;
 use ratatui::{
     crossterm::event::{KeyEvent, MouseEvent},
@@ -183,8 +184,12 @@ pub enum Msg {
     TableRead {
         /// The field of the table.
         field: String,
+        /// The path that was asked for, with its part.
+        path: PathBuf,
         /// The text of the table.
         result: Result<String, FileError>,
+        /// Columns of the file to choose from.
+        sample: Sample,
     },
     /// The plan of a study was written, or not.
     PlanSaved {

@@ -111,6 +111,7 @@ fn carry_out(model: &mut Model, intents: Vec<Intent>) -> Vec<Effect> {
             Intent::AskUsual(question) => form::ask_usual(model, &question),
             Intent::TakeTable(path, text) => form::take_table(model, &path, text),
             Intent::Import(typed) => form::import(model, &typed),
+            Intent::ReplaceTable(field, text) => form::replace_table(model, &field, text),
             Intent::Rename(title) => bench::rename(model, &title),
             Intent::ShowPart(at) => parts::show(model, at),
             Intent::BringResults => parts::bring_results(model),
@@ -185,7 +186,9 @@ fn take(model: &mut Model, msg: Msg) -> Vec<Intent> {
         Msg::LinkedRead(problem, links) => return files::linked_read(model, problem, links),
         Msg::PlanSaved { path, text, result } => return plans::saved(model, path, text, result),
         Msg::PlanRead { path, result } => return plans::read(model, path, result),
-        Msg::TableRead { field, result } => return form::table_read(model, &field, result),
+        Msg::TableRead { field, path, result, sample } => {
+            return form::table_read(model, &field, &path, result, sample);
+        }
         Msg::Crashed(sessions) => return files::crashed(model, sessions),
         Msg::Faulty(files) => settings::faulty(model, &files),
         Msg::Resize(columns, rows) => model.size = (columns, rows),
@@ -473,10 +476,10 @@ fn type_in(model: &mut Model, requests: &[InputRequest]) -> Vec<Intent> {
             }
             return Vec::new();
         }
-        Some(Dialog::Prompt { input, error, names, .. }) => {
+        Some(Dialog::Prompt { input, error, names, preview, .. }) => {
             if enter(input) {
                 names.typed();
-                *error = None;
+                (*error, *preview) = (None, None);
             }
             return Vec::new();
         }

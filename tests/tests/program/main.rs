@@ -1,6 +1,7 @@
 //! The program as it is run: the command line, and the workbench in a pseudo-terminal.
 
 mod cli;
+mod dialects;
 mod faults;
 mod field;
 mod import;

@@ -240,13 +240,13 @@ fn a_measured_response_is_imported_identified_and_exported() {
     let mut engineer = Person::at("vibration/frequency-response-identification", folder.path());
     engineer.presses("<enter><down><enter>", "Enter edit").sees("Table of the freq").types("<down>");
     engineer.pty.paste("@measured.csv");
-    engineer.sees("12 rows");
+    engineer.sees("12 rows").types("<enter>").sees("12 rows ·");
     // Half the square root of k/m over itself is the damping ratio: c/(2√(k m)) = 0.05, and ωₙ = 200 rad/s.
     let has = |pty: &Pty| pty.sees(" 200 ", pty::PATIENCE) && pty.screen().contains(" 0.05 ");
     assert!(has(&engineer.pty), "{}", engineer.pty.screen());
     engineer.types("<up><enter><down><enter>").sees("complex").types("<down><down>");
     engineer.pty.paste("@measured.uff");
-    engineer.sees("24 rows");
+    engineer.sees("24 rows").types("<enter>").sees("24 rows ·");
     let hertz = format!("{:.3}", (ARM.2 / ARM.0).sqrt() / 2.0 / PI);
     engineer.sees(&hertz).finds("X", "export").sees(".html");
     engineer.types("<enter>").sees("worked solution written to");

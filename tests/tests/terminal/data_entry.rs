@@ -1,15 +1,15 @@
 //! Data that come in many numbers: tables of measurements, and rows of a list.
 
-use std::{fs, path::Path};
+use std::fs;
 
 use dalembert_core::{Draft, cases};
 use dalembert_tests::person::Person;
 
-const RESPONSE: &str = "vibration/frequency-response-identification";
-const PARTS: &str = "measurement.complex.response.accelerance-parts.points";
+pub(super) const RESPONSE: &str = "vibration/frequency-response-identification";
+pub(super) const PARTS: &str = "measurement.complex.response.accelerance-parts.points";
 
 /// A user before the form of a case whose name holds these words, on the line of a path.
-fn before(mut person: Person, words: &str, path: &str) -> Person {
+pub(super) fn before(mut person: Person, words: &str, path: &str) -> Person {
     let bench = person.model.bench.as_mut().expect("a problem is open");
     let cases = cases::cases(bench.problem.entry()).expect("the cases can be read");
     let case = cases.into_iter().find(|case| case.name.contains(words)).expect("there is such a case");
@@ -20,7 +20,7 @@ fn before(mut person: Person, words: &str, path: &str) -> Person {
 }
 
 /// The text of a field.
-fn text(person: &Person, path: &str) -> String {
+pub(super) fn text(person: &Person, path: &str) -> String {
     let bench = person.model.bench.as_ref().expect("a problem is open");
     match bench.problem.inputs.form.draft.at(&bench.problem.entry().shape(), path) {
         Ok((Draft::Leaf(text), _)) => text.clone(),
@@ -29,15 +29,9 @@ fn text(person: &Person, path: &str) -> String {
 }
 
 /// The screen with its words apart by single blanks, so that sentences are found across lines.
-fn words(person: &mut Person) -> String {
+pub(super) fn words(person: &mut Person) -> String {
     let screen = person.sees().replace(['│', '┃'], " ");
     screen.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
-fn write(folder: &Path, name: &str, text: &str) -> String {
-    let path = folder.join(name);
-    fs::write(&path, text).expect("written");
-    path.display().to_string()
 }
 
 #[test]
@@ -80,102 +74,6 @@ fn the_editor_of_a_table_tells_its_columns_and_is_left_without_keeping() {
     ] {
         assert!(seen.contains(reported), "`{reported}`: {}", person.sees());
     }
-}
-
-#[test]
-fn a_file_is_imported_by_a_key_and_by_its_name_in_the_palette() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let data = "[Hz]; [(m/s^2)/N]; [(m/s^2)/N]\n10; 0.5; 0.1\n12; 1.5; 2.5\n14; -2; 1.5\n";
-    let path = write(folder.path(), "measured.csv", data);
-    let mut person = before(Person::at(80, 24).opens(RESPONSE), "accelerance", PARTS);
-    let kept = text(&person, PARTS);
-    assert!(person.sees().contains("@ imports a file"), "{}", person.sees());
-    // A path that leads nowhere stays there to be corrected.
-    person.types("@nowhere.csv<enter>");
-    assert!(words(&mut person).contains("file nowhere.csv"), "{}", person.sees());
-    assert_eq!(text(&person, PARTS), kept);
-    person.types(&"<bs>".repeat("nowhere.csv".len())).types(&path).types("<enter>");
-    assert_eq!(text(&person, PARTS), data);
-    assert!(person.model.dialog.is_none(), "{}", person.sees());
-    person.types("z");
-    assert_eq!(text(&person, PARTS), kept);
-    // From anywhere in the problem, where there is one table alone.
-    person.types("<home>:import a file<enter>").types(&path).types("<enter>");
-    assert_eq!(text(&person, PARTS), data);
-    // Not a problem file: what to do with it is said.
-    person.types("o").types(&path).types("<enter>");
-    let seen = words(&mut person);
-    assert!(seen.contains("measured.csv holds data, not a problem"), "{}", person.sees());
-    assert!(seen.contains("import the file there with @"), "{}", person.sees());
-}
-
-#[test]
-fn broken_data_files_are_reported_by_what_is_in_them() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let two = write(folder.path(), "two.csv", &"1.5,2.5\n".repeat(40));
-    let five = write(folder.path(), "five.csv", "1,2,3,4,5\n");
-    let one = write(folder.path(), "one.txt", "1\n2\n");
-    let empty = write(folder.path(), "empty.csv", "\n");
-    let mut person = before(Person::at(60, 30).opens(RESPONSE), "accelerance", PARTS);
-    for (path, reported) in [
-        (&two, "line 1 and 39 more: 2 columns separated by commas instead of 3: Frequency; Real"),
-        (&five, "line 1: 5 columns separated by commas instead of 3"),
-        (&one, "line 1 and 1 more: one column instead of 3: Frequency;"),
-    ] {
-        person.pastes(&format!("@{path}"));
-        assert!(words(&mut person).contains(reported), "{reported}: {}", person.sees());
-    }
-    let kept = text(&person, PARTS);
-    person.pastes(&format!("@{empty}"));
-    assert!(words(&mut person).contains("empty.csv: the file is empty"), "{}", person.sees());
-    let large = folder.path().join("large.csv");
-    fs::File::create(&large).and_then(|file| file.set_len(300 << 20)).expect("a hole of 300 MiB");
-    person.pastes(&format!("@{}", large.display()));
-    let seen = words(&mut person);
-    assert!(seen.contains("is too large for a table (limit 256 MiB)"), "{}", person.sees());
-    assert_eq!(text(&person, PARTS), kept);
-}
-
-#[test]
-fn rows_and_units_of_a_table_are_seen_and_what_is_assumed_is_named() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let bare = write(folder.path(), "bare.csv", "10;0,512;0,125\n12;1,503;2,501\n14;-2,001;1,500\n");
-    let named = write(
-        folder.path(),
-        "named.csv",
-        "f [Hz]; Re [1/kg]; Im [1/kg]\n10; 0.5; 0.1\n12; 1.5; 2.5\n\n14; -2; 1.5\n",
-    );
-    let mut person = before(Person::at(140, 40).opens(RESPONSE), "accelerance", PARTS);
-    for _ in 0..2 {
-        person.pastes(&format!("@{bare}"));
-        let seen = words(&mut person);
-        let units = "3 rows · Hz, 1/kg, 1/kg assumed";
-        assert_eq!(seen.matches(units).count(), 2, "row and message: {}", person.sees());
-        assert!(seen.contains("assumed: no unit in the heading"), "{}", person.sees());
-        person.pastes(&format!("@{named}"));
-        let seen = words(&mut person);
-        assert_eq!(seen.matches("3 rows · Hz, 1/kg, 1/kg").count(), 2, "{}", person.sees());
-        assert!(!seen.contains("assumed"), "{}", person.sees());
-    }
-    person.types("u");
-    assert!(words(&mut person).contains("the heading of the table gives its units"), "{}", person.sees());
-}
-
-#[test]
-fn a_path_typed_behind_the_import_key_is_never_keys_of_the_form() {
-    let mut person = Person::at(80, 24).opens("vibration/rotating-unbalance");
-    let before = person.model.bench.as_ref().map(|bench| bench.problem.inputs.form.draft.clone());
-    let why = "this problem has no table of numbers";
-    person.types("@");
-    assert!(words(&mut person).contains(why), "{}", person.sees());
-    person.types("v.toml");
-    assert!(person.sees().contains("@v.toml"), "{}", person.sees());
-    person.types("<enter>");
-    assert!(words(&mut person).contains(why), "{}", person.sees());
-    person.types("<esc>");
-    assert!(person.model.dialog.is_none());
-    let after = person.model.bench.as_ref().map(|bench| bench.problem.inputs.form.draft.clone());
-    assert_eq!(before, after);
 }
 
 #[test]

@@ -7,6 +7,7 @@ mod data_entry;
 mod exercises;
 mod field;
 mod first_screen;
+mod importing;
 mod keys;
 mod mouse;
 mod new_files;

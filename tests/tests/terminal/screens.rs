@@ -874,7 +874,11 @@ fn a_table_is_read_from_the_file_it_names() {
             other => panic!("{other:?}"),
         }
     };
+    let before = text(&person);
     person.pastes(&format!("@{}", good.display()));
+    assert_eq!(text(&person), before, "a file is shown before it is taken");
+    assert!(person.sees().contains("4 rows"), "{}", person.sees());
+    person.types("<enter>");
     let read = text(&person);
     assert!(
         read.contains("[Hz]; [(m/s^2)/N]; [(m/s^2)/N]\n10; 0.5; 0.1\n12; 1.5; 2.5\n14; -2; 1.5"),
@@ -885,7 +889,8 @@ fn a_table_is_read_from_the_file_it_names() {
     assert_eq!(text(&person), read);
     assert!(person.sees().contains("not found: check"), "{}", person.sees());
     person.pastes(&format!("@{}", bad.display()));
-    assert_eq!(text(&person), "no table\n");
+    assert!(person.sees().contains("no row of numbers"), "{}", person.sees());
+    assert_eq!(text(&person), read);
 }
 
 #[test]

@@ -13,7 +13,7 @@ const BELOW: [(&str, &[&str]); 17] = [
     ("crates/report", &["core", "numerics", "units"]),
     ("crates/teaching", &["core", "numerics", "report", "units"]),
     ("crates/terminal", &[]),
-    ("crates/study", &["core", "numerics"]),
+    ("crates/study", &["core", "import", "numerics"]),
     ("crates/plot", &["core", "report", "terminal", "units"]),
     ("crates/tui", &["core", "import", "plot", "report", "study", "terminal", "units"]),
     (

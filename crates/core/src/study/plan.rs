@@ -227,6 +227,13 @@ pub struct DataColumn {
 }
 
 impl DataColumn {
+    /// The column of a heading such as `mass [kg]`, without numbers.
+    pub fn headed(text: &str) -> Self {
+        let (name, unit) = text.trim_start_matches('\u{feff}').split_once('[').unwrap_or((text, ""));
+        let unit = unit.trim_end().trim_end_matches(']').trim();
+        Self { name: name.trim().to_owned(), unit: unit.to_owned(), numbers: Vec::new() }
+    }
+
     /// Heading with the unit: `mass [kg]`.
     pub fn heading(&self) -> String {
         if self.unit.is_empty() { self.name.clone() } else { format!("{} [{}]", self.name, self.unit) }

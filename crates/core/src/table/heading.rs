@@ -85,9 +85,7 @@ pub(super) fn read(
     found: &mut [Option<Unit>],
     faults: &mut Vec<Text>,
 ) {
-    let (comments, lines): (Vec<&Heading<'_>>, Vec<&Heading<'_>>) =
-        headings.iter().partition(|heading| heading.comment);
-    for heading in lines {
+    for heading in headings.iter().filter(|heading| !heading.comment) {
         match cells(heading.text, rows, columns.len()) {
             Some(cells) => {
                 for ((cell, column), place) in cells.iter().zip(columns).zip(found.iter_mut()) {
@@ -108,9 +106,10 @@ pub(super) fn read(
             None => in_brackets_alone(heading.text, columns, found, faults),
         }
     }
-    // A comment just above the rows is what numpy writes its heading as.
-    if let Some(comment) = comments.last()
+    // A comment of words just above the rows is what numpy writes its heading as.
+    if let Some(comment) = headings.last().filter(|heading| heading.comment)
         && let Some(cells) = cells(comment.text, rows, columns.len())
+        && !cells.iter().any(|cell| cell.starts_with(|c: char| c.is_ascii_digit()))
     {
         let units: Vec<_> = cells.iter().zip(columns).map(|(cell, column)| of_cell(cell, column)).collect();
         if units.iter().all(Result::is_ok) {

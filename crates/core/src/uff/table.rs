@@ -23,21 +23,22 @@ impl std::fmt::Display for UniversalError {
 
 impl std::error::Error for UniversalError {}
 
-/// The table that columns ask for, from the first function of a universal file that has it, or from the one of that
-/// number, counted from 1. Over the rows stand remarks: which function it is, what its units were taken for, and
-/// what of the file was left out.
+/// The table that columns ask for, from the only function of a universal file that has it, or from the one of that
+/// number, counted from 1, or of that name. Over the rows stand remarks: which function it is, what its units were taken
+/// for, and what of the file was left out.
 ///
 /// Two columns take abscissa and ordinate, of a complex function its amplitude; three columns take real and
 /// imaginary part, or amplitude and phase where the last one is an angle.
-pub fn table(
-    bytes: &[u8],
-    columns: &'static [Field],
-    which: Option<usize>,
-) -> Result<String, UniversalError> {
+///
+/// Errors: no function that fits; several that may be meant, with their numbers, names and degrees of freedom.
+pub fn table(bytes: &[u8], columns: &'static [Field], which: Option<&str>) -> Result<String, UniversalError> {
+    chosen_table(bytes, columns, which).map_err(UniversalError)
+}
+
+fn chosen_table(bytes: &[u8], columns: &'static [Field], which: Option<&str>) -> Result<String, Text> {
     let (found, skipped) = functions(bytes);
-    let fail = |why: Text| Err(UniversalError(why));
     if found.is_empty() {
-        return fail(match skipped.first() {
+        return Err(match skipped.first() {
             Some(Skipped { line, why }) => {
                 Text::new("this universal file has no function that can be read; line {line}: {why}")
                     .with("line", line)
@@ -46,58 +47,101 @@ pub fn table(
             None => Text::new("this universal file has no function that can be read"),
         });
     }
-    let chosen: Vec<(usize, &UffFunction)> = match which {
-        Some(which) => match which.checked_sub(1).and_then(|at| found.get(at)) {
-            Some(function) => vec![(which - 1, function)],
-            None => {
-                let why = Text::new("there is no function {which}; this universal file has {have}");
-                return fail(why.with("which", which).with("have", found.len()));
-            }
-        },
-        None => found.iter().enumerate().collect(),
+    let chosen = match which {
+        Some(which) => chosen(&found, which)?,
+        None => (0..found.len()).collect(),
     };
-    let mut first_fault = None;
-    for (at, function) in chosen {
-        match rows(function, columns) {
-            Ok((remarks, rows)) => {
-                let mut text = format!(
-                    "# universal file, function {} of {} (line {}): {}, response {}:{}, reference {}:{}\n",
-                    at + 1,
-                    found.len(),
-                    function.line,
-                    if function.name.is_empty() { "without a name" } else { &function.name },
-                    function.response.0,
-                    function.response.1,
-                    function.reference.0,
-                    function.reference.1,
-                );
-                for remark in remarks {
-                    text += &format!("# {remark}\n");
-                }
-                for Skipped { line, why } in skipped.iter().take(MOST_REMARKS) {
-                    text += &format!("# left out, line {line}: {}\n", why.english());
-                }
-                if skipped.len() > MOST_REMARKS {
-                    text += &format!("# left out: {} more\n", skipped.len() - MOST_REMARKS);
-                }
-                return Ok(text + &rows);
-            }
-            Err(why) => first_fault = first_fault.or(Some((function.line, why))),
+    let (mut fitting, mut first_fault) = (Vec::new(), None);
+    for at in chosen {
+        match rows(&found[at], columns) {
+            Ok(read) => fitting.push((at, read)),
+            Err(why) => first_fault = first_fault.or(Some((found[at].line, why))),
         }
     }
-    match first_fault {
-        Some((line, why)) => fail(
-            Text::new("no function of this universal file fits the table; line {line}: {why}")
+    match (fitting.as_slice(), first_fault) {
+        ([(at, (remarks, rows))], _) => Ok(written_table(&found, *at, remarks, &skipped) + rows),
+        ([], Some((line, why))) => {
+            Err(Text::new("no function of this universal file fits the table; line {line}: {why}")
                 .with("line", line)
-                .with_text("why", why),
-        ),
-        None => fail(Text::new("this universal file has no function that can be read")),
+                .with_text("why", why))
+        }
+        ([], None) => Err(Text::new("this universal file has no function that can be read")),
+        (several, _) => {
+            let why = Text::new(
+                "{have} functions of this universal file fit the table: choose one by its number, as in `@FILE#{first}`; it has {functions}",
+            );
+            let places: Vec<usize> = several.iter().map(|(at, _)| *at).collect();
+            let why = why.with("have", several.len()).with("first", places[0] + 1);
+            Err(why.with("functions", listed(&found, &places)))
+        }
     }
+}
+
+/// Index of the function of a number, or those of a name.
+fn chosen(found: &[UffFunction], which: &str) -> Result<Vec<usize>, Text> {
+    let which = which.trim();
+    let all: Vec<usize> = (0..found.len()).collect();
+    let at = which.parse::<usize>().ok().and_then(|which| which.checked_sub(1));
+    if let Some(at) = at.filter(|at| *at < found.len()) {
+        return Ok(vec![at]);
+    }
+    let named: Vec<usize> =
+        all.iter().copied().filter(|at| found[*at].name.eq_ignore_ascii_case(which)).collect();
+    if !named.is_empty() {
+        return Ok(named);
+    }
+    let why = Text::new("there is no function {which}; this universal file has {have}: {functions}");
+    let why = why.with("which", which).with("have", found.len());
+    Err(why.with("functions", listed(found, &all)))
+}
+
+/// Numbers, names and degrees of freedom of functions: `2 FRF of the beam 5:3/1:-3`.
+fn listed(found: &[UffFunction], places: &[usize]) -> String {
+    let one = |at: &usize| {
+        let function = &found[*at];
+        let ((node, direction), (reference, along)) = (function.response, function.reference);
+        format!("{} {} {node}:{direction}/{reference}:{along}", at + 1, named(function))
+    };
+    let mut list: Vec<String> = places.iter().take(MOST_REMARKS).map(one).collect();
+    if places.len() > MOST_REMARKS {
+        list.push("…".to_owned());
+    }
+    list.join("; ")
+}
+
+fn named(function: &UffFunction) -> &str {
+    if function.name.is_empty() { "without a name" } else { &function.name }
+}
+
+/// Remarks over the rows of a function.
+fn written_table(found: &[UffFunction], at: usize, remarks: &[String], skipped: &[Skipped]) -> String {
+    let function = &found[at];
+    let mut text = format!(
+        "# universal file, function {} of {} (line {}): {}, response {}:{}, reference {}:{}\n",
+        at + 1,
+        found.len(),
+        function.line,
+        named(function),
+        function.response.0,
+        function.response.1,
+        function.reference.0,
+        function.reference.1,
+    );
+    for remark in remarks {
+        text += &format!("# {remark}\n");
+    }
+    for Skipped { line, why } in skipped.iter().take(MOST_REMARKS) {
+        text += &format!("# left out, line {line}: {}\n", why.english());
+    }
+    if skipped.len() > MOST_REMARKS {
+        text += &format!("# left out: {} more\n", skipped.len() - MOST_REMARKS);
+    }
+    text
 }
 
 /// The table of a universal file that was pasted as text.
 pub(crate) fn text_table(text: &str, columns: &'static [Field]) -> Result<String, Text> {
-    table(text.as_bytes(), columns, None).map_err(|err| err.0)
+    chosen_table(text.as_bytes(), columns, None)
 }
 
 /// Remarks, and the rows under their heading of units.

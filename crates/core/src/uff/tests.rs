@@ -132,7 +132,7 @@ fn what_is_left_out_is_named_with_its_line() {
     let wanted = [
         (1, "dataset 151 is not a function"),
         (5, "is between datasets"),
-        (19, "`1.0E-4 2.0E-4 broken` is not a row of numbers"),
+        (19, "`broken` is not a number"),
         (29, "values of type 9 are not read; types 2, 4, 5 and 6 are"),
         (35, "the function has 2 numbers; its header announces 6"),
     ];

@@ -11,13 +11,7 @@ use parquet::{
     basic::{Compression, LogicalType, Repetition, Type as PhysicalType},
     data_type::{ByteArray, ByteArrayType, DoubleType},
     errors::ParquetError,
-    file::{
-        metadata::KeyValue,
-        properties::WriterProperties,
-        reader::{FileReader as _, SerializedFileReader},
-        writer::SerializedFileWriter,
-    },
-    record::Field,
+    file::{metadata::KeyValue, properties::WriterProperties, writer::SerializedFileWriter},
     schema::types::Type,
 };
 use serde_json::json;
@@ -25,7 +19,6 @@ use serde_json::json;
 use super::rows_of;
 use crate::{
     StudyError,
-    data::heading,
     output::Run,
     table::{self, ReadRow},
 };
@@ -35,50 +28,12 @@ const METADATA: &str = "dalembert";
 /// Rows of a row group.
 const GROUP: usize = 1 << 17;
 
-/// The columns of numbers of a Parquet file, named and with units as in [`data`](crate::data); columns of texts are left
-/// out.
+/// The columns of numbers of a Parquet file under their headings, `mass [kg]`; columns of texts are left out.
 ///
 /// # Errors
 /// Why the file cannot be read, with the row of a cell without a number.
 pub fn read(path: &Path) -> Result<Vec<DataColumn>, Text> {
-    let broken = |error: ParquetError| Text::verbatim(error);
-    let file = File::open(path).map_err(Text::verbatim)?;
-    let reader = SerializedFileReader::new(file).map_err(broken)?;
-    let schema = reader.metadata().file_metadata().schema_descr();
-    let is_text =
-        |physical| matches!(physical, PhysicalType::BYTE_ARRAY | PhysicalType::FIXED_LEN_BYTE_ARRAY);
-    let mut columns: Vec<Option<DataColumn>> = schema
-        .columns()
-        .iter()
-        .map(|column| (!is_text(column.physical_type())).then(|| heading(&column.path().string())))
-        .collect();
-    for (n, row) in (1..).zip(reader.get_row_iter(None).map_err(broken)?) {
-        let row = row.map_err(broken)?;
-        for ((name, field), column) in row.get_column_iter().zip(&mut columns) {
-            let Some(column) = column else { continue };
-            let number = number(field).filter(|number| number.is_finite()).ok_or_else(|| {
-                Text::new("row {row}: `{column}` is not a number").with("row", n).with("column", name)
-            })?;
-            column.numbers.push(number);
-        }
-    }
-    Ok(columns.into_iter().flatten().collect())
-}
-
-fn number(field: &Field) -> Option<f64> {
-    match field {
-        Field::Double(number) => Some(*number),
-        Field::Float(number) => Some(f64::from(*number)),
-        Field::Byte(number) => Some(f64::from(*number)),
-        Field::Short(number) => Some(f64::from(*number)),
-        Field::Int(number) => Some(f64::from(*number)),
-        Field::Long(number) => Some(*number as f64),
-        Field::UByte(number) => Some(f64::from(*number)),
-        Field::UShort(number) => Some(f64::from(*number)),
-        Field::UInt(number) => Some(f64::from(*number)),
-        Field::ULong(number) => Some(*number as f64),
-        _ => None,
-    }
+    dalembert_import::parquet_columns(std::fs::read(path).map_err(Text::verbatim)?)
 }
 
 /// Converts the [rows](rows_of) of a table that are whole, and takes their CSV file away.

@@ -45,10 +45,10 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
             };
             Vec::new()
         }
-        (Action::Up | Action::Down, Some(Dialog::Prompt { input, error, names, .. })) => {
+        (Action::Up | Action::Down, Some(Dialog::Prompt { input, error, names, preview, .. })) => {
             if let Some(text) = names.next(input.value(), action == Action::Down) {
                 input.replace(text);
-                *error = None;
+                (*error, *preview) = (None, None);
             }
             Vec::new()
         }
@@ -170,7 +170,7 @@ fn enter(model: &mut Model) -> Vec<Intent> {
             Some((_, given)) => answer(model, given),
             None => Vec::new(),
         },
-        Some(Dialog::Prompt { purpose, input, .. }) => {
+        Some(Dialog::Prompt { purpose, input, preview, .. }) => {
             let typed = input.value().trim();
             match purpose {
                 Purpose::Title => vec![Intent::Rename(typed.to_owned())],
@@ -185,7 +185,10 @@ fn enter(model: &mut Model) -> Vec<Intent> {
                     vec![Intent::Export(purpose, PathBuf::from(typed), Before::Absent)]
                 }
                 Purpose::Open => vec![Intent::Do(Effect::Open(PathBuf::from(typed)))],
-                Purpose::Import => vec![Intent::Import(typed.to_owned())],
+                Purpose::Import => match preview.and_then(|preview| preview.confirmed(typed)) {
+                    Some((field, text)) => vec![Intent::ReplaceTable(field, text)],
+                    None => vec![Intent::Import(typed.to_owned())],
+                },
                 Purpose::OpenPlan => vec![Intent::Do(Effect::ReadPlan(PathBuf::from(typed)))],
             }
         }

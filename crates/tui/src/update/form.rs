@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use dalembert_core::{Draft, Field, Shape, Text, suggestions::Suggestion, table::TableOutline};
+use dalembert_import::Sample;
 use dalembert_units::Decimal;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use crate::{
-    dialog::{Choice, Chosen, Dialog, DialogContent, Purpose},
+    dialog::{Choice, Chosen, Dialog, DialogContent, ImportPreview, Purpose},
     effect::Effect,
     files::FileError,
     form::{self, Filled, Form, FormLine, PartRole, Role},
@@ -325,41 +326,48 @@ fn columns_of(model: &Model, path: &str) -> Option<&'static [Field]> {
     if let Shape::Table(columns) = shape.present() { Some(columns()) } else { None }
 }
 
-/// The file of a table takes the place of its text.
-pub(super) fn table_read(model: &mut Model, field: &str, result: Result<String, FileError>) -> Vec<Intent> {
-    let asked = match &mut model.dialog {
-        Some(Dialog::Prompt { purpose: Purpose::Import, error, .. }) => Some(error),
-        _ => None,
-    };
-    match (result, asked) {
-        (Ok(text), asked) => {
-            if asked.is_some() {
-                model.dialog = None;
-            }
-            let outline = columns_of(model, field).and_then(|columns| TableOutline::of(&text, columns));
-            let mut intents = after(
-                model,
-                |form| form.set(field, text, Decimal::Point),
-                "the table already contains this file",
-            );
-            if let (Some(outline), [Intent::Changed]) = (outline, &intents[..]) {
-                intents.push(Intent::Say(match outline.assumed.as_str() {
-                    "" => outline.text(),
-                    _ => Text::new("{table}: no unit in the heading").with_text("table", outline.text()),
-                }));
-            }
-            intents
-        }
+/// The file of a table is shown before it takes the place of the text.
+pub(super) fn table_read(
+    model: &mut Model,
+    field: &str,
+    path: &Path,
+    result: Result<String, FileError>,
+    sample: Sample,
+) -> Vec<Intent> {
+    let Some(columns) = columns_of(model, field) else { return Vec::new() };
+    let is_asked = matches!(model.dialog, Some(Dialog::Prompt { purpose: Purpose::Import, .. }));
+    let read = result.map_err(|err| err.text()).and_then(|text| ImportPreview::of(text, columns));
+    let typed = format!("@{}", path.display());
+    let (read, error) = match read {
+        Ok(read) => (Some(read), None),
         // The path stays there to be corrected.
-        (Err(err), Some(error)) => {
-            *error = Some(err.text());
-            Vec::new()
+        Err(error) if is_asked && sample.rows.is_empty() => {
+            model.dialog = Some(Dialog::prompt_again(Purpose::Import, typed, error));
+            return Vec::new();
         }
-        (Err(err), None) => {
-            model.report_error(err.text());
-            Vec::new()
+        Err(error) if sample.rows.is_empty() => {
+            model.report_error(error);
+            return Vec::new();
         }
+        Err(error) => (None, Some(error)),
+    };
+    let preview = ImportPreview { typed, field: field.to_owned(), read, sample };
+    model.dialog = Some(Dialog::preview(preview, error));
+    Vec::new()
+}
+
+/// The text of a file takes the place of that of a table.
+pub(super) fn replace_table(model: &mut Model, field: &str, text: String) -> Vec<Intent> {
+    let outline = columns_of(model, field).and_then(|columns| TableOutline::of(&text, columns));
+    let mut intents =
+        after(model, |form| form.set(field, text, Decimal::Point), "the table already contains this file");
+    if let (Some(outline), [Intent::Changed]) = (outline, &intents[..]) {
+        intents.push(Intent::Say(match outline.assumed.as_str() {
+            "" => outline.text(),
+            _ => Text::new("{table}: no unit in the heading").with_text("table", outline.text()),
+        }));
     }
+    intents
 }
 
 /// Asks for the file of the table under the cursor, or of the only one there is. The line opens without a table too:

@@ -1,5 +1,7 @@
 //! Dialogs over a screen.
 
+mod preview;
+
 use dalembert_core::{Field, Measure, Shape, Text, draft};
 use ratatui::{
     buffer::Buffer,
@@ -48,13 +50,13 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
             bars::footer(model, footer, buffer);
             None
         }
-        Dialog::Prompt { purpose, input, error, names } => {
+        Dialog::Prompt { purpose, input, error, names, preview } => {
             let title = match purpose {
                 Purpose::SaveAs => "Save as",
                 Purpose::Export => "Worked solution (.html, .tex, .typ, .md, .txt)",
                 Purpose::ExportSeen => "Plot or drawing (.svg; a plot also .csv)",
                 Purpose::Open => "File to open",
-                Purpose::Import => "File of the table (.csv, .txt, .xlsx, .ods, .uff, .unv)",
+                Purpose::Import => "File of the table (.csv, .txt, .xlsx, .ods, .uff, .wav, .mat, .lvm)",
                 Purpose::SavePlan => "Study plan to write (.toml)",
                 Purpose::OpenPlan => "Study plan to read (.toml)",
                 Purpose::Title => "Title of the problem",
@@ -69,8 +71,10 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
                 })
                 .map(|text| Line::styled(text, model.look.error()))
                 .collect();
-            if purpose.is_path() {
-                let room = usize::from(box_width(screen)).saturating_sub(4);
+            let room = usize::from(box_width(screen)).saturating_sub(4);
+            if let Some(preview) = preview {
+                below.extend(preview::lines(model, preview, room));
+            } else if purpose.is_path() {
                 let found = found_names(model, names, input.value(), room);
                 if found.is_empty() && matches!(purpose, Purpose::Open | Purpose::OpenPlan) && error.is_none()
                 {
