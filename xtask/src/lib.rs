@@ -15,6 +15,7 @@ pub mod first_entry;
 pub mod handbook;
 pub mod new_analysis;
 pub mod new_plugin;
+pub mod papers;
 pub mod parquet;
 pub mod pictures;
 pub mod python;

@@ -4,7 +4,7 @@ use std::{env, process::ExitCode};
 
 use xtask::{
     bench, cluster, contact_sheet, dialects, dist, docs, errors, find, first_entry, handbook, new_analysis,
-    new_plugin, parquet, pictures, python, root, soak, teaching, tidy, verify, words,
+    new_plugin, papers, parquet, pictures, python, root, soak, teaching, tidy, verify, words,
 };
 
 const USAGE: &str = "\
@@ -25,6 +25,9 @@ usage: cargo xtask COMMAND
   pictures --sheet [--rows R --cols C] [--language L] [NAME]...
                              contact sheets in the target directory: first screen, drawing and plot of every analysis,
                              or of those whose ids contain a NAME
+  papers [--format F] [NAME]...
+                             every analysis, or those whose ids contain a NAME, as a note in both languages and each format,
+                             printed as PDF and measured: letters outside of the text, lone titles
   soak mutants               the result of each function of mechanics times 1.01: does the catalogue notice?
   soak rotors                2000 random rotors: each answered, every check holds?
   soak chains                chains of 1 to 100 four-bars through singular positions
@@ -70,6 +73,7 @@ fn main() -> ExitCode {
         ["pictures"] => pictures::write(&root()),
         ["pictures", "--check"] => pictures::check(&root()).map(|_| ()),
         ["pictures", "--sheet", words @ ..] => contact_sheet::write(&root(), words),
+        ["papers", words @ ..] => papers::run(&root(), words),
         ["soak", words @ ..] => soak::run(&root(), words),
         ["dist", words @ ..] => dist::run(&root(), words),
         ["python"] => python::run(&root()),

@@ -4,6 +4,8 @@
 a-machine-dynamics-workbench-pick-a-problem-edit-its-inputs-in-any-units-see-the-worked-solution = Uma bancada de dinâmica das máquinas: escolha um problema, edite os dados em quaisquer unidades, veja a solução resolvida passo a passo
 a-problem-file-or-the-id-of-an-analysis-to-open-in-the-workbench = Um arquivo de problema ou o id de uma análise, para abrir na bancada
 change-an-input-mass-40-kg-masses-2-radius-0-1-m-a-table-can-be-read-from-a-file-samples-data-csv = Mudar um dado: mass="40 kg", masses[2].radius="0.1 m"; uma tabela pode ser lida de um arquivo: samples=@data.csv
+parts-of-the-worked-solution-default-full = Partes da solução; padrão: full
+parts-chooses-what-a-text-or-a-note-has-json-and-csv-have-all-of-it-leave-out-parts = --parts escolhe o que um texto ou um memorial tem; JSON e CSV têm tudo: retire --parts
 check-all-published-answers = Verificar todos os resultados publicados
 list-the-analyses = Listar as análises
 open-the-file-read-only = Abrir o arquivo só para leitura
@@ -109,7 +111,7 @@ ignored-exercises = exercícios ignorados
 file-already-exists-and-is-never-overwritten-by-a-recording-choose-another-name-or-delete-it = { $file } já existe, e uma gravação nunca o sobrescreve: escolha outro nome, ou apague-o
 file-cannot-be-recorded-folder-not-found = { $file } não pode ser gravado: pasta não encontrada
 start-from-the-inputs-of-this-published-case-counted-from-1-without-it-set-starts-from-empty-inputs = Partir dos dados deste caso publicado, contado a partir de 1; sem isso, --set parte de dados vazios, e um id sozinho resolve o caso 1
-write-to-a-new-file-markdown-and-typst-write-their-figures-beside-it = Gravar em um arquivo novo; Markdown e Typst gravam as figuras ao lado dele
+write-to-a-new-file-by-its-extension-html-tex-typ-md-docx-txt-json-or-csv-markdown-and-typst-write = Gravar em um arquivo novo, conforme a extensão: .html, .tex, .typ, .md, .docx, .txt, .json ou .csv; Markdown e Typst gravam as figuras ao lado dele
 overwrite-existing-files-never-a-problem-file = Sobrescrever arquivos existentes; nunca um arquivo de problema
 refuse-a-number-without-a-unit-where-one-is-needed-instead-of-assuming-one-with-a-warning = Recusar um número sem unidade onde ela é necessária, em vez de supor uma com advertência
 note-words = nota: { $words }
@@ -323,7 +325,8 @@ solve-the-problem-in-a-calculation-note-again-and-compare-every-printed-line-of-
 note-that-dalembert-solve-output-wrote-html-latex-typst-or-markdown = Memorial escrito por `dalembert solve --output`: HTML, LaTeX, Typst ou Markdown
 line-of-the-title-block-project-author-checker-date-or-revision-as-in-author-a-silva = Linha do carimbo: project (projeto), author (elaborado por), checker (verificado por), date (data) ou revision (revisão), como em author='A. Silva'
 title-block-line-write-a-line-and-its-text-as-in-title-block-author-a-silva = --title-block { $line }: escreva uma linha e seu texto, como em --title-block author='A. Silva'
-a-note-is-html-latex-typst-or-markdown-html-tex-typ-or-md = um memorial é HTML, LaTeX, Typst ou Markdown: .html, .tex, .typ ou .md
+a-note-is-html-latex-typst-markdown-or-word-html-tex-typ-md-or-docx = um memorial é HTML, LaTeX, Typst, Markdown ou Word: .html, .tex, .typ, .md ou .docx
+a-document-of-word-is-no-text-to-print-name-its-file-as-in-output-note-docx = um documento do Word não é texto para escrever na tela: dê o nome do arquivo, como em --output memorial.docx
 the-note-was-written-by-dalembert-version-this-is-this = o memorial foi escrito pelo dalembert { $version }; este é o { $this }
 line-line-printed-printed-computed-computed = linha { $line }: impresso `{ $printed }`, calculado `{ $computed }`
 missing-in-the-note-computed = falta no memorial: `{ $computed }`

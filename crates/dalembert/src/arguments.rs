@@ -7,6 +7,7 @@ use std::path::PathBuf;
 
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use dalembert_core::{Language, Locale, Text};
+use dalembert_report::Parts;
 
 pub(crate) use self::{
     answers::{Find, Optimise, Sensitivity, TableFormat},
@@ -147,6 +148,9 @@ pub(crate) struct OutputForm {
     /// Output format; default: by the file extension, otherwise text
     #[arg(long, value_enum)]
     pub(crate) format: Option<Format>,
+    /// Parts of the worked solution; default: full
+    #[arg(long, value_enum, value_name = "PARTS")]
+    pub(crate) parts: Option<PartsChoice>,
     /// The table to print as CSV: answers, inputs, steps, checks, table-1, plot-1
     #[arg(long, value_name = "NAME", default_value = "answers")]
     pub(crate) table: String,
@@ -183,7 +187,7 @@ pub(crate) struct Solve {
     pub(crate) answer: Vec<String>,
     #[command(flatten)]
     pub(crate) form: OutputForm,
-    /// Write to a new file; Markdown and Typst write their figures beside it
+    /// Write to a new file, by its extension: .html, .tex, .typ, .md, .docx, .txt, .json or .csv; Markdown and Typst write their figures beside it
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
     /// Overwrite existing files; never a problem file
@@ -314,10 +318,33 @@ pub(crate) enum Format {
     Latex,
     /// The worked solution in Typst
     Typst,
+    /// The worked solution as a document of Word, with equations and figures
+    #[cfg(feature = "word")]
+    Docx,
     /// Inputs, answers and checks for another program
     Json,
     /// One table for a spreadsheet
     Csv,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum PartsChoice {
+    /// Statement, data and drawing, without what is to be found
+    Statement,
+    /// Statement, data, drawing, answers and checks, without the working
+    Answers,
+    /// Everything
+    Full,
+}
+
+impl From<PartsChoice> for Parts {
+    fn from(choice: PartsChoice) -> Self {
+        match choice {
+            PartsChoice::Statement => Self::Statement,
+            PartsChoice::Answers => Self::Answers,
+            PartsChoice::Full => Self::Full,
+        }
+    }
 }
 
 #[derive(Debug, Args)]

@@ -24,9 +24,9 @@ pub(crate) fn allowed(path: &Path, problem: &Path, force: bool) -> Result<(), Fa
     }
 }
 
-/// Writes a text to a file that is allowed.
-pub(crate) fn write(path: &Path, text: &str, force: bool) -> Result<(), Failure> {
+/// Writes the content of a file that is allowed.
+pub(crate) fn write(path: &Path, content: impl AsRef<[u8]>, force: bool) -> Result<(), Failure> {
     // What was made since it was examined is kept too.
     let before = if force { Before::Whatever } else { Before::Absent };
-    files::save(path, text, before).map(drop).map_err(|error: FileError| Failure::File(error))
+    files::save(path, content, before).map(drop).map_err(|error: FileError| Failure::File(error))
 }

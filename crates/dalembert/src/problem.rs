@@ -13,7 +13,7 @@ use dalembert_core::{
     file::{self, ProblemFile, TitleBlock},
     find, is_within,
 };
-use dalembert_report::WorkedProblem;
+use dalembert_report::{WorkedProblem, with_file};
 use dalembert_tui::files::{self, FileError};
 
 use serde_json::{Map, Value as Json};
@@ -433,6 +433,9 @@ fn set(
     let wrong = |why: Text| FieldError::new(path, why);
     let from_file = from_file(draft, shape, path, text).map_err(|error| wrong(Text::verbatim(error)))?;
     let before = draft.clone();
+    // Notes name the file, without the folders of a machine.
+    let from_file =
+        from_file.map(|read| with_file(&read, text.rsplit(['/', '\\', '@']).next().unwrap_or(text)));
     draft.set(shape, path, from_file.as_deref().unwrap_or(text)).map_err(|error| wrong(error.why))?;
     draft.keep_first(&before, shape);
     Ok(())

@@ -3,6 +3,8 @@
 answers = Respostas
 checks = Verificações
 count-rows = { $count } linhas
+rows-from-file = { $rows } de { $file }
+table-the-first-rows-of-count-rows = { $table }, as primeiras { $rows } de { $count } linhas
 faults-of-the-program = Falhas do programa
 internal-errors = Erros internos do programa
 given-data = Dados
@@ -71,3 +73,5 @@ from = de
 share = parcela
 the-note-holds-no-problem-file-dalembert-solve-output-writes-notes-that-do = o memorial não contém o arquivo do problema; `dalembert solve --output` escreve memoriais que o contêm
 the-problem-file-in-the-note-is-damaged-its-first-or-last-line-is-not-as-it-was-written = o arquivo do problema no memorial está danificado: sua primeira ou última linha não está como foi escrita
+the-document-cannot-be-written-why = o documento não pode ser gravado: { $why }
+the-file-is-no-document-of-word-or-is-damaged = o arquivo não é um documento do Word ou está danificado

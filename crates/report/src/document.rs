@@ -65,13 +65,17 @@ pub struct DocumentTable {
 }
 
 impl Document {
-    /// Figures as files: the name of each, which begins with `stem`, and its SVG.
-    pub fn figures(&self, stem: &str) -> Vec<(String, String)> {
-        let pictures = self.blocks.iter().filter_map(|block| match block {
+    /// Pictures of the figures.
+    pub fn pictures(&self) -> impl Iterator<Item = &Picture> {
+        self.blocks.iter().filter_map(|block| match block {
             Block::Figure(picture) => Some(picture),
             _ => None,
-        });
-        pictures.enumerate().map(|(n, picture)| (figure_name(stem, n + 1), picture.svg())).collect()
+        })
+    }
+
+    /// Figures as files: the name of each, which begins with `stem`, and its SVG.
+    pub fn figures(&self, stem: &str) -> Vec<(String, String)> {
+        self.pictures().enumerate().map(|(n, picture)| (figure_name(stem, n + 1), picture.svg())).collect()
     }
 
     /// The same document under the title block of a problem file.

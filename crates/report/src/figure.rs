@@ -2,6 +2,8 @@
 //! [`strokes`] are pure numbers.
 
 pub mod axes;
+#[cfg(feature = "word")]
+pub(crate) mod emf;
 mod labels;
 mod letters;
 pub mod map;

@@ -5,7 +5,11 @@ use dalembert_core::{Locale, printer::WrittenStep};
 use crate::{
     PROGRAM,
     document::{Block, Document, DocumentTable, NamedValue},
-    math::{self, Math, sides},
+    math::{
+        self, Math,
+        breaking::{begins_with_sign, broken, width},
+        sides,
+    },
     xml::escaped,
 };
 
@@ -21,8 +25,6 @@ table.rows tfoot td { border-top: 1px solid; font-weight: bold }
 caption { text-align: left; font-weight: bold }
 figure { margin: 1.2rem 0 }
 figure svg { max-width: 100%; height: auto }
-.formula { overflow-x: auto; margin: .4rem 0 1rem 2rem }
-.formula mtd { text-align: left; padding: .25em .2em }
 .source { opacity: .7 }
 table.title-block { border: 1px solid }
 table.title-block th, table.title-block td { border-bottom: 1px solid; padding: .15rem .7rem }
@@ -30,6 +32,21 @@ h2, h3, p:has(+ .formula) { break-after: avoid }
 @page { margin: 2cm; @bottom-left { content: \"PROGRAM\" } @bottom-right { content: counter(page) \" / \" counter(pages) } }
 @media print { body { max-width: none; margin: 0 } .formula, figure, tr { break-inside: avoid } }
 ";
+
+/// The rules of the formulas of a step: symbol, equals sign, and a side whose lines are broken before its signs, first
+/// between its terms. A side that is broken otherwise on a narrow page is there twice.
+const STYLE_OF_FORMULAS: &str = "\
+.formula { display: grid; grid-template-columns: max-content max-content minmax(0, 1fr); gap: .5em .25em; \
+align-items: baseline; margin: .4rem 0 1rem 2rem }
+.formula > *, .formula .term { overflow-wrap: anywhere }
+.formula .term { display: inline-block; max-width: 100% }
+.formula .narrow { display: none }
+@media screen and (max-width: 46rem) { .formula { margin-left: .5rem; font-size: .9em } \
+.formula .wide { display: none } .formula .narrow { display: block } }
+";
+/// Room for a side of a formula on a page of A4 and on a phone, in ems.
+const ROOM: f64 = 33.0;
+const NARROW_ROOM: f64 = 19.0;
 
 /// The rules of a fragment, for it alone: the page around it has its own.
 const STYLE_OF_FRAGMENT: &str = "\
@@ -41,8 +58,6 @@ const STYLE_OF_FRAGMENT: &str = "\
 .dalembert table.rows tfoot td { border-top: 1px solid; font-weight: bold }
 .dalembert .number { text-align: right }
 .dalembert figure svg { max-width: 100%; height: auto }
-.dalembert .formula { overflow-x: auto; margin: .4rem 0 1rem 2rem }
-.dalembert .formula mtd { text-align: left; padding: .25em .2em }
 .dalembert .source { opacity: .7 }
 ";
 
@@ -50,7 +65,7 @@ const STYLE_OF_FRAGMENT: &str = "\
 pub fn html_fragment(document: &Document) -> String {
     let blocks: String = document.blocks.iter().map(block).collect();
     format!(
-        "<div class=\"dalembert\">\n<style>\n{STYLE_OF_FRAGMENT}</style>\n<h1>{}</h1>\n{blocks}</div>\n",
+        "<div class=\"dalembert\">\n<style>\n{STYLE_OF_FRAGMENT}{STYLE_OF_FORMULAS}</style>\n<h1>{}</h1>\n{blocks}</div>\n",
         escaped(&document.title)
     )
 }
@@ -63,7 +78,7 @@ pub fn html(document: &Document, locale: &Locale) -> String {
     let style = STYLE.replace("PROGRAM", PROGRAM);
     format!(
         "<!DOCTYPE html>\n<html lang=\"{language}\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta \
-         name=\"viewport\" content=\"width=device-width\"/>\n<title>{title}</title>\n<style>\n{style}</style>\n\
+         name=\"viewport\" content=\"width=device-width\"/>\n<title>{title}</title>\n<style>\n{style}{STYLE_OF_FORMULAS}</style>\n\
          </head>\n<body>\n<h1>{title}</h1>\n{blocks}</body>\n</html>\n"
     )
 }
@@ -112,6 +127,23 @@ fn inline(formula: &Math) -> String {
     format!("<math>{}</math>", mathml(formula))
 }
 
+/// A side of a formula, in pieces between which a line may end.
+fn side(formula: &Math, room: f64) -> String {
+    let piece = |piece: &Math| format!("<math displaystyle=\"true\">{}</math>", mathml_of_piece(piece));
+    let terms = broken(formula, room);
+    let terms = terms.iter().map(|term| {
+        let pieces = term.iter().map(piece).collect::<Vec<_>>().join("<wbr/>");
+        if term.len() == 1 { pieces } else { format!("<span class=\"term\">{pieces}</span>") }
+    });
+    terms.collect::<Vec<_>>().join("<wbr/>")
+}
+
+/// A piece of a formula; a sign at its begin stands between it and what is before.
+fn mathml_of_piece(piece: &Math) -> String {
+    let set = mathml(piece);
+    if begins_with_sign(piece) { set.replacen("<mo>", "<mo form=\"infix\">", 1) } else { set }
+}
+
 fn written_step(number: usize, step: &WrittenStep) -> String {
     let source = if step.source.is_empty() {
         String::new()
@@ -119,20 +151,20 @@ fn written_step(number: usize, step: &WrittenStep) -> String {
         format!(" <span class=\"source\">({})</span>", escaped(&step.source))
     };
     let mut text = format!("<p><b>{number}.</b> {}{source}</p>\n", escaped(&step.why));
-    let sides = sides(step);
-    let symbol = mathml(&math::symbols(&step.symbol));
-    let lines = sides.iter().enumerate().map(|(n, side)| {
-        let symbol = if n == 0 { symbol.as_str() } else { "" };
-        format!(
-            "<mtr><mtd>{symbol}</mtd><mtd><mo>=</mo></mtd><mtd><mrow>{}</mrow></mtd></mtr>\n",
-            mathml(side)
-        )
-    });
-    text += &format!(
-        "<div class=\"formula\"><math display=\"inline\" displaystyle=\"true\"><mtable \
-         displaystyle=\"true\">\n{}</mtable></math></div>\n",
-        lines.collect::<String>()
-    );
+    let symbol = math::symbols(&step.symbol);
+    let beside = width(&symbol) + 1.5;
+    text += "<div class=\"formula\">\n";
+    for (n, formula) in sides(step).iter().enumerate() {
+        let symbol = if n == 0 { inline(&symbol) } else { String::new() };
+        let [wide, narrow] = [ROOM, NARROW_ROOM].map(|room| side(formula, room - beside));
+        text += &format!("<span>{symbol}</span><span><math><mo>=</mo></math></span>");
+        text += &if wide == narrow {
+            format!("<span>{wide}</span>\n")
+        } else {
+            format!("<span class=\"wide\">{wide}</span><span class=\"narrow\">{narrow}</span>\n")
+        };
+    }
+    text += "</div>\n";
     if !step.terms.is_empty() {
         let terms = step.terms.iter().map(|(term, value)| {
             format!(
@@ -183,6 +215,7 @@ fn mathml(formula: &Math) -> String {
         Math::Symbol(base, index) => {
             format!("<msub><mi>{}</mi><mtext>{}</mtext></msub>", escaped(base), escaped(index))
         }
+        Math::Operator(bracket @ ('(' | ')' | '[' | ']')) => format!("<mo stretchy=\"false\">{bracket}</mo>"),
         Math::Operator(sign) => format!("<mo>{}</mo>", escaped(&sign.to_string())),
         Math::Gap => "<mspace width=\"0.2em\"/>".to_owned(),
         Math::Fraction(top, bottom) => format!("<mfrac>{}{}</mfrac>", one(top), one(bottom)),

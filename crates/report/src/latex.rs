@@ -6,7 +6,11 @@ use crate::{
     PROGRAM,
     document::{Block, Document, DocumentTable, NamedValue},
     figure::picture::tikz_colours,
-    math::{self, Math, sides},
+    math::{
+        self, Math,
+        breaking::{begins_with_sign, broken, width},
+        sides,
+    },
 };
 
 const PREAMBLE: &str = r"\documentclass[11pt,a4paper]{article}
@@ -19,10 +23,20 @@ const PREAMBLE: &str = r"\documentclass[11pt,a4paper]{article}
 \usepackage{tikz}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{0.5\baselineskip}
-\newsavebox{\formula}
-% A formula that is wider than the page is made as wide as the page.
-\newcommand{\fitted}[1]{\sbox{\formula}{$\displaystyle #1$}%
-  \ifdim\wd\formula>\linewidth\resizebox{\linewidth}{!}{\usebox{\formula}}\else\usebox{\formula}\fi\par}
+\IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}
+\newlength{\lead}
+% A side of an equation behind its symbol: its lines are broken where it says, and aligned behind the equals sign.
+\newcommand{\side}[2]{\settowidth{\lead}{$\displaystyle #1={}$}%
+  \noindent\hangindent=\lead\hangafter=1\hbox to\lead{$\displaystyle #1={}$\hfil}#2\par}
+% The sides of an equation stay on one page.
+\newenvironment{equation-sides}{\leftskip=2em\rightskip=0pt plus 0.5\linewidth\tolerance=10000\lineskiplimit=4pt\lineskip=4pt
+  \interlinepenalty=10000\samepage}{\par}
+\newcommand{\piece}[1]{\hbox{$\displaystyle #1$}}
+% A line ends rather before a term than before a factor.
+\newcommand{\term}{\penalty0\hskip0pt\relax}
+\newcommand{\factor}{\penalty500\hskip0pt\relax}
+% What follows stays on the page.
+\newcommand{\keep}{\par\nopagebreak}
 ";
 
 /// Foot of a page: program and version, page of pages. The second run knows how many there are.
@@ -30,6 +44,9 @@ const FOOT: &str = r"\makeatletter
 \def\@oddfoot{PROGRAM\hfil\thepage\ / \pageref{last-page}}
 \makeatother
 ";
+
+/// Room for a side of a formula, in ems.
+const ROOM: f64 = 34.0;
 
 /// The document in LaTeX.
 pub fn latex(document: &Document) -> String {
@@ -96,15 +113,29 @@ fn pair(line: &NamedValue) -> String {
     format!("{{}}{indent}{} & {symbol} & {} \\\\\n", words(&line.label), words(&line.value))
 }
 
+/// A side of a formula, in pieces between which a line may end.
+fn side(formula: &Math, room: f64) -> String {
+    let piece = |piece: &Math| {
+        let before = if begins_with_sign(piece) { "{}" } else { "" };
+        format!("\\piece{{{before}{}}}", set(piece))
+    };
+    let terms = broken(formula, room);
+    let terms = terms.iter().map(|term| term.iter().map(piece).collect::<Vec<_>>().join("\\factor"));
+    terms.collect::<Vec<_>>().join("\\term")
+}
+
 fn written_step(number: usize, step: &WrittenStep) -> String {
     let source = if step.source.is_empty() { String::new() } else { format!(" ({})", words(&step.source)) };
-    let mut text = format!("\\textbf{{{number}.}} {}{source}\n\n\\begin{{quote}}\n", words(&step.why));
-    let symbol = set(&math::symbols(&step.symbol));
-    for (n, side) in sides(step).iter().enumerate() {
+    let mut text =
+        format!("\\textbf{{{number}.}} {}{source}\\keep\n\\begin{{equation-sides}}\n", words(&step.why));
+    let symbol = math::symbols(&step.symbol);
+    let room = ROOM - width(&symbol) - 1.5;
+    let symbol = set(&symbol);
+    for (n, formula) in sides(step).iter().enumerate() {
         let left = if n == 0 { symbol.clone() } else { format!("\\phantom{{{symbol}}}") };
-        text += &format!("\\fitted{{{left} = {}}}\n", set(side));
+        text += &format!("\\side{{{left}}}{{{}}}\n", side(formula, room));
     }
-    text += "\\end{quote}\n";
+    text += "\\end{equation-sides}\n";
     if !step.terms.is_empty() {
         let terms = step
             .terms

@@ -7,6 +7,8 @@
 
 mod csv;
 mod document;
+#[cfg(feature = "word")]
+mod docx;
 pub mod figure;
 mod format;
 mod html;
@@ -16,8 +18,10 @@ mod latex;
 mod markdown;
 mod math;
 mod note;
+mod parts;
 mod study;
 mod study_figures;
+mod tables;
 mod text;
 mod typst;
 mod units;
@@ -25,6 +29,8 @@ mod worked;
 mod wrap;
 mod xml;
 
+#[cfg(feature = "word")]
+pub use crate::docx::{DocxNote, docx, docx_differences};
 pub use crate::{
     csv::{csv, csv_tables, plot_csv},
     document::{Block, Document, DocumentTable, NamedValue},
@@ -36,11 +42,13 @@ pub use crate::{
     latex::{latex, latex_formulas},
     markdown::markdown,
     note::{Difference, NoteSource, differences},
+    parts::Parts,
     study::{study_document, study_json},
+    tables::{file_of, with_file},
     text::text,
     typst::typst,
     units::{show_answer_in, show_answers_in},
-    worked::{WorkedProblem, document, document_without_figures},
+    worked::{WorkedProblem, document, document_of, document_without_figures},
 };
 
 /// Program and version, at the foot of a page.

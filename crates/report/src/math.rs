@@ -2,6 +2,8 @@
 //!
 //! Nothing is refused: what the notation does not know is kept unchanged.
 
+pub(crate) mod breaking;
+
 use dalembert_core::{ascii, printer::WrittenStep};
 
 /// A formula or a part of one.

@@ -9,7 +9,7 @@ use serde_json::{Value as Json, json};
 use similar::{Algorithm, DiffOp, capture_diff_slices};
 
 use crate::{
-    DocumentFormat,
+    DocumentFormat, Parts,
     document::{Block, Document},
 };
 
@@ -33,6 +33,8 @@ pub struct NoteSource {
     pub ascii: bool,
     /// Answers whose working alone is printed; empty for all.
     pub answers: Vec<String>,
+    /// Parts of the solution that the note has.
+    pub parts: Parts,
     /// Text of the problem file.
     pub problem_file: String,
 }
@@ -48,13 +50,14 @@ pub struct Difference {
 
 impl NoteSource {
     /// The source of a note that is written now.
-    pub fn new(problem_file: String, answers: &[String], locale: &Locale) -> Self {
+    pub fn new(problem_file: String, answers: &[String], parts: Parts, locale: &Locale) -> Self {
         Self {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             language: locale.language,
             digits: locale.style.digits,
             ascii: locale.style.ascii,
             answers: answers.to_vec(),
+            parts,
             problem_file,
         }
     }
@@ -67,6 +70,7 @@ impl NoteSource {
             "digits": self.digits,
             "ascii": self.ascii,
             "answers": self.answers,
+            "parts": self.parts.name(),
         });
         let begin = format!("{BEGIN}{options}");
         let lines = [begin.as_str()].into_iter().chain(self.problem_file.lines()).chain([END]);
@@ -136,6 +140,8 @@ impl NoteSource {
         }
         let text = |key: &str| options[key].as_str().ok_or_else(damaged);
         let answers = options["answers"].as_array().ok_or_else(damaged)?;
+        // Older notes have everything.
+        let parts = options["parts"].as_str().map_or(Some(Parts::Full), Parts::of_name);
         let digits = options["digits"].as_u64().and_then(|digits| u8::try_from(digits).ok());
         if !is_whole {
             return Err(damaged());
@@ -146,6 +152,7 @@ impl NoteSource {
             digits: digits.filter(|digits| (1..=17).contains(digits)).ok_or_else(damaged)?,
             ascii: options["ascii"].as_bool().ok_or_else(damaged)?,
             answers: answers.iter().filter_map(Json::as_str).map(str::to_owned).collect(),
+            parts: parts.ok_or_else(damaged)?,
             problem_file,
         })
     }
@@ -163,15 +170,26 @@ pub fn differences(
     let write =
         |blocks: Vec<Block>| format.write(&Document { title: document.title.clone(), blocks }, None, locale);
     let frame = write(Vec::new());
-    let is_compared = |block: &Block| {
-        matches!(block, Block::TitleBlock(_) | Block::Lines(_) | Block::Step(..) | Block::Table(_))
-    };
     let now = write(document.blocks.iter().filter(|block| is_compared(block)).cloned().collect());
     let frame: Vec<&str> = frame.lines().collect();
     let now: Vec<&str> = now.lines().filter(|line| !line.is_empty() && !frame.contains(line)).collect();
     let printed: Vec<&str> = note.lines().collect();
+    compared(&now, &printed, &|line| words(line, format))
+}
+
+/// True of what a note must have as it is computed.
+pub(crate) fn is_compared(block: &Block) -> bool {
+    matches!(block, Block::TitleBlock(_) | Block::Lines(_) | Block::Step(..) | Block::Table(_))
+}
+
+/// Compares the lines of a note with those that it is to have: their number, and those that are not in it.
+pub(crate) fn compared(
+    now: &[&str],
+    printed: &[&str],
+    words: &impl Fn(&str) -> String,
+) -> (usize, Vec<Difference>) {
     let mut found = Vec::new();
-    for operation in capture_diff_slices(Algorithm::Myers, &now, &printed) {
+    for operation in capture_diff_slices(Algorithm::Myers, now, printed) {
         let (old, new) = match operation {
             DiffOp::Equal { .. } | DiffOp::Insert { .. } => continue,
             DiffOp::Delete { old_index, old_len, new_index } => {
@@ -181,8 +199,8 @@ pub fn differences(
                 (old_index..old_index + old_len, new_index..new_index + new_len)
             }
         };
-        let mut left: Vec<(usize, String)> = new.map(|at| (at + 1, words(printed[at], format))).collect();
-        for computed in old.map(|line| words(now[line], format)) {
+        let mut left: Vec<(usize, String)> = new.map(|at| (at + 1, words(printed[at]))).collect();
+        for computed in old.map(|line| words(now[line])) {
             // Of the lines in its place, the one that says most of the same.
             let common = |(_, text): &(usize, String)| {
                 text.split_whitespace().filter(|word| computed.split_whitespace().contains(word)).count()
@@ -231,7 +249,7 @@ mod tests {
     fn a_note_gives_its_problem_file_back() {
         let locale = Locale::portuguese();
         let file = "title = \"a <!-- b --> & --- %\"\n\n[inputs]\nmass = \"40 kg\"\n";
-        let source = NoteSource::new(file.to_owned(), &["x".to_owned()], &locale);
+        let source = NoteSource::new(file.to_owned(), &["x".to_owned()], Parts::Answers, &locale);
         for format in FORMATS {
             let note = source.append_to(format.write(&document("19 mm"), None, &locale), format);
             assert_eq!(NoteSource::of_note(&note).as_ref(), Ok(&source), "{note}");

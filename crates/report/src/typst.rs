@@ -5,7 +5,11 @@ use dalembert_core::{Language, Locale, printer::WrittenStep};
 use crate::{
     PROGRAM,
     document::{Block, Document, DocumentTable, NamedValue, figure_name},
-    math::{self, Math, sides},
+    math::{
+        self, Math,
+        breaking::{begins_with_sign, broken, width},
+        sides,
+    },
 };
 
 /// The document in Typst. Its figures are files that begin with `figures`; without that they are left out.
@@ -16,7 +20,7 @@ pub fn typst(document: &Document, figures: Option<&str>, locale: &Locale) -> Str
     };
     let mut text = format!(
         "#set document(title: {})\n#set page(margin: 2.5cm, footer: context [{} #h(1fr) \
-         #counter(page).display(\"1 / 1\", both: true)])\n{language}\n= {}\n",
+         #counter(page).display(\"1 / 1\", both: true)])\n{language}{SIDE}\n= {}\n",
         string(&document.title),
         words(PROGRAM),
         words(&document.title)
@@ -55,8 +59,18 @@ pub fn typst(document: &Document, figures: Option<&str>, locale: &Locale) -> Str
     text
 }
 
-/// Lines of formulas are as high as their fractions, and as far apart as those of words.
-const LINES: &str = "  #set text(top-edge: \"bounds\", bottom-edge: \"bounds\")\n  #set par(leading: 0.8em)";
+/// A side of an equation behind its symbol: its lines are broken where it says, and aligned behind the equals sign. Lines of
+/// formulas are as high as their fractions, and as far apart as those of words.
+const SIDE: &str = "\
+#let side(symbol, formula) = context {
+  set text(top-edge: \"bounds\", bottom-edge: \"bounds\")
+  let lead = [#symbol $=$ ]
+  block(above: 0.8em, below: 0.8em, par(leading: 0.8em, hanging-indent: measure(lead).width, lead + formula))
+}
+";
+
+/// Room for a side of a formula, in ems.
+const ROOM: f64 = 35.0;
 
 fn pairs(lines: &[NamedValue]) -> String {
     let cells = lines.iter().map(|line| {
@@ -70,14 +84,29 @@ fn pairs(lines: &[NamedValue]) -> String {
     format!("#table(columns: 3, stroke: none, inset: 3pt,\n{})\n", cells.collect::<String>())
 }
 
+/// A side of a formula, in pieces between which a line may end.
+fn side(formula: &Math, room: f64) -> String {
+    let piece = |piece: &Math| {
+        let before = if begins_with_sign(piece) { "\"\" " } else { "" };
+        format!("#box($display({before}{})$)", set(piece))
+    };
+    let terms = broken(formula, room);
+    let terms = terms.iter().map(|term| term.iter().map(piece).collect::<Vec<_>>().join("#sym.zws;"));
+    terms.collect::<Vec<_>>().join("#sym.zws;")
+}
+
 fn written_step(number: usize, step: &WrittenStep) -> String {
     let source = if step.source.is_empty() { String::new() } else { format!(" ({})", words(&step.source)) };
-    let mut text = format!("*{number}.* {}{source}\n\n#pad(left: 2em)[\n{LINES}\n", words(&step.why));
-    let symbol = set(&math::symbols(&step.symbol));
-    // Formulas within a line are broken at their signs, those that stand apart are not.
-    for (n, side) in sides(step).iter().enumerate() {
-        let left = if n == 0 { symbol.clone() } else { format!("#hide(${symbol}$)") };
-        text += &format!("  ${left} = display({})$ \\\n", set(side));
+    let mut text = format!(
+        "#block(sticky: true)[*{number}.* {}{source}]\n#block(breakable: false, inset: (left: 2em))[\n",
+        words(&step.why)
+    );
+    let symbol = math::symbols(&step.symbol);
+    let room = ROOM - width(&symbol) - 1.5;
+    let symbol = set(&symbol);
+    for (n, formula) in sides(step).iter().enumerate() {
+        let left = if n == 0 { format!("${symbol}$") } else { format!("#hide(${symbol}$)") };
+        text += &format!("  #side[{left}][{}]\n", side(formula, room));
     }
     text += "]\n";
     if !step.terms.is_empty() {

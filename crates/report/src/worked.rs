@@ -2,18 +2,17 @@
 
 use dalembert_core::{
     Answer, AnswerValue, Cell, Draft, Entry, Exhibit, Locale, Plot, Record, ShownUnits, Solution,
-    TableExhibit, Text, ascii, printer, problem_heading, title_of,
+    TableExhibit, Text, Value, ascii, printer, problem_heading, title_of,
 };
 use dalembert_units as units;
 
 use crate::{
+    Parts,
     document::{Block, Document, DocumentTable, NamedValue},
-    figure::figure,
+    figure::{drawing, figure},
     inputs::{self, ReportedInput, inputs},
+    tables::{document_table, file_of},
 };
-
-/// The longest table of inputs that is printed in full.
-const LONGEST_TABLE: usize = 60;
 
 /// A problem and what came of it.
 #[derive(Clone, Copy, Debug)]
@@ -51,17 +50,22 @@ impl WorkedProblem<'_> {
     }
 }
 
-/// The worked solution as a user reads it: problem, inputs, answers, steps, figures and tables, checks, warnings, sources.
+/// The worked solution as a user reads it: problem, inputs, drawings, answers, steps, plots and tables, checks, sources.
 pub fn document(worked: &WorkedProblem<'_>, locale: &Locale) -> Document {
-    written(worked, locale, true)
+    document_of(worked, Parts::Full, locale)
+}
+
+/// The parts of it that are chosen.
+pub fn document_of(worked: &WorkedProblem<'_>, parts: Parts, locale: &Locale) -> Document {
+    written(worked, parts, locale, true)
 }
 
 /// The same without figures, for a text that cannot show them: to lay them out takes longer than all the rest.
-pub fn document_without_figures(worked: &WorkedProblem<'_>, locale: &Locale) -> Document {
-    written(worked, locale, false)
+pub fn document_without_figures(worked: &WorkedProblem<'_>, parts: Parts, locale: &Locale) -> Document {
+    written(worked, parts, locale, false)
 }
 
-fn written(worked: &WorkedProblem<'_>, locale: &Locale, with_figures: bool) -> Document {
+fn written(worked: &WorkedProblem<'_>, parts: Parts, locale: &Locale, with_figures: bool) -> Document {
     let about = worked.entry.about;
     let locale = &locale.at(about.id);
     let say = |words: &'static str| Text::from(words).render(locale);
@@ -70,23 +74,33 @@ fn written(worked: &WorkedProblem<'_>, locale: &Locale, with_figures: bool) -> D
     let [case, source, statement, note] = texts.map(|text| text.render(locale));
     let case = [case, source].into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(" — ");
     blocks.extend([case, statement, note].into_iter().filter(|text| !text.is_empty()).map(Block::Paragraph));
-    if let Some(units) = worked.shown_units() {
+    // What is to be found is not among the data of a sheet to be worked on.
+    let solution = worked.outcome.ok();
+    let shown = match parts {
+        Parts::Statement => &WorkedProblem { outcome: Err(worked.case), ..*worked },
+        Parts::Answers | Parts::Full => worked,
+    };
+    if let Some(units) = shown.shown_units() {
         blocks.push(Block::Paragraph(units.line().render(locale)));
     }
     blocks.push(Block::Heading(say("Given data")));
-    blocks.extend(given(worked, locale));
+    blocks.extend(given(shown, locale));
     if !worked.notes.is_empty() {
         blocks.push(Block::Heading(say("How the data were read")));
         blocks.push(Block::Items(worked.notes.iter().map(|note| note.render(locale)).collect()));
     }
+    if let Some(solution) = solution.filter(|_| with_figures) {
+        blocks.extend(drawings(solution, parts, locale));
+    }
     match worked.outcome {
+        _ if parts == Parts::Statement => {}
         Err(why) => {
             blocks.push(Block::Heading(say("No answer")));
             blocks.push(Block::Paragraph(why.render(locale)));
         }
-        Ok(solution) => solved(solution, &mut blocks, with_figures, locale),
+        Ok(solution) => solved(solution, parts, &mut blocks, with_figures, locale),
     }
-    if !about.sources.is_empty() {
+    if !about.sources.is_empty() && parts == Parts::Full {
         blocks.push(Block::Heading(say("Sources")));
         let sources = about.sources.iter().map(|source| format!("{}: {}", source.short, source.full));
         blocks.push(Block::Items(sources.collect()));
@@ -95,7 +109,21 @@ fn written(worked: &WorkedProblem<'_>, locale: &Locale, with_figures: bool) -> D
     if locale.style.ascii { document.map(&|text| ascii(text)) } else { document }
 }
 
-fn solved(solution: &Solution, blocks: &mut Vec<Block>, with_figures: bool, locale: &Locale) {
+/// Drawings of the machine: a sheet to be worked on has nothing in them of what is to be found.
+fn drawings(solution: &Solution, parts: Parts, locale: &Locale) -> Vec<Block> {
+    let picture = |exhibit: &Exhibit| match parts {
+        Parts::Statement => drawing(&exhibit.sketch(0)?.unsolved(), locale),
+        Parts::Answers | Parts::Full => figure(exhibit, locale),
+    };
+    let drawn = solution.exhibits.iter().filter(|exhibit| is_drawing(exhibit));
+    drawn.filter_map(picture).map(Block::Figure).collect()
+}
+
+fn is_drawing(exhibit: &Exhibit) -> bool {
+    matches!(exhibit, Exhibit::Drawing(_) | Exhibit::Animation(_) | Exhibit::Scene(_))
+}
+
+fn solved(solution: &Solution, parts: Parts, blocks: &mut Vec<Block>, with_figures: bool, locale: &Locale) {
     let say = |words: &'static str| Text::from(words).render(locale);
     blocks.push(Block::Heading(say("Answers")));
     for (n, answers) in solution.answers.chunk_by(|a, b| a.problem == b.problem).enumerate() {
@@ -110,25 +138,8 @@ fn solved(solution: &Solution, blocks: &mut Vec<Block>, with_figures: bool, loca
         blocks.push(Block::Heading(say("Internal errors")));
         blocks.push(Block::Items(solution.defects.clone()));
     }
-    if !solution.steps.is_empty() {
-        blocks.push(Block::Heading(say("Working")));
-        for (n, step) in solution.steps.iter().enumerate() {
-            if let Some(of) = solution.problems.iter().find(|of| of.steps.start == n) {
-                blocks.extend(subheading(n == 0, of.name, locale));
-            }
-            blocks.push(Block::Step(n + 1, printer::step(solution, step, locale)));
-        }
-    }
-    for exhibit in &solution.exhibits {
-        if with_figures {
-            blocks.extend(figure(exhibit, locale).map(Block::Figure));
-        }
-        match exhibit {
-            Exhibit::Table(table) => blocks.push(Block::Table(written_table(table, locale))),
-            Exhibit::Plot(plot) => blocks.extend(plotted(plot, locale)),
-            // A drawing has no words of its own.
-            Exhibit::Drawing(_) | Exhibit::Animation(_) | Exhibit::Scene(_) => {}
-        }
+    if parts == Parts::Full {
+        worked_out(solution, blocks, with_figures, locale);
     }
     if !solution.checks.is_empty() {
         blocks.push(Block::Heading(say("Checks")));
@@ -148,23 +159,36 @@ fn solved(solution: &Solution, blocks: &mut Vec<Block>, with_figures: bool, loca
     }
 }
 
+/// Steps, plots and tables.
+fn worked_out(solution: &Solution, blocks: &mut Vec<Block>, with_figures: bool, locale: &Locale) {
+    let say = |words: &'static str| Text::from(words).render(locale);
+    if !solution.steps.is_empty() {
+        blocks.push(Block::Heading(say("Working")));
+        for (n, step) in solution.steps.iter().enumerate() {
+            if let Some(of) = solution.problems.iter().find(|of| of.steps.start == n) {
+                blocks.extend(subheading(n == 0, of.name, locale));
+            }
+            blocks.push(Block::Step(n + 1, printer::step(solution, step, locale)));
+        }
+    }
+    for exhibit in solution.exhibits.iter().filter(|exhibit| !is_drawing(exhibit)) {
+        if with_figures {
+            blocks.extend(figure(exhibit, locale).map(Block::Figure));
+        }
+        match exhibit {
+            Exhibit::Table(table) => blocks.push(Block::Table(written_table(table, locale))),
+            Exhibit::Plot(plot) => blocks.extend(plotted(plot, locale)),
+            Exhibit::Drawing(_) | Exhibit::Animation(_) | Exhibit::Scene(_) => {}
+        }
+    }
+}
+
 fn given(worked: &WorkedProblem<'_>, locale: &Locale) -> Vec<Block> {
     let inputs = inputs(worked.draft, worked.solved_record(), worked.outcome.ok(), locale);
     let mut tables = Vec::new();
     for input in &inputs {
-        if let Some(dalembert_core::Value::Table(table)) = input.value
-            && table.rows().len() <= LONGEST_TABLE
-        {
-            let columns = table.units.iter().map(|unit| format!("[{}]", unit.pretty())).collect();
-            let cell = |(si, unit): (&f64, &units::Unit)| units::write_number(unit.value(*si), locale.style);
-            let rows = table.rows().map(|row| row.iter().zip(&table.units).map(cell).collect());
-            tables.push(Block::Table(DocumentTable {
-                title: input.label.clone(),
-                columns,
-                numeric: vec![true; table.units.len()],
-                rows: rows.collect(),
-                foot: Vec::new(),
-            }));
+        if let Some(Value::Table(table)) = input.value {
+            tables.push(Block::Table(document_table(input, table, worked, locale)));
         }
     }
     let system = worked.shown_units().map(|units| units.system);
@@ -176,9 +200,13 @@ fn given(worked: &WorkedProblem<'_>, locale: &Locale) -> Vec<Block> {
         depth: input.depth,
         symbol: input.symbol.clone(),
         label: input.label.clone(),
-        value: match in_system(input) {
-            Some(other) => format!("{} = {other}", input.shown),
-            None => input.shown.clone(),
+        value: match (in_system(input), input.value.and(file_of(&input.typed))) {
+            (Some(other), _) => format!("{} = {other}", input.shown),
+            (None, Some(file)) => {
+                let text = Text::new("{rows} from {file}").with("rows", &input.shown).with("file", file);
+                text.render(locale)
+            }
+            (None, None) => input.shown.clone(),
         },
     });
     let [definitions, others] = common(&inputs, worked, locale);

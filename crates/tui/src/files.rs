@@ -325,7 +325,7 @@ pub fn list(folder: &Path) -> Vec<String> {
 }
 
 /// The bytes of a regular file, at most [`LARGEST`].
-fn read_bytes(path: &Path) -> Result<Vec<u8>, FileError> {
+pub fn read_bytes(path: &Path) -> Result<Vec<u8>, FileError> {
     // Before it is opened: opening alone can have an effect on a device.
     ordinary(path, fs::metadata(path).map_err(failed("read", path))?.file_type())?;
     let file = File::options()

@@ -1,9 +1,11 @@
 //! `dalembert confirm`
 
-use std::process::ExitCode;
+use std::{path::Path, process::ExitCode};
 
 use dalembert_core::{Locale, Text};
 use dalembert_report::{DocumentFormat, NoteSource, differences};
+#[cfg(feature = "word")]
+use dalembert_report::{DocxNote, docx_differences};
 use dalembert_tui::files;
 
 use crate::{
@@ -14,18 +16,35 @@ use crate::{
     problem::{self, ProblemSource},
 };
 
+/// A note as it was read.
+enum Note {
+    Text(String, DocumentFormat),
+    #[cfg(feature = "word")]
+    Word(DocxNote),
+}
+
+/// The note of a file, and its source.
+fn read(path: &Path, in_note: &impl Fn(Text) -> Failure) -> Result<(NoteSource, Note), Failure> {
+    #[cfg(feature = "word")]
+    if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("docx")) {
+        let note = DocxNote::read(&files::read_bytes(path)?).map_err(in_note)?;
+        return Ok((note.source.clone(), Note::Word(note)));
+    }
+    let format = DocumentFormat::of(path).filter(|format| *format != DocumentFormat::Text);
+    let format = format.ok_or_else(|| {
+        in_note("a note is HTML, LaTeX, Typst, Markdown or Word: .html, .tex, .typ, .md or .docx".into())
+    })?;
+    let text = files::read(path)?.text;
+    Ok((NoteSource::of_note(&text).map_err(in_note)?, Note::Text(text, format)))
+}
+
 /// Solves the problem in a note again, and names each printed line that is not as computed.
 pub(crate) fn run(confirm: &Confirm, console: &Console) -> Result<ExitCode, Failure> {
     let path = &confirm.note;
     let in_note = |why: Text| {
         Failure::input(Text::new("{file}: {why}").with("file", path.display()).with_text("why", why))
     };
-    let format = DocumentFormat::of(path).filter(|format| *format != DocumentFormat::Text);
-    let format = format.ok_or_else(|| {
-        in_note("a note is HTML, LaTeX, Typst or Markdown: .html, .tex, .typ or .md".into())
-    })?;
-    let note = files::read(path)?.text;
-    let source = NoteSource::of_note(&note).map_err(in_note)?;
+    let (source, note) = read(path, &in_note)?;
     let problem = problem::of_file(path, &source.problem_file, &ProblemSource::named(""), console)?;
     let outcome = match solve::outcome(&problem)? {
         Ok(solution) if !source.answers.is_empty() => Ok(solve::working_of(&solution, &source.answers)?),
@@ -34,8 +53,15 @@ pub(crate) fn run(confirm: &Confirm, console: &Console) -> Result<ExitCode, Fail
     let mut locale = Locale::of(source.language);
     (locale.style.digits, locale.style.ascii) = (source.digits, source.ascii);
     let locale = locale.at(problem.entry.about.id);
-    let (document, locale) = solve::on_paper(&problem, &problem.worked(&outcome), format, locale, console);
-    let (count, found) = differences(&note, &document, format, &locale);
+    let on_paper = |format| solve::on_paper(&problem, &outcome, source.parts, format, locale, console);
+    let (count, found) = match &note {
+        Note::Text(text, format) => {
+            let (document, locale) = on_paper(*format);
+            differences(text, &document, *format, &locale)
+        }
+        #[cfg(feature = "word")]
+        Note::Word(note) => docx_differences(note, &on_paper(DocumentFormat::Html).0),
+    };
     let mut lines = Vec::new();
     if source.version != env!("CARGO_PKG_VERSION") {
         let text = Text::new("the note was written by dalembert {version}; this is {this}");

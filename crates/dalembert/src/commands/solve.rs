@@ -4,8 +4,8 @@ use std::{ffi::OsStr, path::Path, process::ExitCode};
 
 use dalembert_core::{Answer, Locale, Solution, Text, UnitSetting, nearest};
 use dalembert_report::{
-    Document, DocumentFormat, NoteSource, WorkedProblem, csv, csv_tables, document, document_without_figures,
-    json, json_text, show_answers_in, text,
+    Document, DocumentFormat, NoteSource, Parts, WorkedProblem, csv, csv_tables, document_of,
+    document_without_figures, json, json_text, show_answers_in, text,
 };
 use dalembert_tui::glyphs::filter_untrusted;
 use dalembert_units as units;
@@ -110,12 +110,23 @@ pub(crate) fn write(
     let mut locale = console.locale.at(problem.entry.about.id);
     locale.style.digits = to.digits.unwrap_or(locale.style.digits);
     let worked = problem.worked(outcome);
+    let parts = to.form.parts.map_or(Parts::Full, Parts::from);
     let paper = match format(to.form, to.path) {
         Format::Text => DocumentFormat::Text,
         Format::Markdown => DocumentFormat::Markdown,
         Format::Html => DocumentFormat::Html,
         Format::Latex => DocumentFormat::Latex,
         Format::Typst => DocumentFormat::Typst,
+        #[cfg(feature = "word")]
+        Format::Docx => {
+            put_word(problem, outcome, parts, to, locale, console)?;
+            return status(&worked, console);
+        }
+        Format::Json | Format::Csv if to.form.parts.is_some() => {
+            return Err(Failure::input(
+                "--parts chooses what a text or a note has; JSON and CSV have all of it: leave out --parts",
+            ));
+        }
         Format::Json => {
             put(to, &json_text(&json(&worked, &locale)))?;
             return status(&worked, console);
@@ -126,12 +137,12 @@ pub(crate) fn write(
         }
     };
     if paper == DocumentFormat::Text {
-        let document = document_without_figures(&worked, &locale).under(&problem.title_block, &locale);
+        let document = document_without_figures(&worked, parts, &locale).under(&problem.title_block, &locale);
         put(to, &text(&document.map(&|words| console.plain(words)), console.width))?;
         return status(&worked, console);
     }
-    let (document, locale) = on_paper(problem, &worked, paper, locale, console);
-    let source = NoteSource::new(problem.file_text(problem.draft.clone()), to.answers, &locale);
+    let (document, locale) = on_paper(problem, outcome, parts, paper, locale, console);
+    let source = NoteSource::new(problem.file_text(problem.draft.clone()), to.answers, parts, &locale);
     match to.path {
         None => print(&source.append_to(paper.write(&document, None, &locale), paper))?,
         Some(path) => {
@@ -149,10 +160,30 @@ pub(crate) fn write(
     status(&worked, console)
 }
 
-/// The document of a problem in a format, and the locale that it is written in.
+/// Writes the document of Word. Where it would be printed, an error says so: it is no text.
+#[cfg(feature = "word")]
+fn put_word(
+    problem: &LoadedProblem,
+    outcome: &solving::SolveOutcome,
+    parts: Parts,
+    to: &Destination<'_>,
+    locale: Locale,
+    console: &Console,
+) -> Result<(), Failure> {
+    let path = to.path.ok_or_else(|| {
+        Failure::input("a document of Word is no text to print: name its file, as in --output note.docx")
+    })?;
+    let (document, locale) = on_paper(problem, outcome, parts, DocumentFormat::Html, locale, console);
+    let source = NoteSource::new(problem.file_text(problem.draft.clone()), to.answers, parts, &locale);
+    let bytes = dalembert_report::docx(&document, &source, &locale).map_err(Failure::input)?;
+    output::write(path, bytes, to.force)
+}
+
+/// The document of parts of a problem in a format, and the locale that it is written in.
 pub(crate) fn on_paper(
     problem: &LoadedProblem,
-    worked: &WorkedProblem<'_>,
+    outcome: &solving::SolveOutcome,
+    parts: Parts,
     paper: DocumentFormat,
     mut locale: Locale,
     console: &Console,
@@ -162,7 +193,8 @@ pub(crate) fn on_paper(
     locale.style.ascii &= !is_set;
     let plain =
         |words: &str| if is_set { filter_untrusted(words).into_owned() } else { console.plain(words) };
-    (document(worked, &locale).under(&problem.title_block, &locale).map(&plain), locale)
+    let document = document_of(&problem.worked(outcome), parts, &locale);
+    (document.under(&problem.title_block, &locale).map(&plain), locale)
 }
 
 /// Output format: by name, else by the extension of the file.
@@ -174,6 +206,8 @@ pub(crate) fn format(form: &OutputForm, path: Option<&Path>) -> Format {
             (Some(DocumentFormat::Html), _) => Format::Html,
             (Some(DocumentFormat::Latex), _) => Format::Latex,
             (Some(DocumentFormat::Typst), _) => Format::Typst,
+            #[cfg(feature = "word")]
+            (_, Some("docx")) => Format::Docx,
             (_, Some("json")) => Format::Json,
             (_, Some("csv")) => Format::Csv,
             _ => Format::Text,
@@ -193,7 +227,7 @@ fn put(to: &Destination<'_>, text: &str) -> Result<(), Failure> {
 pub(crate) fn print_worked(problem: &LoadedProblem, console: &Console) -> Result<ExitCode, Failure> {
     let outcome = outcome(problem)?;
     let worked = problem.worked(&outcome);
-    console.print(document_without_figures(&worked, &console.locale))?;
+    console.print(document_without_figures(&worked, Parts::Full, &console.locale))?;
     status(&worked, console)
 }
 

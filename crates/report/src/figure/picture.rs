@@ -120,17 +120,23 @@ const SCALE: [[f64; 3]; 5] =
 
 impl Tone {
     /// Red, green and blue; `None` for the colour of the words around.
-    fn rgb(self) -> Option<String> {
+    pub(crate) fn channels(self) -> Option<[u8; 3]> {
+        let of_curve = |n: usize| {
+            let rgb = u32::from_str_radix(CURVES[n % CURVES.len()], 16).unwrap_or_default().to_be_bytes();
+            [rgb[1], rgb[2], rgb[3]]
+        };
         match self {
             Tone::Ink | Tone::Faint => None,
-            Tone::Curve(n) => Some(CURVES[n % CURVES.len()].to_owned()),
-            Tone::Good => Some(CURVES[2].to_owned()),
-            Tone::Bad => Some(CURVES[3].to_owned()),
-            Tone::Scale(place) => {
-                let [red, green, blue] = of_scale(place);
-                Some(format!("{red:02X}{green:02X}{blue:02X}"))
-            }
+            Tone::Curve(n) => Some(of_curve(n)),
+            Tone::Good => Some(of_curve(2)),
+            Tone::Bad => Some(of_curve(3)),
+            Tone::Scale(place) => Some(of_scale(place)),
         }
+    }
+
+    /// The same as six hexadecimal digits.
+    fn rgb(self) -> Option<String> {
+        self.channels().map(|[red, green, blue]| format!("{red:02X}{green:02X}{blue:02X}"))
     }
 }
 
@@ -148,7 +154,7 @@ impl LineStyle {
         [LineStyle::Solid, LineStyle::Long, LineStyle::Short, LineStyle::Mixed][n % 4]
     }
 
-    fn lengths(self) -> &'static [u32] {
+    pub(crate) fn lengths(self) -> &'static [u32] {
         match self {
             LineStyle::Solid => &[],
             LineStyle::Long => &[9, 4],

@@ -27,12 +27,12 @@ pub enum Before {
     Whatever,
 }
 
-/// Replaces the file by `text`, or leaves it as it is. A symbolic link is kept, and its target replaced; permissions
+/// Replaces the content of the file, or leaves it as it is. A symbolic link is kept, and its target replaced; permissions
 /// are kept; a hard link is left with the old text.
 ///
 /// The answer is what the file is now, for the next [`Before::Was`].
-pub fn save(path: &Path, text: &str, before: Before) -> Result<Fingerprint, FileError> {
-    save_with(path, text, before, &mut |_| Ok(()))
+pub fn save(path: &Path, content: impl AsRef<[u8]>, before: Before) -> Result<Fingerprint, FileError> {
+    save_with(path, content, before, &mut |_| Ok(()))
 }
 
 /// Saves files that belong together: the first where that is as it must be, then the others over what is there. The
@@ -68,10 +68,11 @@ pub(super) enum Step {
 
 pub(super) fn save_with(
     path: &Path,
-    text: &str,
+    content: impl AsRef<[u8]>,
     before: Before,
     step: &mut dyn FnMut(Step) -> io::Result<()>,
 ) -> Result<Fingerprint, FileError> {
+    let content = content.as_ref();
     if !folder_of(path).is_dir() {
         return Err(FileError::NoFolder(folder_of(path).to_owned()));
     }
@@ -95,7 +96,7 @@ pub(super) fn save_with(
     let mut file = step(Step::Create)
         .and_then(|()| temporary(folder, if old.is_some() { 0o600 } else { 0o666 }))
         .map_err(failed("write in the folder of", path))?;
-    for part in text.as_bytes().chunks(64 * 1024) {
+    for part in content.chunks(64 * 1024) {
         step(Step::Write).and_then(|()| file.write_all(part)).map_err(failed("write", path))?;
     }
     if let Some(permissions) = old {
@@ -115,7 +116,7 @@ pub(super) fn save_with(
         })?;
     remove_leftovers(folder);
     step(Step::SyncFolder).and_then(|()| sync_folder(folder)).map_err(failed("make sure of", path))?;
-    Ok(Fingerprint::of(text.as_bytes()))
+    Ok(Fingerprint::of(content))
 }
 
 pub(super) fn remove_leftovers_older(folder: &Path, age: Duration) -> usize {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use dalembert_core::{Locale, Text, cases::Case};
-use dalembert_report::{DocumentFormat, NoteSource, WorkedProblem, document};
+use dalembert_report::{DocumentFormat, NoteSource, Parts, WorkedProblem, document};
 use dalembert_units::Style;
 
 use crate::{
@@ -153,6 +153,7 @@ fn files(
     };
     let document = document(&worked, locale).under(&problem.document.title_block, locale);
     let document = document.map(&|words| filter_untrusted(words).into_owned());
-    let files = NoteSource::new(problem.as_text(), &[], locale).files(paper, &document, path, locale)?;
+    let files =
+        NoteSource::new(problem.as_text(), &[], Parts::Full, locale).files(paper, &document, path, locale)?;
     Some(files.into_iter().map(|(name, text)| (path.with_file_name(name), text)).collect())
 }
