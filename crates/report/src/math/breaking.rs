@@ -137,6 +137,8 @@ fn opened(part: Math, room: f64, is_alone: bool) -> Vec<Vec<Math>> {
     if width(&part) <= room {
         return vec![vec![part]];
     }
+    // For the brackets, root and stroke beside what is within.
+    let room = room - 2.0;
     match part {
         Math::Row(parts) => pieces_of_sum(parts, room),
         Math::Brackets(open, inner) => in_brackets(open, &inner, room),
