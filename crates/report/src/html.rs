@@ -1,5 +1,7 @@
 //! A document as one HTML page that needs nothing else: figures inline, formulas as MathML, no scripts.
 
+use std::mem::take;
+
 use dalembert_core::{Locale, printer::WrittenStep};
 
 use crate::{
@@ -38,8 +40,7 @@ h2, h3, p:has(+ .formula) { break-after: avoid }
 const STYLE_OF_FORMULAS: &str = "\
 .formula { display: grid; grid-template-columns: max-content max-content minmax(0, 1fr); gap: .5em .25em; \
 align-items: baseline; margin: .4rem 0 1rem 2rem }
-.formula > *, .formula .term { overflow-wrap: anywhere }
-.formula .term { display: inline-block; max-width: 100% }
+.formula .term { display: inline-flex; flex-wrap: wrap; align-items: baseline; max-width: 100% }
 .formula .narrow { display: none }
 @media screen and (max-width: 46rem) { .formula { margin-left: .5rem; font-size: .9em } \
 .formula .wide { display: none } .formula .narrow { display: block } }
@@ -129,19 +130,23 @@ fn inline(formula: &Math) -> String {
 
 /// A side of a formula, in pieces between which a line may end.
 fn side(formula: &Math, room: f64) -> String {
-    let piece = |piece: &Math| format!("<math displaystyle=\"true\">{}</math>", mathml_of_piece(piece));
+    let mut is_first = true;
+    let mut piece = |piece: &Math| {
+        let set = mathml(piece);
+        // A sign at the begin of a piece stands between it and what is before.
+        let set = if !take(&mut is_first) && begins_with_sign(piece) {
+            set.replacen("<mo>", "<mo form=\"infix\">", 1)
+        } else {
+            set
+        };
+        format!("<math displaystyle=\"true\">{set}</math>")
+    };
     let terms = broken(formula, room);
     let terms = terms.iter().map(|term| {
-        let pieces = term.iter().map(piece).collect::<Vec<_>>().join("<wbr/>");
+        let pieces = term.iter().map(&mut piece).collect::<Vec<_>>().concat();
         if term.len() == 1 { pieces } else { format!("<span class=\"term\">{pieces}</span>") }
     });
     terms.collect::<Vec<_>>().join("<wbr/>")
-}
-
-/// A piece of a formula; a sign at its begin stands between it and what is before.
-fn mathml_of_piece(piece: &Math) -> String {
-    let set = mathml(piece);
-    if begins_with_sign(piece) { set.replacen("<mo>", "<mo form=\"infix\">", 1) } else { set }
 }
 
 fn written_step(number: usize, step: &WrittenStep) -> String {

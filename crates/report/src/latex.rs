@@ -1,5 +1,7 @@
 //! LaTeX writer: a document for pdfLaTeX, XeLaTeX and LuaLaTeX alike, one file, its figures drawn by TikZ.
 
+use std::mem::take;
+
 use dalembert_core::{ascii, printer::WrittenStep};
 
 use crate::{
@@ -24,13 +26,15 @@ const PREAMBLE: &str = r"\documentclass[11pt,a4paper]{article}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{0.5\baselineskip}
 \IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}
+% What hangs below the last line belongs to the page.
+\maxdepth=0pt
 \newlength{\lead}
 % A side of an equation behind its symbol: its lines are broken where it says, and aligned behind the equals sign.
 \newcommand{\side}[2]{\settowidth{\lead}{$\displaystyle #1={}$}%
-  \noindent\hangindent=\lead\hangafter=1\hbox to\lead{$\displaystyle #1={}$\hfil}#2\par}
+  \noindent\hangindent=\lead\hangafter=1\hbox to\lead{$\displaystyle #1={}$\hfil}#2\par\nopagebreak}
 % The sides of an equation stay on one page.
 \newenvironment{equation-sides}{\leftskip=2em\rightskip=0pt plus 0.5\linewidth\tolerance=10000\lineskiplimit=4pt\lineskip=4pt
-  \interlinepenalty=10000\samepage}{\par}
+  \interlinepenalty=10000\samepage}{\par\penalty-20}
 \newcommand{\piece}[1]{\hbox{$\displaystyle #1$}}
 % A line ends rather before a term than before a factor.
 \newcommand{\term}{\penalty0\hskip0pt\relax}
@@ -41,6 +45,7 @@ const PREAMBLE: &str = r"\documentclass[11pt,a4paper]{article}
 
 /// Foot of a page: program and version, page of pages. The second run knows how many there are.
 const FOOT: &str = r"\makeatletter
+\@maxdepth=\maxdepth
 \def\@oddfoot{PROGRAM\hfil\thepage\ / \pageref{last-page}}
 \makeatother
 ";
@@ -115,12 +120,13 @@ fn pair(line: &NamedValue) -> String {
 
 /// A side of a formula, in pieces between which a line may end.
 fn side(formula: &Math, room: f64) -> String {
-    let piece = |piece: &Math| {
-        let before = if begins_with_sign(piece) { "{}" } else { "" };
+    let mut is_first = true;
+    let mut piece = |piece: &Math| {
+        let before = if !take(&mut is_first) && begins_with_sign(piece) { "{}" } else { "" };
         format!("\\piece{{{before}{}}}", set(piece))
     };
     let terms = broken(formula, room);
-    let terms = terms.iter().map(|term| term.iter().map(piece).collect::<Vec<_>>().join("\\factor"));
+    let terms = terms.iter().map(|term| term.iter().map(&mut piece).collect::<Vec<_>>().join("\\factor"));
     terms.collect::<Vec<_>>().join("\\term")
 }
 

@@ -1,5 +1,7 @@
 //! A document in Typst; its figures are SVG files beside it, which Typst reads as they are.
 
+use std::mem::take;
+
 use dalembert_core::{Language, Locale, printer::WrittenStep};
 
 use crate::{
@@ -86,12 +88,13 @@ fn pairs(lines: &[NamedValue]) -> String {
 
 /// A side of a formula, in pieces between which a line may end.
 fn side(formula: &Math, room: f64) -> String {
-    let piece = |piece: &Math| {
-        let before = if begins_with_sign(piece) { "\"\" " } else { "" };
+    let mut is_first = true;
+    let mut piece = |piece: &Math| {
+        let before = if !take(&mut is_first) && begins_with_sign(piece) { "\"\" " } else { "" };
         format!("#box($display({before}{})$)", set(piece))
     };
     let terms = broken(formula, room);
-    let terms = terms.iter().map(|term| term.iter().map(piece).collect::<Vec<_>>().join("#sym.zws;"));
+    let terms = terms.iter().map(|term| term.iter().map(&mut piece).collect::<Vec<_>>().join("#sym.zws;"));
     terms.collect::<Vec<_>>().join("#sym.zws;")
 }
 

@@ -83,9 +83,7 @@ fn every_analysis_is_a_document_of_word() {
                     Event::Eof => break,
                     Event::Start(start) => {
                         open += 1;
-                        *counts
-                            .entry(start.name().as_ref().to_owned())
-                            .or_default() += 1;
+                        *counts.entry(start.name().as_ref().to_owned()).or_default() += 1;
                     }
                     Event::Empty(empty)
                         if empty.name().as_ref() == "w:pStyle" && name == "word/document.xml" =>

@@ -138,7 +138,7 @@ def text_of(glyphs):
 
 def measured(path, margin, titles):
     """Number of pages, and what is wrong with them."""
-    faults = []
+    faults, pages = [], []
     titles = {letters(title): title for title in titles}
     with pymupdf.open(path) as document:
         for number, page in enumerate(document, 1):
@@ -162,14 +162,16 @@ def measured(path, margin, titles):
                     faults.append(("outside", f"page {number}: {count} letters outside of the text: {text[:60]}"))
             if hidden := clipped(page):
                 faults.append(("outside", f"page {number}: {hidden} letters are cut"))
-            # The last lines of a page that is not the last one.
+            pages.append(body)
+        for number, (body, following) in enumerate(zip(pages, pages[1:]), 1):
+            begin = letters("".join(following[:6]))
             end = ""
-            if number < document.page_count:
-                for text in reversed(body[-6:]):
-                    end = letters(text) + end
-                    if end in titles:
-                        faults.append(("lone", f"page {number} ends with a title: {titles[end][:60]}"))
-                        break
+            for text in reversed(body[-6:]):
+                end = letters(text) + end
+                # A figure may have the title of what follows it.
+                if end in titles and not begin.startswith(end):
+                    faults.append(("lone", f"page {number} ends with a title: {titles[end][:60]}"))
+                    break
         return document.page_count, faults
 
 

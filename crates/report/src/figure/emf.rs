@@ -135,7 +135,7 @@ impl Metafile {
         }
         // Style, set of characters, precision, pitch.
         font.extend([0, 0, 0, 1, 0, 0, 0, 0]);
-        let name: Vec<u8> = "Arial".encode_utf16().flat_map(u16::to_le_bytes).collect();
+        let name: Vec<u8> = "Cambria".encode_utf16().flat_map(u16::to_le_bytes).collect();
         font.extend(&name);
         font.resize(4 + 92 + 228, 0);
         self.record(CREATE_FONT, &font);
