@@ -51,7 +51,7 @@ struct Note {
     titles: Vec<String>,
 }
 
-/// What was found about a note in a format.
+/// Findings about a note in a format.
 #[derive(Deserialize)]
 struct Printed {
     name: String,

@@ -31,7 +31,7 @@ struct Package {
     below: BTreeSet<String>,
 }
 
-/// What has a place in a row: a package, or a line that goes through the row.
+/// Package, or line between packages that goes through a row.
 struct Item {
     package: Option<usize>,
     /// The items of the next row that it is joined to.

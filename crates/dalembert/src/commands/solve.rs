@@ -160,7 +160,7 @@ pub(crate) fn write(
     status(&worked, console)
 }
 
-/// Writes the document of Word. Where it would be printed, an error says so: it is no text.
+/// Writes the document of Word into a file; to print it is an error, since it is no text.
 #[cfg(feature = "word")]
 fn put_word(
     problem: &LoadedProblem,

@@ -24,7 +24,7 @@ const LARGEST: u64 = 64 << 20;
 /// A note for Word as it was read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DocxNote {
-    /// Its problem file.
+    /// Source of the note: problem file, language, digits.
     pub source: NoteSource,
     lines: Vec<String>,
 }

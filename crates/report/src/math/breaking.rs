@@ -1,5 +1,5 @@
-//! Where a formula that is too long for a line is broken: before its sums, else before its products, else within its
-//! brackets, roots and fractions, which are then written on one line.
+//! Line breaks in formulas that are too long for a line: before sums, else before products, else within brackets, roots and
+//! fractions, which are then written on one line.
 //!
 //! Widths are estimates in ems, the size of the letters around: those who set the pieces know their own letters.
 
