@@ -203,7 +203,7 @@ impl Reader<'_> {
         let settings = &mut self.settings;
         match key {
             "language" => {
-                settings.language = Some(one_of(key, item, &Language::ALL.map(|one| (one.tag(), one)))?)
+                settings.language = Some(one_of(key, item, &Language::ALL.map(|one| (one.tag(), one)))?);
             }
             "theme" => settings.theme = one_of(key, item, &Theme::ALL.map(|theme| (theme.id(), theme)))?,
             "ascii" => settings.ascii = flag(key, item)?,

@@ -101,7 +101,7 @@ pub fn remember(path: &Path, change: &HistoryChange) -> Result<(), FileError> {
             return Ok(());
         }
         tries -= 1;
-        match save(path, &remembered::write(&all, &text), before) {
+        match save(path, remembered::write(&all, &text), before) {
             Err(FileError::Changed(_) | FileError::Exists(_) | FileError::Removed(_)) if tries > 0 => {}
             result => return result.map(|_| ()),
         }

@@ -126,7 +126,7 @@ fn of_many_that_save_at_once_exactly_one_wins() {
         let threads: Vec<_> = (0..4)
             .map(|writer| {
                 let path = path.clone();
-                thread::spawn(move || save(&path, &format!("writer {writer}"), Before::Was(opened)).is_ok())
+                thread::spawn(move || save(&path, format!("writer {writer}"), Before::Was(opened)).is_ok())
             })
             .collect();
         let won: Vec<bool> = threads.into_iter().map(|thread| thread.join().unwrap()).collect();
@@ -290,7 +290,7 @@ fn version(round: usize) -> String {
 fn saver() {
     let Some(path) = std::env::var_os("DALEMBERT_TEST_SAVER").map(PathBuf::from) else { return };
     for round in 0.. {
-        save(&path, &version(round), Before::Whatever).unwrap();
+        save(&path, version(round), Before::Whatever).unwrap();
         if round == 0 {
             println!("\nsaving");
         }
@@ -302,7 +302,7 @@ fn a_kill_at_any_moment_leaves_a_whole_file() {
     const KILLS: u64 = 200;
     let folder = folder();
     let path = folder.path().join("precious.toml");
-    save(&path, &version(0), Before::Absent).unwrap();
+    save(&path, version(0), Before::Absent).unwrap();
     let (mut first, mut second, mut strays) = (0, 0, 0);
     for kill in 0..KILLS {
         let mut child = Command::new(std::env::current_exe().unwrap())
