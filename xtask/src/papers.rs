@@ -5,6 +5,7 @@
 //! | HTML | Chromium, and laid out for a phone and a desk |
 //! | Typst | the package `typst` of Python |
 //! | LaTeX | pdfLaTeX |
+//! | Word | LibreOffice, where `--format docx` asks for it |
 //!
 //! Faults are letters outside of the text of a page or cut, boxes that LaTeX reports as overfull, and titles that stand
 //! last on a page.
@@ -26,8 +27,9 @@ use crate::cargo::{Program, output, target};
 
 /// Script for Python: makes the PDFs and measures them.
 const SCRIPT: &str = include_str!("papers/papers.py");
-/// Formats by the ending of their files.
-const FORMATS: [&str; 3] = ["html", "typ", "tex"];
+/// Formats by the ending of their files, and how many of them are printed without `--format`.
+const FORMATS: [&str; 4] = ["html", "typ", "tex", "docx"];
+const USUAL: usize = 3;
 /// Languages of the notes.
 const LANGUAGES: [&str; 2] = ["en", "pt-BR"];
 /// Widths in which pages are laid out, in pixels: a phone and a desk.
@@ -109,7 +111,7 @@ fn options<'w>(words: &[&'w str]) -> Result<(Vec<&'w str>, Vec<&'w str>)> {
             name => names.push(name),
         }
     }
-    Ok((if formats.is_empty() { FORMATS.to_vec() } else { formats }, names))
+    Ok((if formats.is_empty() { FORMATS[..USUAL].to_vec() } else { formats }, names))
 }
 
 /// The name of the browser, if all programs that these formats need are there.
@@ -131,6 +133,11 @@ fn programs(formats: &[&str]) -> Result<Option<&'static str>> {
             "tex",
             "pdflatex, by `apt-get install texlive-latex-recommended texlive-pictures texlive-fonts-recommended lmodern`",
             runs("pdflatex", &["--version"]),
+        ),
+        (
+            "docx",
+            "LibreOffice, by `apt-get install libreoffice-writer libreoffice-math`",
+            runs("soffice", &["--version"]),
         ),
     ];
     let missing: Vec<&str> = needed

@@ -142,6 +142,33 @@ impl Block {
     }
 }
 
+/// Rows of a table that is kept on one page.
+pub(crate) const SHORT_TABLE: usize = 20;
+
+/// Estimated widths of the columns of a table, in letters: of each the widest cell, and the longest word of its heading; and
+/// those that the table has where `room` letters are wider than it is: text is wrapped, numbers are not.
+pub(crate) fn column_widths(table: &DocumentTable, room: f64) -> Vec<f64> {
+    let letters = |text: &str| text.chars().count() as f64;
+    let longest_word = |text: &str| text.split_whitespace().map(letters).fold(0.0, f64::max);
+    let column = |at: usize| {
+        let cells = || table.rows.iter().chain([&table.foot]).filter_map(move |row| row.get(at));
+        let heading = table.columns.get(at).map_or("", String::as_str);
+        let is_number = table.numeric.get(at) == Some(&true);
+        let cell = |of: &dyn Fn(&str) -> f64| cells().map(|cell| of(cell)).fold(0.0, f64::max);
+        let least = if is_number { cell(&letters) } else { cell(&longest_word) };
+        (least.max(longest_word(heading)).max(2.0), cell(&letters).max(letters(heading)).max(2.0))
+    };
+    let columns: Vec<(f64, f64)> = (0..table.columns.len()).map(column).collect();
+    let (least, wanted) =
+        columns.iter().fold((0.0, 0.0), |(least, wanted), one| (least + one.0, wanted + one.1));
+    if wanted <= room {
+        return columns.into_iter().map(|(_, wanted)| wanted).collect();
+    }
+    // What is left beside the least widths goes to the columns that want more.
+    let share = ((room - least) / (wanted - least).max(1.0)).clamp(0.0, 1.0);
+    columns.into_iter().map(|(least, wanted)| least + share * (wanted - least)).collect()
+}
+
 /// The name of the file of a figure, counted from 1.
 pub(crate) fn figure_name(stem: &str, number: usize) -> String {
     format!("{stem}-{number}.svg")

@@ -6,7 +6,7 @@ use dalembert_core::{Locale, printer::WrittenStep};
 
 use crate::{
     PROGRAM,
-    document::{Block, Document, DocumentTable, NamedValue},
+    document::{Block, Document, DocumentTable, NamedValue, SHORT_TABLE},
     math::{
         self, Math,
         breaking::{begins_with_sign, broken, width},
@@ -32,7 +32,7 @@ table.title-block { border: 1px solid }
 table.title-block th, table.title-block td { border-bottom: 1px solid; padding: .15rem .7rem }
 h2, h3, p:has(+ .formula) { break-after: avoid }
 @page { margin: 2cm; @bottom-left { content: \"PROGRAM\" } @bottom-right { content: counter(page) \" / \" counter(pages) } }
-@media print { body { max-width: none; margin: 0 } .formula, figure, tr { break-inside: avoid } }
+@media print { body { max-width: none; margin: 0 } .formula, figure, tr, .short { break-inside: avoid } figure svg { max-height: 23cm } }
 ";
 
 /// The rules of the formulas of a step: symbol, equals sign, and a side whose lines are broken before its signs, first
@@ -42,7 +42,7 @@ const STYLE_OF_FORMULAS: &str = "\
 align-items: baseline; margin: .4rem 0 1rem 2rem }
 .formula .term { display: inline-flex; flex-wrap: wrap; align-items: baseline; max-width: 100% }
 .formula .narrow { display: none }
-@media screen and (max-width: 46rem) { .formula { margin-left: .5rem; font-size: .9em } \
+@media screen and (max-width: 46rem) { table.rows { display: block; overflow-x: auto } .formula { margin-left: .5rem; font-size: .9em } \
 .formula .wide { display: none } .formula .narrow { display: block } }
 ";
 /// Room for a side of a formula on a page of A4 and on a phone, in ems.
@@ -196,13 +196,14 @@ fn rows(table: &DocumentTable) -> String {
     } else {
         format!("<caption>{}</caption>\n", escaped(&table.title))
     };
+    let short = if table.rows.len() <= SHORT_TABLE { " short" } else { "" };
     let foot = if table.foot.is_empty() {
         String::new()
     } else {
         format!("<tfoot>\n{}</tfoot>\n", row(&table.foot, "td"))
     };
     format!(
-        "<table class=\"rows\">\n{caption}<thead>\n{}</thead>\n<tbody>\n{}</tbody>\n{foot}</table>\n",
+        "<table class=\"rows{short}\">\n{caption}<thead>\n{}</thead>\n<tbody>\n{}</tbody>\n{foot}</table>\n",
         row(&table.columns, "th"),
         table.rows.iter().map(|cells| row(cells, "td")).collect::<String>()
     )

@@ -6,7 +6,7 @@ use dalembert_core::{ascii, printer::WrittenStep};
 
 use crate::{
     PROGRAM,
-    document::{Block, Document, DocumentTable, NamedValue},
+    document::{Block, Document, DocumentTable, NamedValue, column_widths},
     figure::picture::tikz_colours,
     math::{
         self, Math,
@@ -21,6 +21,7 @@ const PREAMBLE: &str = r"\documentclass[11pt,a4paper]{article}
 \usepackage{textcomp}
 \usepackage{amsmath}
 \usepackage[margin=2.5cm]{geometry}
+\usepackage{array}
 \usepackage{longtable}
 \usepackage{tikz}
 \setlength{\parindent}{0pt}
@@ -39,6 +40,12 @@ const PREAMBLE: &str = r"\documentclass[11pt,a4paper]{article}
 % A line ends rather before a term than before a factor.
 \newcommand{\term}{\penalty0\hskip0pt\relax}
 \newcommand{\factor}{\penalty500\hskip0pt\relax}
+% A column of words, and one of numbers, that are wrapped.
+\newcolumntype{L}[1]{>{\raggedright\arraybackslash}p{#1}}
+\newcolumntype{R}[1]{>{\raggedleft\arraybackslash}p{#1}}
+\emergencystretch=3em
+% A title begins another page where there is no room for what follows.
+\newcommand{\room}{\par\ifdim\pagetotal>0pt\ifdim\dimexpr\pagegoal-\pagetotal\relax<8\baselineskip\newpage\fi\fi}
 % What follows stays on the page.
 \newcommand{\keep}{\par\nopagebreak}
 ";
@@ -49,6 +56,10 @@ const FOOT: &str = r"\makeatletter
 \def\@oddfoot{PROGRAM\hfil\thepage\ / \pageref{last-page}}
 \makeatother
 ";
+
+/// Letters on a line of a table, and those that the gap between two columns takes.
+const COLUMNS: f64 = 82.0;
+const GAP: f64 = 1.7;
 
 /// Room for a side of a formula, in ems.
 const ROOM: f64 = 34.0;
@@ -79,8 +90,8 @@ pub fn latex_formulas(document: &Document) -> String {
 
 fn block(block: &Block) -> String {
     match block {
-        Block::Heading(heading) => format!("\\subsection*{{{}}}\n", words(heading)),
-        Block::Subheading(heading) => format!("\\subsubsection*{{{}}}\n", words(heading)),
+        Block::Heading(heading) => format!("\\room\\subsection*{{{}}}\n", words(heading)),
+        Block::Subheading(heading) => format!("\\room\\subsubsection*{{{}}}\n", words(heading)),
         Block::Paragraph(sentences) => format!("{}\n", words(sentences)),
         Block::Items(items) => {
             let items =
@@ -159,17 +170,35 @@ fn rows(table: &DocumentTable) -> String {
         // A cell that begins with a bracket would be taken for an option of the line break before it.
         format!("{{}}{} \\\\\n", cells.join(" & "))
     };
-    let sides: String = (0..table.columns.len())
-        .map(|at| if table.numeric.get(at) == Some(&true) { 'r' } else { 'l' })
-        .collect();
+    let is_number = |at: usize| table.numeric.get(at) == Some(&true);
+    let widths = column_widths(table, COLUMNS);
+    let all: f64 = widths.iter().sum::<f64>() + GAP * widths.len() as f64;
+    // Columns as wide as their cells where there is room, else wrapped, and in letters as small as they must be.
+    let natural: f64 = column_widths(table, f64::INFINITY).iter().sum();
+    let sides: String = if natural + GAP * widths.len() as f64 <= COLUMNS {
+        (0..table.columns.len()).map(|at| if is_number(at) { 'r' } else { 'l' }).collect()
+    } else {
+        let column = |(at, width): (usize, &f64)| {
+            let kind = if is_number(at) { 'R' } else { 'L' };
+            format!("{kind}{{{:.3}\\linewidth}}", 0.98 * width / all.max(COLUMNS))
+        };
+        widths.iter().enumerate().map(column).collect::<Vec<_>>().concat()
+    };
+    let size = match COLUMNS / all {
+        share if share >= 1.0 => "",
+        share if share >= 0.9 => "\\small",
+        share if share >= 0.8 => "\\footnotesize",
+        share if share >= 0.7 => "\\scriptsize",
+        _ => "\\tiny",
+    };
     let title = if table.title.is_empty() {
         String::new()
     } else {
-        format!("\\textbf{{{}}}\n\n", words(&table.title))
+        format!("\\room\\textbf{{{}}}\\keep\n", words(&table.title))
     };
     let foot = if table.foot.is_empty() { String::new() } else { format!("\\hline\n{}", row(&table.foot)) };
     format!(
-        "{title}\\begin{{longtable}}{{{sides}}}\n{}\\hline\n\\endhead\n{}{foot}\\end{{longtable}}\n",
+        "{title}{{{size}\\tabcolsep=0.4em\n\\begin{{longtable}}{{{sides}}}\n{}\\hline\n\\endhead\n{}{foot}\\end{{longtable}}}}\n",
         row(&table.columns),
         table.rows.iter().map(|cells| row(cells)).collect::<String>()
     )

@@ -83,6 +83,12 @@ enum Piece {
     Over,
 }
 
+/// True where an operand must follow: a bar there begins another absolute value.
+fn wants_operand(pieces: &[Piece]) -> bool {
+    let last = pieces.iter().rev().find(|piece| !matches!(piece, Piece::Part(Math::Gap)));
+    matches!(last, None | Some(Piece::Over | Piece::Part(Math::Operator(_))))
+}
+
 struct Reader {
     rest: Vec<char>,
     at: usize,
@@ -117,7 +123,7 @@ impl Reader {
     fn row(&mut self, close: Option<char>) -> Math {
         let mut pieces: Vec<Piece> = Vec::new();
         while let Some(character) = self.peek() {
-            if Some(character) == close {
+            if Some(character) == close && !(character == '|' && wants_operand(&pieces)) {
                 break;
             }
             match character {

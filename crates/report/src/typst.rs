@@ -6,7 +6,7 @@ use dalembert_core::{Language, Locale, printer::WrittenStep};
 
 use crate::{
     PROGRAM,
-    document::{Block, Document, DocumentTable, NamedValue, figure_name},
+    document::{Block, Document, DocumentTable, NamedValue, SHORT_TABLE, figure_name},
     math::{
         self, Math,
         breaking::{begins_with_sign, broken, width},
@@ -49,8 +49,9 @@ pub fn typst(document: &Document, figures: Option<&str>, locale: &Locale) -> Str
                 count += 1;
                 match figures {
                     Some(stem) => format!(
-                        "#figure(image({}, width: 100%), caption: [{}])\n",
+                        "#figure(image({}, width: {:.0}%), caption: [{}])\n",
                         string(&figure_name(stem, count)),
+                        (100.0 * TALLEST * picture.width / picture.height).min(100.0),
                         words(&picture.title)
                     ),
                     None => String::new(),
@@ -71,6 +72,9 @@ const SIDE: &str = "\
 }
 ";
 
+/// Height of a figure that still fits a page with its caption, as a part of the width of the text.
+const TALLEST: f64 = 1.4;
+
 /// Room for a side of a formula, in ems.
 const ROOM: f64 = 35.0;
 
@@ -81,9 +85,10 @@ fn pairs(lines: &[NamedValue]) -> String {
         } else {
             format!("${}$", set(&math::symbols(&line.symbol)))
         };
-        format!("  [#h({}em){}], [{symbol}], [{}],\n", line.depth, words(&line.label), words(&line.value))
+        format!("  [#h({}em);{}], [{symbol}], [{}],\n", line.depth, words(&line.label), words(&line.value))
     });
-    format!("#table(columns: 3, stroke: none, inset: 3pt,\n{})\n", cells.collect::<String>())
+    let cells = cells.collect::<String>();
+    kept(lines.len(), &format!("table(columns: 3, stroke: none, inset: 3pt,\n{cells})"))
 }
 
 /// A side of a formula, in pieces between which a line may end.
@@ -135,7 +140,10 @@ fn rows(table: &DocumentTable) -> String {
     let sides: Vec<&str> = (0..table.columns.len())
         .map(|at| if table.numeric.get(at) == Some(&true) { "right" } else { "left" })
         .collect();
-    let title = if table.title.is_empty() { String::new() } else { format!("*{}*\n\n", words(&table.title)) };
+    let title = match table.title.as_str() {
+        "" => String::new(),
+        title => format!("#block(sticky: true)[*{}*]\n", words(title)),
+    };
     let foot = if table.foot.is_empty() {
         String::new()
     } else {
@@ -143,13 +151,18 @@ fn rows(table: &DocumentTable) -> String {
     };
     let body = table.rows.iter().map(|row| format!("  {},\n", cells(row))).collect::<Vec<_>>().concat();
     // The comma after the only side makes a list of it.
-    format!(
-        "{title}#table(columns: {}, align: ({},), stroke: none, inset: 3pt,\n  table.header({}),\n  \
-         table.hline(),\n{body}{foot})\n",
+    let set = format!(
+        "table(columns: {}, align: ({},), stroke: none, inset: 3pt,\n  table.header({}),\n  table.hline(),\n{body}{foot})",
         table.columns.len(),
         sides.join(", "),
         cells(&table.columns)
-    )
+    );
+    format!("{title}{}", kept(table.rows.len(), &set))
+}
+
+/// A table, on one page if it is short.
+fn kept(rows: usize, table: &str) -> String {
+    if rows <= SHORT_TABLE { format!("#block(breakable: false, {table})\n") } else { format!("#{table}\n") }
 }
 
 /// A formula, to stand within `$`.

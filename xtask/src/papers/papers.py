@@ -91,7 +91,7 @@ class Browser:
 
     def cut(self):
         """Texts of the elements that are wider than their place."""
-        asked = """[...document.querySelectorAll('.formula, .formula *, table')]
+        asked = """[...document.querySelectorAll('.formula, .formula *')]
             .filter(one => one instanceof HTMLElement && one.scrollWidth > one.clientWidth + 1 && one.clientWidth > 0)
             .map(one => one.textContent.trim().slice(0, 60))"""
         return self.call("Runtime.evaluate", expression=asked, returnByValue=True)["result"]["value"]

@@ -4,7 +4,7 @@ use dalembert_core::printer::WrittenStep;
 
 use super::omml::{phantom, run, set};
 use crate::{
-    document::{Block, Document, DocumentTable, NamedValue},
+    document::{Block, Document, DocumentTable, NamedValue, column_widths},
     figure::picture::Picture,
     math::{
         self,
@@ -27,6 +27,8 @@ const TEXT: usize = 9072;
 const ROOM: f64 = 33.0;
 /// English metric units of a pixel, of which there are 96 to the inch.
 const EMU: f64 = 9525.0;
+/// Height of a figure that fits a page with its caption, in these units: 22 cm.
+const TALLEST: f64 = 7_920_000.0;
 /// Relationship of the first figure, behind those of the other parts.
 const FIRST_FIGURE: usize = 6;
 
@@ -154,7 +156,11 @@ const RULES: &str = "<w:tblBorders><w:top w:val=\"single\" w:sz=\"4\"/><w:bottom
 
 fn rows(of: &DocumentTable) -> String {
     let count = of.columns.len().max(1);
-    let widths = vec![TEXT / count; count];
+    let letters = column_widths(of, 80.0);
+    let all: f64 = letters.iter().sum::<f64>() + 2.0 * letters.len() as f64;
+    let scale = TEXT as f64 / all.max(80.0);
+    let mut widths: Vec<usize> = letters.iter().map(|width| ((width + 2.0) * scale) as usize).collect();
+    widths.resize(count, TEXT / count);
     let line = |cells: &[String], set: fn(&str) -> String| {
         let cells = (0..count).map(|at| {
             let text = cells.get(at).map_or("", String::as_str);
@@ -198,7 +204,7 @@ fn cell(width: usize, properties: &str, content: &str, is_number: bool) -> Strin
 
 fn figure(picture: &Picture, number: usize) -> String {
     // Twentieths of a point are 635 units.
-    let scale = (TEXT as f64 * 635.0 / (picture.width * EMU)).min(1.0);
+    let scale = (TEXT as f64 * 635.0 / (picture.width * EMU)).min(TALLEST / (picture.height * EMU)).min(1.0);
     let [wide, high] = [picture.width, picture.height].map(|length| (length * EMU * scale).round());
     let title = escaped(&picture.title);
     let drawing = format!(
