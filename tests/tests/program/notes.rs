@@ -114,7 +114,7 @@ fn repacked(bytes: &[u8], change: &impl Fn(&str, String) -> String) -> Vec<u8> {
     let mut changed = zip::ZipWriter::new(Cursor::new(Vec::new()));
     for n in (0..archive.len()).rev() {
         let mut file = archive.by_index(n).expect("a file");
-        let (name, mut content) = (file.name().to_owned(), Vec::new());
+        let (name, mut content) = (file.name().expect("a name").into_owned(), Vec::new());
         file.read_to_end(&mut content).expect("its content");
         let content = match String::from_utf8(content) {
             Ok(text) => change(&name, text).into_bytes(),

@@ -69,8 +69,8 @@ fn every_analysis_is_a_document_of_word() {
         let mut figures = 0;
         for n in 0..archive.len() {
             let mut file = archive.by_index(n).expect("a part");
-            let name = file.name().to_owned();
-            if name.ends_with(".emf") {
+            let name = file.name().expect("a name").into_owned();
+            if name.rsplit_once('.').is_some_and(|(_, kind)| kind == "emf") {
                 figures += 1;
                 continue;
             }
