@@ -150,6 +150,11 @@ impl Place<'_> {
                 {
                     input.shown = format!("{} = {}", input.typed.trim(), input.shown);
                 }
+                // Without a solution an unknown is what was typed: the value of its record is where a search begins.
+                let has_number = matches!(value, Value::Quantity(_) | Value::Vector(_));
+                if self.solution.is_none() && has_number && input.typed.contains('?') {
+                    input.typed.trim().clone_into(&mut input.shown);
+                }
                 if gravity::is_gravity(field) && input.typed.trim().is_empty() && gravity::is_default(value) {
                     let default = Text::new("{value} (default)").with("value", &input.shown);
                     input.shown = default.render(self.locale);
