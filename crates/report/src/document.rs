@@ -156,7 +156,7 @@ pub(crate) fn column_widths(table: &DocumentTable, room: f64) -> Vec<f64> {
         let is_number = table.numeric.get(at) == Some(&true);
         let cell = |of: &dyn Fn(&str) -> f64| cells().map(|cell| of(cell)).fold(0.0, f64::max);
         let least = if is_number { cell(&letters) } else { cell(&longest_word) };
-        (least.max(longest_word(heading)).max(2.0), cell(&letters).max(letters(heading)).max(2.0))
+        (least.max(1.08 * longest_word(heading)).max(2.0), cell(&letters).max(letters(heading)).max(2.0))
     };
     let columns: Vec<(f64, f64)> = (0..table.columns.len()).map(column).collect();
     let (least, wanted) =

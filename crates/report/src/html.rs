@@ -24,13 +24,13 @@ th, td { padding: .15rem .7rem .15rem 0; text-align: left; vertical-align: top; 
 table.rows th { border-bottom: 1px solid; font-weight: bold }
 table.rows tfoot td { border-top: 1px solid; font-weight: bold }
 .number { text-align: right }
-caption { text-align: left; font-weight: bold }
+h4 { margin: 1.2rem 0 0; font-size: 1em } h4 + table { margin-top: .2rem }
 figure { margin: 1.2rem 0 }
 figure svg { max-width: 100%; height: auto }
 .source { opacity: .7 }
 table.title-block { border: 1px solid }
 table.title-block th, table.title-block td { border-bottom: 1px solid; padding: .15rem .7rem }
-h2, h3, p:has(+ .formula) { break-after: avoid }
+h2, h3, h4, p:has(+ .formula) { break-after: avoid }
 @page { margin: 2cm; @bottom-left { content: \"PROGRAM\" } @bottom-right { content: counter(page) \" / \" counter(pages) } }
 @media print { body { max-width: none; margin: 0 } .formula, figure, tr, .short { break-inside: avoid } figure svg { max-height: 23cm } }
 ";
@@ -42,7 +42,7 @@ const STYLE_OF_FORMULAS: &str = "\
 align-items: baseline; margin: .4rem 0 1rem 2rem }
 .formula .term { display: inline-flex; flex-wrap: wrap; align-items: baseline; max-width: 100% }
 .formula .narrow { display: none }
-@media screen and (max-width: 46rem) { table.rows { display: block; overflow-x: auto } .formula { margin-left: .5rem; font-size: .9em } \
+@media screen and (max-width: 46rem) { table.rows { display: block; overflow-x: auto } table:not(.rows) td, li, p { overflow-wrap: anywhere } .formula { margin-left: .5rem; font-size: .9em } \
 .formula .wide { display: none } .formula .narrow { display: block } }
 ";
 /// Room for a side of a formula on a page of A4 and on a phone, in ems.
@@ -191,11 +191,8 @@ fn rows(table: &DocumentTable) -> String {
         });
         format!("<tr>{}</tr>\n", cells.collect::<String>())
     };
-    let caption = if table.title.is_empty() {
-        String::new()
-    } else {
-        format!("<caption>{}</caption>\n", escaped(&table.title))
-    };
+    let caption =
+        if table.title.is_empty() { String::new() } else { format!("<h4>{}</h4>\n", escaped(&table.title)) };
     let short = if table.rows.len() <= SHORT_TABLE { " short" } else { "" };
     let foot = if table.foot.is_empty() {
         String::new()
@@ -203,7 +200,7 @@ fn rows(table: &DocumentTable) -> String {
         format!("<tfoot>\n{}</tfoot>\n", row(&table.foot, "td"))
     };
     format!(
-        "<table class=\"rows{short}\">\n{caption}<thead>\n{}</thead>\n<tbody>\n{}</tbody>\n{foot}</table>\n",
+        "{caption}<table class=\"rows{short}\">\n<thead>\n{}</thead>\n<tbody>\n{}</tbody>\n{foot}</table>\n",
         row(&table.columns, "th"),
         table.rows.iter().map(|cells| row(cells, "td")).collect::<String>()
     )

@@ -41,8 +41,8 @@ const PREAMBLE: &str = r"\documentclass[11pt,a4paper]{article}
 \newcommand{\term}{\penalty0\hskip0pt\relax}
 \newcommand{\factor}{\penalty500\hskip0pt\relax}
 % A column of words, and one of numbers, that are wrapped.
-\newcolumntype{L}[1]{>{\raggedright\arraybackslash}p{#1}}
-\newcolumntype{R}[1]{>{\raggedleft\arraybackslash}p{#1}}
+\newcolumntype{L}[1]{>{\raggedright\arraybackslash\hspace{0pt}}p{#1}}
+\newcolumntype{R}[1]{>{\raggedleft\arraybackslash\hspace{0pt}}p{#1}}
 \emergencystretch=3em
 % A title begins another page where there is no room for what follows.
 \newcommand{\room}{\par\ifdim\pagetotal>0pt\ifdim\dimexpr\pagegoal-\pagetotal\relax<8\baselineskip\newpage\fi\fi}
@@ -317,7 +317,8 @@ fn words(text: &str) -> String {
             continue;
         }
         match character {
-            '%' | '#' | '&' | '$' | '_' | '{' | '}' => out.extend(['\\', character]),
+            '_' => out += "\\_\\allowbreak{}",
+            '%' | '#' | '&' | '$' | '{' | '}' => out.extend(['\\', character]),
             '\\' => out += "\\textbackslash{}",
             '^' => out += "\\textasciicircum{}",
             '~' => out += "\\textasciitilde{}",

@@ -2,7 +2,7 @@
 
 use dalembert_core::printer::WrittenStep;
 
-use super::omml::{phantom, run, set};
+use super::omml::{phantom, set, words_within};
 use crate::{
     document::{Block, Document, DocumentTable, NamedValue, column_widths},
     figure::picture::Picture,
@@ -90,8 +90,8 @@ fn written_step(number: usize, step: &WrittenStep) -> String {
     );
     let symbol = math::symbols(&step.symbol);
     let room = ROOM - width(&symbol) - 1.5;
-    let lead = format!("{}{}", set(&symbol), run("=", false));
-    let hidden = [phantom(&set(&symbol)), run("=", false)].concat();
+    let lead = format!("{}{}", set(&symbol), words_within(" = "));
+    let hidden = [phantom(&set(&symbol)), words_within(" = ")].concat();
     let mut equations = Vec::new();
     for (n, side) in sides(step).iter().enumerate() {
         for (line, formula) in lines(side, room).iter().enumerate() {

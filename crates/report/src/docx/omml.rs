@@ -7,9 +7,11 @@ pub(super) fn set(formula: &Math) -> String {
     match formula {
         Math::Row(parts) => parts.iter().map(set).collect(),
         Math::Number(digits) => run(digits, false),
-        Math::Upright(words) => run(words, true),
+        Math::Upright(words) => words_within(words),
         Math::Symbol(base, index) if index.is_empty() => run(base, false),
         Math::Symbol(base, index) => lowered(&run(base, false), index),
+        // Of a formula that was broken: the other bracket stands on another line.
+        Math::Operator(bracket @ ('(' | ')' | '[' | ']')) => words_within(&bracket.to_string()),
         Math::Operator(sign) => run(&sign.to_string(), false),
         Math::Gap => run("\u{2009}", false),
         Math::Fraction(top, bottom) => {
@@ -47,8 +49,17 @@ fn lowered(base: &str, index: &str) -> String {
     format!("<m:sSub><m:e>{base}</m:e><m:sub>{}</m:sub></m:sSub>", run(index, index.chars().count() > 1))
 }
 
+/// Words within a formula. The sign between two sides is one: as a relation it would want another side before it, which
+/// a line that goes on does not have.
+pub(super) fn words_within(text: &str) -> String {
+    format!(
+        "<m:r><m:rPr><m:nor/></m:rPr><w:rPr><w:rFonts w:ascii=\"Cambria Math\" w:hAnsi=\"Cambria Math\"/></w:rPr><m:t xml:space=\"preserve\">{}</m:t></m:r>",
+        escaped(text)
+    )
+}
+
 /// Letters, italic as Word sets symbols, or upright.
-pub(super) fn run(text: &str, is_upright: bool) -> String {
+fn run(text: &str, is_upright: bool) -> String {
     let upright = if is_upright { "<m:rPr><m:sty m:val=\"p\"/></m:rPr>" } else { "" };
     format!(
         "<m:r>{upright}<w:rPr><w:rFonts w:ascii=\"Cambria Math\" w:hAnsi=\"Cambria Math\"/></w:rPr><m:t \
