@@ -129,10 +129,12 @@ fn source_text(source: &NoteSource) -> String {
     source.append_to(String::new(), DocumentFormat::Latex)
 }
 
-/// Relationships, whose ids are `rId1` and on.
+/// Relationships, each with the name of its target as its id: `figure1` of `media/figure1.emf`.
 fn relationships(linked: &[(String, String)]) -> String {
-    let each = linked.iter().zip(1..).map(|((kind, target), n)| {
-        format!("<Relationship Id=\"rId{n}\" Type=\"{kind}\" Target=\"{target}\"/>")
+    let each = linked.iter().map(|(kind, target)| {
+        let name = target.rsplit('/').next().unwrap_or_default();
+        let id = name.split('.').next().unwrap_or_default();
+        format!("<Relationship Id=\"{id}\" Type=\"{kind}\" Target=\"{target}\"/>")
     });
     format!(
         "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">{}</Relationships>",

@@ -1,7 +1,5 @@
 //! A document as one HTML page that needs nothing else: figures inline, formulas as MathML, no scripts.
 
-use std::mem::take;
-
 use dalembert_core::{Locale, printer::WrittenStep};
 
 use crate::{
@@ -9,8 +7,8 @@ use crate::{
     document::{Block, Document, DocumentTable, NamedValue, SHORT_TABLE},
     math::{
         self, Math,
-        breaking::{begins_with_sign, broken, width},
-        sides,
+        breaking::{room_beside, set_in_pieces},
+        closing, sides,
     },
     xml::escaped,
 };
@@ -32,6 +30,7 @@ table.title-block { border: 1px solid }
 table.title-block th, table.title-block td { border-bottom: 1px solid; padding: .15rem .7rem }
 h2, h3, h4, p:has(+ .formula) { break-after: avoid }
 @page { margin: 2cm; @bottom-left { content: \"PROGRAM\" } @bottom-right { content: counter(page) \" / \" counter(pages) } }
+@media screen and (max-width: 46rem) { table.rows { display: block; overflow-x: auto } table:not(.rows) td, li, p { overflow-wrap: anywhere } }
 @media print { body { max-width: none; margin: 0 } .formula, figure, tr, .short { break-inside: avoid } figure svg { max-height: 23cm } }
 ";
 
@@ -42,7 +41,7 @@ const STYLE_OF_FORMULAS: &str = "\
 align-items: baseline; margin: .4rem 0 1rem 2rem }
 .formula .term { display: inline-flex; flex-wrap: wrap; align-items: baseline; max-width: 100% }
 .formula .narrow { display: none }
-@media screen and (max-width: 46rem) { table.rows { display: block; overflow-x: auto } table:not(.rows) td, li, p { overflow-wrap: anywhere } .formula { margin-left: .5rem; font-size: .9em } \
+@media screen and (max-width: 46rem) { .formula { margin-left: .5rem; font-size: .9em } \
 .formula .wide { display: none } .formula .narrow { display: block } }
 ";
 /// Room for a side of a formula on a page of A4 and on a phone, in ems.
@@ -130,21 +129,14 @@ fn inline(formula: &Math) -> String {
 
 /// A side of a formula, in pieces between which a line may end.
 fn side(formula: &Math, room: f64) -> String {
-    let mut is_first = true;
-    let mut piece = |piece: &Math| {
+    let terms = set_in_pieces(formula, room, |piece, is_behind_another| {
         let set = mathml(piece);
-        // A sign at the begin of a piece stands between it and what is before.
-        let set = if !take(&mut is_first) && begins_with_sign(piece) {
-            set.replacen("<mo>", "<mo form=\"infix\">", 1)
-        } else {
-            set
-        };
+        let set = if is_behind_another { set.replacen("<mo>", "<mo form=\"infix\">", 1) } else { set };
         format!("<math displaystyle=\"true\">{set}</math>")
-    };
-    let terms = broken(formula, room);
-    let terms = terms.iter().map(|term| {
-        let pieces = term.iter().map(&mut piece).collect::<Vec<_>>().concat();
-        if term.len() == 1 { pieces } else { format!("<span class=\"term\">{pieces}</span>") }
+    });
+    let terms = terms.iter().map(|pieces| match pieces.as_slice() {
+        [whole] => whole.clone(),
+        pieces => format!("<span class=\"term\">{}</span>", pieces.concat()),
     });
     terms.collect::<Vec<_>>().join("<wbr/>")
 }
@@ -157,11 +149,11 @@ fn written_step(number: usize, step: &WrittenStep) -> String {
     };
     let mut text = format!("<p><b>{number}.</b> {}{source}</p>\n", escaped(&step.why));
     let symbol = math::symbols(&step.symbol);
-    let beside = width(&symbol) + 1.5;
+    let rooms = [ROOM, NARROW_ROOM].map(|room| room_beside(&symbol, room));
     text += "<div class=\"formula\">\n";
     for (n, formula) in sides(step).iter().enumerate() {
         let symbol = if n == 0 { inline(&symbol) } else { String::new() };
-        let [wide, narrow] = [ROOM, NARROW_ROOM].map(|room| side(formula, room - beside));
+        let [wide, narrow] = rooms.map(|room| side(formula, room));
         text += &format!("<span>{symbol}</span><span><math><mo>=</mo></math></span>");
         text += &if wide == narrow {
             format!("<span>{wide}</span>\n")
@@ -227,11 +219,7 @@ fn mathml(formula: &Math) -> String {
         Math::Power(base, power) => format!("<msup>{}<mn>{}</mn></msup>", one(base), escaped(power)),
         Math::Index(base, index) => format!("<msub>{}<mtext>{}</mtext></msub>", one(base), escaped(index)),
         Math::Brackets(open, inner) => {
-            let close = match open {
-                '(' => ')',
-                '[' => ']',
-                other => *other,
-            };
+            let close = closing(*open);
             format!("<mrow><mo>{open}</mo>{}<mo>{close}</mo></mrow>", mathml(inner))
         }
     }

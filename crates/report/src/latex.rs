@@ -1,7 +1,5 @@
 //! LaTeX writer: a document for pdfLaTeX, XeLaTeX and LuaLaTeX alike, one file, its figures drawn by TikZ.
 
-use std::mem::take;
-
 use dalembert_core::{ascii, printer::WrittenStep};
 
 use crate::{
@@ -10,8 +8,8 @@ use crate::{
     figure::picture::tikz_colours,
     math::{
         self, Math,
-        breaking::{begins_with_sign, broken, width},
-        sides,
+        breaking::{room_beside, set_in_pieces},
+        closing, sides,
     },
 };
 
@@ -131,14 +129,11 @@ fn pair(line: &NamedValue) -> String {
 
 /// A side of a formula, in pieces between which a line may end.
 fn side(formula: &Math, room: f64) -> String {
-    let mut is_first = true;
-    let mut piece = |piece: &Math| {
-        let before = if !take(&mut is_first) && begins_with_sign(piece) { "{}" } else { "" };
+    let terms = set_in_pieces(formula, room, |piece, is_behind_another| {
+        let before = if is_behind_another { "{}" } else { "" };
         format!("\\piece{{{before}{}}}", set(piece))
-    };
-    let terms = broken(formula, room);
-    let terms = terms.iter().map(|term| term.iter().map(&mut piece).collect::<Vec<_>>().join("\\factor"));
-    terms.collect::<Vec<_>>().join("\\term")
+    });
+    terms.iter().map(|pieces| pieces.join("\\factor")).collect::<Vec<_>>().join("\\term")
 }
 
 fn written_step(number: usize, step: &WrittenStep) -> String {
@@ -146,7 +141,7 @@ fn written_step(number: usize, step: &WrittenStep) -> String {
     let mut text =
         format!("\\textbf{{{number}.}} {}{source}\\keep\n\\begin{{equation-sides}}\n", words(&step.why));
     let symbol = math::symbols(&step.symbol);
-    let room = ROOM - width(&symbol) - 1.5;
+    let room = room_beside(&symbol, ROOM);
     let symbol = set(&symbol);
     for (n, formula) in sides(step).iter().enumerate() {
         let left = if n == 0 { symbol.clone() } else { format!("\\phantom{{{symbol}}}") };
@@ -226,11 +221,7 @@ fn set(formula: &Math) -> String {
         Math::Power(base, power) => format!("{{{}}}^{{{}}}", set(base), letters(power)),
         Math::Index(base, index) => format!("{{{}}}{}", set(base), lowered(index)),
         Math::Brackets(open, inner) => {
-            let close = match open {
-                '(' => ')',
-                '[' => ']',
-                other => *other,
-            };
+            let close = closing(*open);
             format!("\\left{open}{}\\right{close}", set(inner))
         }
     }

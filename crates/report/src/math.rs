@@ -33,6 +33,15 @@ pub(crate) enum Math {
     Brackets(char, Box<Math>),
 }
 
+/// The bracket that closes what another one opens; a stroke closes itself.
+pub(crate) fn closing(open: char) -> char {
+    match open {
+        '(' => ')',
+        '[' => ']',
+        other => other,
+    }
+}
+
 /// A formula of symbols.
 pub(crate) fn symbols(text: &str) -> Math {
     Reader { rest: text.chars().collect(), at: 0, values: false }.row(None)
@@ -208,11 +217,7 @@ impl Reader {
             '0'..='9' => self.number(),
             '(' | '[' | '|' => {
                 self.at += 1;
-                let close = match character {
-                    '(' => ')',
-                    '[' => ']',
-                    other => other,
-                };
+                let close = closing(character);
                 let inner = self.row(Some(close));
                 self.at += usize::from(self.peek() == Some(close));
                 Math::Brackets(character, Box::new(inner))

@@ -1,7 +1,5 @@
 //! A document in Typst; its figures are SVG files beside it, which Typst reads as they are.
 
-use std::mem::take;
-
 use dalembert_core::{Language, Locale, printer::WrittenStep};
 
 use crate::{
@@ -9,7 +7,7 @@ use crate::{
     document::{Block, Document, DocumentTable, NamedValue, SHORT_TABLE, figure_name},
     math::{
         self, Math,
-        breaking::{begins_with_sign, broken, width},
+        breaking::{room_beside, set_in_pieces},
         sides,
     },
 };
@@ -93,14 +91,11 @@ fn pairs(lines: &[NamedValue]) -> String {
 
 /// A side of a formula, in pieces between which a line may end.
 fn side(formula: &Math, room: f64) -> String {
-    let mut is_first = true;
-    let mut piece = |piece: &Math| {
-        let before = if !take(&mut is_first) && begins_with_sign(piece) { "\"\" " } else { "" };
+    let terms = set_in_pieces(formula, room, |piece, is_behind_another| {
+        let before = if is_behind_another { "\"\" " } else { "" };
         format!("#box($display({before}{})$)", set(piece))
-    };
-    let terms = broken(formula, room);
-    let terms = terms.iter().map(|term| term.iter().map(&mut piece).collect::<Vec<_>>().join("#sym.zws;"));
-    terms.collect::<Vec<_>>().join("#sym.zws;")
+    });
+    terms.concat().join("#sym.zws;")
 }
 
 fn written_step(number: usize, step: &WrittenStep) -> String {
@@ -110,7 +105,7 @@ fn written_step(number: usize, step: &WrittenStep) -> String {
         words(&step.why)
     );
     let symbol = math::symbols(&step.symbol);
-    let room = ROOM - width(&symbol) - 1.5;
+    let room = room_beside(&symbol, ROOM);
     let symbol = set(&symbol);
     for (n, formula) in sides(step).iter().enumerate() {
         let left = if n == 0 { format!("${symbol}$") } else { format!("#hide(${symbol}$)") };

@@ -8,7 +8,7 @@ use crate::{
     figure::picture::Picture,
     math::{
         self,
-        breaking::{lines, width},
+        breaking::{lines, room_beside},
         sides,
     },
     xml::escaped,
@@ -29,8 +29,6 @@ const ROOM: f64 = 33.0;
 const EMU: f64 = 9525.0;
 /// Height of a figure that fits a page with its caption, in these units: 22 cm.
 const TALLEST: f64 = 7_920_000.0;
-/// Relationship of the first figure, behind those of the other parts.
-const FIRST_FIGURE: usize = 6;
 
 /// The part with the text.
 pub(super) fn xml(document: &Document) -> String {
@@ -55,7 +53,7 @@ pub(super) fn xml(document: &Document) -> String {
         };
     }
     format!(
-        "<w:document {NAMESPACES}><w:body>\n{text}<w:sectPr><w:footerReference w:type=\"default\" r:id=\"rId4\"/>\
+        "<w:document {NAMESPACES}><w:body>\n{text}<w:sectPr><w:footerReference w:type=\"default\" r:id=\"footer1\"/>\
          <w:pgSz w:w=\"11906\" w:h=\"16838\"/><w:pgMar w:top=\"1417\" w:right=\"1417\" w:bottom=\"1417\" \
          w:left=\"1417\" w:header=\"708\" w:footer=\"708\" w:gutter=\"0\"/></w:sectPr></w:body></w:document>"
     )
@@ -89,7 +87,7 @@ fn written_step(number: usize, step: &WrittenStep) -> String {
         &format!("{}{}", bold(&format!("{number}.")), words(&format!(" {}{source}", step.why))),
     );
     let symbol = math::symbols(&step.symbol);
-    let room = ROOM - width(&symbol) - 1.5;
+    let room = room_beside(&symbol, ROOM);
     let lead = format!("{}{}", set(&symbol), words_within(" = "));
     let hidden = [phantom(&set(&symbol)), words_within(" = ")].concat();
     let mut equations = Vec::new();
@@ -212,10 +210,9 @@ fn figure(picture: &Picture, number: usize) -> String {
          cy=\"{high}\"/><wp:docPr id=\"{number}\" name=\"figure {number}\" descr=\"{title}\"/><a:graphic><a:graphicData \
          uri=\"http://schemas.openxmlformats.org/drawingml/2006/picture\"><pic:pic><pic:nvPicPr><pic:cNvPr \
          id=\"{number}\" name=\"figure{number}.emf\"/><pic:cNvPicPr/></pic:nvPicPr><pic:blipFill><a:blip \
-         r:embed=\"rId{}\"/><a:stretch><a:fillRect/></a:stretch></pic:blipFill><pic:spPr><a:xfrm><a:off x=\"0\" \
+         r:embed=\"figure{number}\"/><a:stretch><a:fillRect/></a:stretch></pic:blipFill><pic:spPr><a:xfrm><a:off x=\"0\" \
          y=\"0\"/><a:ext cx=\"{wide}\" cy=\"{high}\"/></a:xfrm><a:prstGeom prst=\"rect\"><a:avLst/></a:prstGeom>\
-         </pic:spPr></pic:pic></a:graphicData></a:graphic></wp:inline></w:drawing></w:r>",
-        FIRST_FIGURE + number - 1
+         </pic:spPr></pic:pic></a:graphicData></a:graphic></wp:inline></w:drawing></w:r>"
     );
     format!(
         "{}\n{}",

@@ -1,6 +1,9 @@
 //! Formulas as equations of Word (Office Math, ECMA-376 part 1, §22.1).
 
-use crate::{math::Math, xml::escaped};
+use crate::{
+    math::{Math, closing},
+    xml::escaped,
+};
 
 /// A formula, to stand within `m:oMath`.
 pub(super) fn set(formula: &Math) -> String {
@@ -27,11 +30,7 @@ pub(super) fn set(formula: &Math) -> String {
         }
         Math::Index(base, index) => lowered(&set(base), index),
         Math::Brackets(open, inner) => {
-            let close = match open {
-                '(' => ')',
-                '[' => ']',
-                other => *other,
-            };
+            let close = closing(*open);
             format!(
                 "<m:d><m:dPr><m:begChr m:val=\"{open}\"/><m:endChr m:val=\"{close}\"/></m:dPr><m:e>{}</m:e></m:d>",
                 set(inner)

@@ -3,7 +3,9 @@
 //!
 //! Widths are estimates in ems, the size of the letters around: those who set the pieces know their own letters.
 
-use super::Math;
+use std::mem::take;
+
+use super::{Math, closing};
 
 /// Signs before which a line breaks first.
 const SUMS: [char; 8] = ['+', '−', '-', '±', '=', '≤', '≥', '<'];
@@ -20,8 +22,25 @@ pub(crate) fn broken(formula: &Math, room: f64) -> Vec<Vec<Math>> {
     terms.into_iter().map(|term| pieces(term, room).into_iter().map(whole).collect()).collect()
 }
 
+/// The terms of a broken formula, each as the texts of its pieces. `set` gets a piece, and true if it begins with a sign that
+/// stands between it and the piece before.
+pub(crate) fn set_in_pieces(
+    formula: &Math,
+    room: f64,
+    set: impl Fn(&Math, bool) -> String,
+) -> Vec<Vec<String>> {
+    let mut is_first = true;
+    let mut piece = |piece: &Math| set(piece, !take(&mut is_first) && begins_with_sign(piece));
+    broken(formula, room).iter().map(|term| term.iter().map(&mut piece).collect()).collect()
+}
+
+/// Width that is left of `room` for a side of an equation beside the symbol and the equals sign.
+pub(crate) fn room_beside(symbol: &Math, room: f64) -> f64 {
+    room - width(symbol) - 1.5
+}
+
 /// True of a sign that stands between two parts, and would be taken for one before a part at the begin of a piece.
-pub(crate) fn begins_with_sign(formula: &Math) -> bool {
+fn begins_with_sign(formula: &Math) -> bool {
     let first = match formula {
         Math::Row(parts) => parts.first(),
         other => Some(other),
@@ -103,7 +122,7 @@ fn pieces(term: Vec<Math>, room: f64) -> Vec<Vec<Math>> {
             let opened = opened(part, room, is_alone && found.is_empty());
             for (n, more) in opened.into_iter().enumerate() {
                 if n > 0 {
-                    found.push(std::mem::take(&mut piece));
+                    found.push(take(&mut piece));
                 }
                 piece.extend(more);
             }
@@ -190,12 +209,7 @@ fn enclosed(open: Vec<Math>, mut pieces: Vec<Vec<Math>>, close: char) -> Vec<Vec
 
 /// Pieces of something in brackets, whose brackets no longer grow with it.
 fn in_brackets(open: char, inner: &Math, room: f64) -> Vec<Vec<Math>> {
-    let close = match open {
-        '(' => ')',
-        '[' => ']',
-        other => other,
-    };
-    enclosed(vec![Math::Operator(open)], pieces_of_sum(parts(inner), room), close)
+    enclosed(vec![Math::Operator(open)], pieces_of_sum(parts(inner), room), closing(open))
 }
 
 /// Pieces of a base, with what is raised or lowered behind its closing bracket.
