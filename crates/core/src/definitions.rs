@@ -39,12 +39,12 @@ use self::{
 };
 pub use self::{
     fields::{COMMON_LISTS, own_fields, within_problem},
-    unknowns::{Goal, split_tolerance},
+    unknowns::{Goal, has_unknown, split_tolerance},
 };
 pub(crate) use self::{
     fields::{are_of_problem, linked_problem, shape_of, with_common, without_linked},
     plain_reading::prepare,
-    unknowns::{AXES, GivenAnswer, Tolerance, Unknown, has_unknown, is_unknown, read_vector},
+    unknowns::{AXES, GivenAnswer, Tolerance, Unknown, is_unknown, read_vector},
 };
 use crate::{
     Determined, FieldError, Measure, Number, Plain, Record, Stop, Symbol, Text, Value,

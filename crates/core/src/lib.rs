@@ -67,7 +67,7 @@ pub use crate::input::derive_support;
 pub use crate::{
     analysis::{About, Analysis, Entry, Evaluate, Refusal, SolveError, Stop, find_analysis, registry},
     ascii::ascii,
-    definitions::{COMMON_LISTS, Goal, own_fields, split_tolerance, within_problem},
+    definitions::{COMMON_LISTS, Goal, has_unknown, own_fields, split_tolerance, within_problem},
     draft::Draft,
     exams::{catalogue, find},
     exhibit::{

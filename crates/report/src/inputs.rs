@@ -1,8 +1,8 @@
 //! The inputs of a problem as lines: what was typed, and what was understood.
 
 use dalembert_core::{
-    Draft, Field, Locale, Record, Shape, Solution, Symbol, Text, Value, gravity, own_fields, printer,
-    split_tolerance,
+    Draft, Field, Locale, Record, Shape, Solution, Symbol, Text, Value, gravity, has_unknown, own_fields,
+    printer, split_tolerance,
 };
 use dalembert_units::{self as units, Style, Unit, UnitSystem};
 
@@ -152,7 +152,7 @@ impl Place<'_> {
                 }
                 // Without a solution an unknown is what was typed: the value of its record is where a search begins.
                 let has_number = matches!(value, Value::Quantity(_) | Value::Vector(_));
-                if self.solution.is_none() && has_number && input.typed.contains('?') {
+                if self.solution.is_none() && has_number && has_unknown(&input.typed) {
                     input.typed.trim().clone_into(&mut input.shown);
                 }
                 if gravity::is_gravity(field) && input.typed.trim().is_empty() && gravity::is_default(value) {

@@ -103,7 +103,7 @@ pub(crate) fn is_unknown(text: &str) -> bool {
 }
 
 /// Returns true if a text asks for its value, or for a component of it, to be found.
-pub(crate) fn has_unknown(text: &str) -> bool {
+pub fn has_unknown(text: &str) -> bool {
     text.contains('?')
 }
 
