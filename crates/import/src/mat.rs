@@ -2,11 +2,11 @@
 
 mod elements;
 
-use dalembert_core::Text;
+use dalembert_core::{Text, study::DataColumn};
 
 use self::elements::{Content, Variable, variables};
 use crate::{
-    numbers::{self, NamedColumn},
+    numbers,
     part::{Part, number},
 };
 
@@ -19,7 +19,7 @@ const MOST_LISTED: usize = 20;
 /// Errors: what is no such file; a variable that there is not, or that has no real numbers; several that may be meant.
 pub(crate) fn table(bytes: &[u8], part: &Part, wanted: usize) -> Result<String, Text> {
     let variables = variables(bytes)?;
-    let chosen: Vec<NamedColumn> = match chosen(part)? {
+    let chosen: Vec<DataColumn> = match chosen(part)? {
         chosen if chosen.is_empty() => columns(only(&variables, wanted)?, &[])?,
         chosen => {
             let mut all = Vec::new();
@@ -83,7 +83,7 @@ fn named<'v>(variables: &'v [Variable], name: &str) -> Result<&'v Variable, Text
 }
 
 /// The chosen columns of a variable, or all; a row alone is a column.
-fn columns(variable: &Variable, chosen: &[usize]) -> Result<Vec<NamedColumn>, Text> {
+fn columns(variable: &Variable, chosen: &[usize]) -> Result<Vec<DataColumn>, Text> {
     let name = &variable.name;
     let (rows, width, numbers) = match &variable.content {
         Content::Numbers { rows: 1, columns, numbers } => (*columns, 1, numbers),
@@ -104,7 +104,7 @@ fn columns(variable: &Variable, chosen: &[usize]) -> Result<Vec<NamedColumn>, Te
                 .with("last", at)
         })?;
         let name = if width == 1 { name.clone() } else { format!("{name} {at}") };
-        Ok(NamedColumn { name, numbers: column.to_vec() })
+        Ok(DataColumn { name, unit: String::new(), numbers: column.to_vec() })
     };
     places.iter().map(one).collect()
 }

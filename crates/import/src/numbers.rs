@@ -1,30 +1,21 @@
 //! Columns of numbers as the text of a table.
 
-use dalembert_core::Text;
+use dalembert_core::{Text, study::DataColumn};
 
 use crate::instruments::written;
 
-/// A column of numbers.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct NamedColumn {
-    /// Name, which is written into the heading: a unit in it counts.
-    pub(crate) name: String,
-    /// Numbers, one a row.
-    pub(crate) numbers: Vec<f64>,
-}
-
-/// The text of a table: a heading with the names, then the rows, all digits of each number.
+/// The text of a table: a line with the headings of the columns, then the rows, all digits of each number.
 ///
 /// Errors: columns of different lengths; a number that is not finite.
-pub(crate) fn text(columns: &[NamedColumn]) -> Result<String, Text> {
+pub(crate) fn text(columns: &[DataColumn]) -> Result<String, Text> {
     let rows = columns.first().map_or(0, |column| column.numbers.len());
     if let Some(other) = columns.iter().find(|column| column.numbers.len() != rows) {
         let why =
             Text::new("`{first}` has {have} values and `{other}` {others}: choose some of the same length");
         return Err(why
-            .with("first", &columns[0].name)
+            .with("first", columns[0].heading())
             .with("have", rows)
-            .with("other", &other.name)
+            .with("other", other.heading())
             .with("others", other.numbers.len()));
     }
     for column in columns {
@@ -32,10 +23,10 @@ pub(crate) fn text(columns: &[NamedColumn]) -> Result<String, Text> {
             let why = Text::new(
                 "value {row} of `{column}` is missing or infinite: leave such rows out of the file",
             );
-            return Err(why.with("row", at + 1).with("column", &column.name));
+            return Err(why.with("row", at + 1).with("column", column.heading()));
         }
     }
-    let names: Vec<String> = columns.iter().map(|column| name(&column.name)).collect();
+    let names: Vec<String> = columns.iter().map(|column| name(&column.heading())).collect();
     let mut text = names.join("\t") + "\n";
     for row in 0..rows {
         for (n, column) in columns.iter().enumerate() {
@@ -60,8 +51,8 @@ fn name(name: &str) -> String {
 mod tests {
     use super::*;
 
-    fn column(name: &str, numbers: &[f64]) -> NamedColumn {
-        NamedColumn { name: name.to_owned(), numbers: numbers.to_vec() }
+    fn column(heading: &str, numbers: &[f64]) -> DataColumn {
+        DataColumn { numbers: numbers.to_vec(), ..DataColumn::headed(heading) }
     }
 
     #[test]

@@ -10,7 +10,7 @@ use parquet::{
 };
 
 use crate::{
-    numbers::{self, NamedColumn},
+    numbers,
     part::{Part, number as place_number},
 };
 
@@ -40,8 +40,7 @@ pub(crate) fn table(bytes: Vec<u8>, part: &Part, wanted: usize) -> Result<String
         }
         chosen = (0..all.len()).collect();
     }
-    let named = |at: usize| NamedColumn { name: all[at].heading(), numbers: all[at].numbers.clone() };
-    numbers::text(&chosen.into_iter().map(named).collect::<Vec<_>>())
+    numbers::text(&chosen.into_iter().map(|at| all[at].clone()).collect::<Vec<_>>())
 }
 
 /// The columns of numbers of a Parquet file under their headings, `mass [kg]`; columns of texts are left out.

@@ -2,13 +2,10 @@
 
 use std::io::Cursor;
 
-use dalembert_core::Text;
+use dalembert_core::{Text, study::DataColumn};
 use hound::{Error, SampleFormat, WavReader};
 
-use crate::{
-    numbers::{self, NamedColumn},
-    part::Part,
-};
+use crate::{numbers, part::Part};
 
 /// The longest recording, in samples of a channel.
 const MOST_SAMPLES: u32 = 1 << 22;
@@ -52,9 +49,10 @@ pub(crate) fn table(bytes: &[u8], part: &Part, wanted: usize) -> Result<String, 
     .map_err(unreadable)?;
     let rate = f64::from(spec.sample_rate);
     let times = (0..samples.len() / channels.max(1)).map(|n| n as f64 / rate).collect();
-    let mut columns = vec![NamedColumn { name: "time [s]".to_owned(), numbers: times }];
-    columns.extend(chosen.iter().map(|channel| NamedColumn {
+    let mut columns = vec![DataColumn { name: "time".to_owned(), unit: "s".to_owned(), numbers: times }];
+    columns.extend(chosen.iter().map(|channel| DataColumn {
         name: format!("channel {channel}"),
+        unit: String::new(),
         numbers: samples.iter().skip(channel - 1).step_by(channels).copied().collect(),
     }));
     numbers::text(&columns)
