@@ -1,4 +1,4 @@
-//! Runs cargo and the program it builds.
+//! Runs cargo, the program it builds, and programs of the machine.
 
 use std::{
     env,
@@ -33,6 +33,18 @@ pub(crate) fn output(command: &mut Command) -> Result<String> {
         bail!("{} ended with {}", shown(command), output.status);
     }
     String::from_utf8(output.stdout).with_context(|| format!("{} does not print UTF-8", shown(command)))
+}
+
+/// Returns true if a program that prints its version, say, is there and does so.
+pub(crate) fn installed(command: &mut Command) -> bool {
+    command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    command.status().is_ok_and(|status| status.success())
+}
+
+/// Name of the browser, if one is installed.
+pub(crate) fn browser() -> Option<&'static str> {
+    const NAMES: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
+    NAMES.into_iter().find(|name| installed(Command::new(name).arg("--version")))
 }
 
 /// Runs git in a folder and returns what it prints.

@@ -260,6 +260,16 @@ pub(crate) fn text<'j>(json: &'j Json, key: &str) -> &'j str {
     json[key].as_str().unwrap_or_default()
 }
 
+/// The ids of what `list --json` prints.
+pub(crate) fn ids(listed: &Json) -> Vec<String> {
+    array(listed).iter().filter_map(|analysis| analysis["id"].as_str().map(str::to_owned)).collect()
+}
+
+/// Text in HTML or SVG.
+pub(crate) fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
 pub(crate) fn array(json: &Json) -> &[Json] {
     json.as_array().map_or(&[], Vec::as_slice)
 }

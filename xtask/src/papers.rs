@@ -23,7 +23,10 @@ use anyhow::{Context, Result, bail, ensure};
 use serde::Deserialize;
 use serde_json::{Value as Json, json};
 
-use crate::cargo::{Program, output, target};
+use crate::{
+    cargo::{Program, browser, installed, target},
+    docs::{self, ids},
+};
 
 /// Script for Python: makes the PDFs and measures them.
 const SCRIPT: &str = include_str!("papers/papers.py");
@@ -41,8 +44,6 @@ const KINDS: [(&str, &str); 4] = [
     ("overfull", "overfull boxes"),
     ("lone", "lone titles"),
 ];
-/// Names of the browser.
-const BROWSERS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
 /// Number of programs that print at the same time.
 const PROCESSES: usize = 2;
 
@@ -70,7 +71,7 @@ pub fn run(root: &Path, words: &[&str]) -> Result<()> {
     let (formats, names) = options(words)?;
     let browser = programs(&formats)?;
     let program = Program::built(root, root)?;
-    let ids: Vec<String> = ids(&program)?
+    let ids: Vec<String> = ids(&docs::json(&program, &["list", "--json"])?)
         .into_iter()
         .filter(|id| names.is_empty() || names.iter().any(|name| id.contains(name)))
         .collect();
@@ -119,12 +120,8 @@ fn options<'w>(words: &[&'w str]) -> Result<(Vec<&'w str>, Vec<&'w str>)> {
 /// # Errors
 /// Those that are missing, with how they are installed.
 fn programs(formats: &[&str]) -> Result<Option<&'static str>> {
-    let runs = |program: &str, arguments: &[&str]| {
-        let mut command = Command::new(program);
-        command.args(arguments).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-        command.status().is_ok_and(|status| status.success())
-    };
-    let browser = BROWSERS.into_iter().find(|browser| runs(browser, &["--version"]));
+    let runs = |program: &str, arguments: &[&str]| installed(Command::new(program).args(arguments));
+    let browser = browser();
     let needed = [
         ("", "pymupdf, by `pip install pymupdf`", runs("python3", &["-c", "import pymupdf"])),
         ("typ", "typst, by `pip install typst`", runs("python3", &["-c", "import typst"])),
@@ -147,13 +144,6 @@ fn programs(formats: &[&str]) -> Result<Option<&'static str>> {
         .collect();
     ensure!(missing.is_empty(), "papers needs {}", missing.join("; "));
     Ok(browser)
-}
-
-/// The ids of the analyses.
-fn ids(program: &Program) -> Result<Vec<String>> {
-    let listed: Json = serde_json::from_str(&output(&mut program.with(&["list", "--json"]))?)?;
-    let listed = listed.as_array().context("the list is no array")?;
-    Ok(listed.iter().filter_map(|entry| entry["id"].as_str()).map(str::to_owned).collect())
 }
 
 /// Writes a note in these formats, and in Markdown, which has its titles.

@@ -10,11 +10,11 @@ use std::{
 };
 
 use anyhow::{Context, Result, ensure};
-use serde_json::Value as Json;
 
 use crate::{
-    cargo::{Program, cargo, git, output, run as run_command, target},
-    docs, new_analysis, pictures, python, tidy,
+    cargo::{Program, cargo, git, installed, output, run as run_command, target},
+    docs::{self, ids},
+    new_analysis, pictures, python, tidy,
 };
 
 /// Extent of the verification.
@@ -372,16 +372,6 @@ fn copy_folder(from: &Path, to: &Path) -> Result<()> {
 fn copy_file(from: &Path, to: &Path) -> std::io::Result<()> {
     fs::copy(from, to)?;
     fs::File::options().append(true).open(to)?.set_modified(fs::metadata(from)?.modified()?)
-}
-
-/// The ids of what `list --json` prints.
-fn ids(listed: &Json) -> Vec<String> {
-    let all = listed.as_array().into_iter().flatten();
-    all.filter_map(|analysis| analysis["id"].as_str().map(str::to_owned)).collect()
-}
-
-fn installed(command: &mut Command) -> bool {
-    command.stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok_and(|status| status.success())
 }
 
 #[cfg(test)]

@@ -12,6 +12,8 @@ use std::{
 use anyhow::{Context, Result};
 use toml::Table;
 
+use super::escaped;
+
 /// Path of the picture.
 const PICTURE: &str = "docs/architecture.svg";
 /// Size of a box and the space between boxes, in pixels.
@@ -222,11 +224,6 @@ fn colour(folder: &str) -> &'static str {
         Some("plugins") => "#eaf6e4",
         _ => "#f6f0e4",
     }
-}
-
-/// Text between tags.
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;")
 }
 
 /// Words in lines of at most [`LINE`] characters.

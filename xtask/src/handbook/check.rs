@@ -13,7 +13,7 @@ use serde_json::{Value as Json, json};
 
 use super::{Documents, html::escaped, words::Words};
 use crate::{
-    cargo::Program,
+    cargo::{Program, browser, installed},
     docs::{array, text},
     server::{self, Server},
 };
@@ -24,8 +24,6 @@ const SCRIPT: &str = include_str!("check.mjs");
 const QUERIES: &str = "tests/data/queries.toml";
 /// Widths of a page, in pixels: a phone and a desk.
 const WIDTHS: [u32; 2] = [390, 1200];
-/// Names of the browser.
-const BROWSERS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
 
 /// Examines a handbook and prints what was examined.
 ///
@@ -47,7 +45,8 @@ pub(super) fn run(root: &Path, program: &Program, folder: &Path, documents: &Doc
         println!("problem files, {}: {count}, {} with other answers", words.language, wrong.len());
         faults.extend(wrong);
     }
-    if is_installed("node") {
+    let has_node = installed(Command::new("node").arg("--version"));
+    if has_node {
         for words in Words::ALL {
             let searched = searched(root, program, words.language, &folder.join(words.language))?;
             let (count, found, wrong) = searched;
@@ -61,8 +60,8 @@ pub(super) fn run(root: &Path, program: &Program, folder: &Path, documents: &Doc
     } else {
         println!("search: not run, Node.js is not installed");
     }
-    match BROWSERS.into_iter().find(|browser| is_installed(browser)) {
-        Some(browser) if is_installed("node") => {
+    match browser() {
+        Some(browser) if has_node => {
             let wide = wide(browser, folder, &pages)?;
             println!("widths: {} pages at {WIDTHS:?} px, {} too wide", pages.len(), wide.len());
             faults.extend(wide);
@@ -251,12 +250,6 @@ fn script(task: &str, arguments: &[PathBuf], request: &Json) -> Result<Json> {
     let output = running.wait_with_output()?;
     ensure!(output.status.success(), "node ended with {}", output.status);
     serde_json::from_slice(&output.stdout).context("node printed no JSON")
-}
-
-fn is_installed(program: &str) -> bool {
-    let mut command = Command::new(program);
-    command.arg("--version").stdout(Stdio::null()).stderr(Stdio::null());
-    command.status().is_ok_and(|status| status.success())
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Frame of a page: head, links to the other pages, search, and the parts that pages are made of.
 
 use super::words::Words;
+pub(super) use crate::docs::escaped;
 
 /// Frame of a page.
 pub(super) struct Frame<'f> {
@@ -118,9 +119,4 @@ pub(super) fn paragraph(class: &str, text: &str) -> String {
 /// Code.
 pub(super) fn code(text: &str) -> String {
     format!("<code>{}</code>", escaped(text))
-}
-
-/// Text as HTML.
-pub(super) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
