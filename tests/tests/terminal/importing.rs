@@ -51,7 +51,7 @@ fn broken_data_files_are_reported_by_what_is_in_them() {
     let empty = write(folder.path(), "empty.csv", "\n");
     let mut person = before(Person::at(60, 30).opens(RESPONSE), "accelerance", PARTS);
     for (path, reported) in [
-        (&two, "line 1 and 39 more: 2 columns separated by commas"),
+        (&two, "line 1 and 39 more: 2 columns separated by commas instead of 3: Frequency; Real"),
         (&five, "the rows have 5 columns and the table 3"),
         (&one, "line 1 and 1 more: one column instead of 3: Frequency;"),
     ] {

@@ -56,7 +56,7 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
                 Purpose::Export => "Worked solution (.html, .tex, .typ, .md, .txt)",
                 Purpose::ExportSeen => "Plot or drawing (.svg; a plot also .csv)",
                 Purpose::Open => "File to open",
-                Purpose::Import => "File of the table (.csv, .txt, .xlsx, .ods, .uff, .wav, .mat, .lvm)",
+                Purpose::Import => "File of the table (.csv, .xlsx, .uff, .wav, .mat)",
                 Purpose::SavePlan => "Study plan to write (.toml)",
                 Purpose::OpenPlan => "Study plan to read (.toml)",
                 Purpose::Title => "Title of the problem",

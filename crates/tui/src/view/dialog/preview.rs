@@ -13,9 +13,6 @@ use crate::{
     text::{fit, width, wrapped},
 };
 
-/// The widest column.
-const WIDEST: usize = 20;
-
 /// Lines of a preview in so many columns of the screen.
 pub(super) fn lines(model: &Model, preview: &ImportPreview, room: usize) -> Vec<Line<'static>> {
     let Some((_, table)) = &preview.read else { return to_choose_from(model, &preview.sample, room) };
@@ -84,7 +81,7 @@ fn to_choose_from(model: &Model, sample: &Sample, room: usize) -> Vec<Line<'stat
 /// Rows of cells in columns, each as wide as its widest cell.
 fn aligned(model: &Model, rows: &[Vec<String>], room: usize) -> Vec<Line<'static>> {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
-    let most = (room / columns.max(1)).saturating_sub(2).clamp(1, WIDEST);
+    let most = (room / columns.max(1)).saturating_sub(2).max(1);
     let widest =
         |at: usize| rows.iter().filter_map(|row| row.get(at)).map(|cell| width(cell)).max().unwrap_or(0);
     let widths: Vec<usize> = (0..columns).map(|at| widest(at).min(most)).collect();
