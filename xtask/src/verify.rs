@@ -28,8 +28,15 @@ pub enum Extent<'a> {
     Steps(&'a [&'a str]),
 }
 
-/// Result of a step: a few words for the summary.
-type Found = Result<String>;
+/// Result of a step.
+type Found = Result<Verdict>;
+
+/// Verdict on a step that did not fail, with a few words for the summary.
+enum Verdict {
+    Passed(String),
+    /// A tool is missing; the words name it.
+    NotRun(String),
+}
 
 struct Step {
     name: &'static str,
@@ -76,15 +83,19 @@ fn steps(extent: Extent<'_>) -> Result<Vec<&'static Step>> {
 /// A step that does not exist; a step that failed.
 pub fn run(root: &Path, extent: Extent<'_>) -> Result<()> {
     let (mut summary, mut faults) = (String::new(), String::new());
-    let (mut passed, mut failed) = (0, 0);
+    let (mut passed, mut failed, mut skipped) = (0, 0, 0);
     for step in steps(extent)? {
         println!("\n== {}", step.name);
         let start = Instant::now();
         let found = (step.prove)(root);
         let (verdict, words) = match found {
-            Ok(words) => {
+            Ok(Verdict::Passed(words)) => {
                 passed += 1;
                 ("ok", words)
+            }
+            Ok(Verdict::NotRun(words)) => {
+                skipped += 1;
+                ("NOT RUN", words)
             }
             Err(err) => {
                 failed += 1;
@@ -98,7 +109,7 @@ pub fn run(root: &Path, extent: Extent<'_>) -> Result<()> {
             faults += &format!("\n== {}\n{more}\n", step.name);
         }
     }
-    println!("{faults}\n== summary\n{summary}\n{passed} passed, {failed} failed");
+    println!("{faults}\n== summary\n{summary}\n{passed} passed, {failed} failed, {skipped} skipped");
     ensure!(failed == 0, "the verification failed");
     Ok(())
 }
@@ -116,25 +127,25 @@ fn line(name: &str, time: Duration, verdict: &str, words: &str) -> String {
 
 fn tree(root: &Path) -> Found {
     tidy::run(root)?;
-    Ok(String::new())
+    Ok(Verdict::Passed(String::new()))
 }
 
 /// Only where the tool is installed: nothing is fetched.
 fn spelling(root: &Path) -> Found {
     if !installed(Command::new("typos").arg("--version")) {
-        return Ok("left out: typos is not installed".to_owned());
+        return Ok(Verdict::NotRun("typos is not installed: `pip install typos`".to_owned()));
     }
     run_command(Command::new("typos").current_dir(root))?;
-    Ok(String::new())
+    Ok(Verdict::Passed(String::new()))
 }
 
-/// Only where the tool is installed; without the list of advisories, which needs the network.
+/// Only where the tool is installed; without the list of advisories, which is a clone of a repository.
 fn dependencies(root: &Path) -> Found {
     if !installed(cargo(root).args(["deny", "--version"])) {
-        return Ok("left out: cargo-deny is not installed".to_owned());
+        return Ok(Verdict::NotRun("cargo-deny is not installed: `cargo install cargo-deny`".to_owned()));
     }
-    run_command(cargo(root).args(["deny", "--offline", "check", "bans", "licenses", "sources"]))?;
-    Ok(String::new())
+    run_command(cargo(root).args(["deny", "--locked", "check", "bans", "licenses", "sources"]))?;
+    Ok(Verdict::Passed(String::new()))
 }
 
 fn formatting(root: &Path) -> Found {
@@ -142,13 +153,13 @@ fn formatting(root: &Path) -> Found {
     for folder in [OUT_OF_TREE, python::FOLDER] {
         run_command(cargo(&root.join(folder)).args(["fmt", "--", "--check", "--files-with-diff"]))?;
     }
-    Ok(String::new())
+    Ok(Verdict::Passed(String::new()))
 }
 
 fn clippy(root: &Path) -> Found {
     let workspace = ["clippy", "--workspace", "--all-targets", "--locked", "--keep-going"];
     run_command(cargo(root).args(workspace).args(["--", "-D", "warnings"]))?;
-    Ok(String::new())
+    Ok(Verdict::Passed(String::new()))
 }
 
 fn tests(root: &Path) -> Found {
@@ -173,7 +184,7 @@ fn tests(root: &Path) -> Found {
     }
     let status = tests.wait()?;
     ensure!(status.success(), "ended with {status}; {SEED}={seed} draws the same again\n{failures}");
-    Ok(format!("{SEED}={seed}"))
+    Ok(Verdict::Passed(format!("{SEED}={seed}")))
 }
 
 /// Tests at a time, twice the processors: those of the terminal wait for most of their time.
@@ -205,7 +216,7 @@ fn catalogue(root: &Path) -> Found {
         printed["agreed"], printed["disputed"]
     );
     ensure!(differing == 0 && agreed > 0 && shown.success(), words);
-    Ok(words)
+    Ok(Verdict::Passed(words))
 }
 
 fn documentation(root: &Path) -> Found {
@@ -214,18 +225,18 @@ fn documentation(root: &Path) -> Found {
             .args(["doc", "--workspace", "--no-deps", "--locked", "--keep-going"])
             .env("RUSTDOCFLAGS", "-D warnings"),
     )?;
-    Ok(String::new())
+    Ok(Verdict::Passed(String::new()))
 }
 
 /// Generated files agree with those that would be generated now.
 fn reference(root: &Path) -> Found {
     docs::check(root)?;
-    Ok(String::new())
+    Ok(Verdict::Passed(String::new()))
 }
 
 /// The pictures of the documents are what the program draws.
 fn drawn(root: &Path) -> Found {
-    Ok(format!("{} pictures", pictures::check(root)?))
+    Ok(Verdict::Passed(format!("{} pictures", pictures::check(root)?)))
 }
 
 const OUT_OF_TREE: &str = "examples/out-of-tree";
@@ -255,14 +266,14 @@ fn out_of_tree(root: &Path) -> Found {
     run_command(&mut theirs(&["solve", OF_THE_LABORATORY]))?;
     run_command(&mut theirs(&["verify", OF_THE_LABORATORY]))?;
     run_command(&mut with_cargo("test"))?;
-    Ok(format!("{} analyses", listed.len()))
+    Ok(Verdict::Passed(format!("{} analyses", listed.len())))
 }
 
 /// The Python module solves. What it shares with the program out of tree is built once; the whole proof, with a wheel and
 /// packages from the index, is `cargo xtask python`.
 fn python_module(root: &Path) -> Found {
     let solved = python::smoke(root, &compiled_quickly(root)?)?;
-    Ok(solved.unwrap_or_else(|| "not run: no Python".to_owned()))
+    Ok(solved.map_or_else(|| Verdict::NotRun("there is no Python".to_owned()), Verdict::Passed))
 }
 
 /// Checks that a member of the workspace here, which is a dependency there, is not compiled for speed: options that
@@ -313,7 +324,7 @@ fn template(root: &Path) -> Found {
     tests.env("CARGO_TARGET_DIR", target(root)).env("INSTA_UPDATE", "unseen").env("DALEMBERT_ONLY", &id);
     run_command(&mut tests)?;
     run_command(cargo(&copy.0).args(["fmt", "--all", "--", "--check", "--files-with-diff"]))?;
-    Ok(String::new())
+    Ok(Verdict::Passed(String::new()))
 }
 
 /// The crates that a new analysis of vibration changes, and those that know where their tree stands.
@@ -385,8 +396,8 @@ mod tests {
         assert_eq!(names(Extent::Steps(&["python", "tidy"])).unwrap(), ["tidy", "python"]);
         assert_eq!(names(Extent::Everything).unwrap().len(), STEPS.len());
         assert!(!names(Extent::Quick).unwrap().contains(&"new analysis"));
-        let unknown = names(Extent::Steps(&["pyhton"])).unwrap_err().to_string();
-        assert!(unknown.starts_with("no step \"pyhton\"; steps: tidy, "), "{unknown}");
+        let unknown = names(Extent::Steps(&["snake"])).unwrap_err().to_string();
+        assert!(unknown.starts_with("no step \"snake\"; steps: tidy, "), "{unknown}");
     }
 
     #[test]

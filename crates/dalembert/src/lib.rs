@@ -16,12 +16,22 @@ mod snippet;
 mod solving;
 mod values;
 
-use std::{ffi::OsString, path::PathBuf, process::ExitCode};
+use std::{
+    borrow::Cow,
+    ffi::OsString,
+    io::{self, Write as _},
+    path::PathBuf,
+    process::ExitCode,
+};
 
 use clap::FromArgMatches as _;
 use clap_complete::CompleteEnv;
 use dalembert_core::{Locale, Text};
-use dalembert_tui::settings::{self, Settings};
+use dalembert_tui::{
+    glyphs::filter_untrusted,
+    settings::{self, Settings},
+    terminal,
+};
 
 use crate::{
     arguments::{Arguments, Command, Format, GradeFormat, TableFormat},
@@ -33,6 +43,8 @@ dalembert_core::messages!("../locales/pt-BR.ftl");
 
 /// The whole program. Exit status: 0 solved; 1 refused, or a check failed; 2 bad input or usage.
 pub fn main() -> ExitCode {
+    // Without it a save that meets the limit ends the program.
+    let _ = terminal::report_file_size_limit();
     let words: Vec<OsString> = std::env::args_os().collect();
     // The help is in the language that is asked for, so that is searched for before everything else.
     let path = settings::path();
@@ -57,8 +69,12 @@ pub fn main() -> ExitCode {
             })
         }
         Err(err) => {
-            // Help and version are no errors to clap either: it knows the stream and the status.
-            let _ = err.print();
+            // Help and version are no errors to clap either: it knows the stream and the status. An argument that it
+            // repeats cannot drive the terminal.
+            match filter_untrusted(&err.to_string()) {
+                Cow::Borrowed(_) => _ = err.print(),
+                Cow::Owned(harmless) => _ = write!(io::stderr(), "{harmless}"),
+            }
             if err.use_stderr() && asks_for_json(&words) {
                 let message = err.to_string();
                 let why = message.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned();

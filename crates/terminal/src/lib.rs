@@ -78,9 +78,13 @@ mod session;
 mod shared;
 mod signals;
 
-use std::io::{self, IsTerminal};
+use std::{
+    io::{self, IsTerminal},
+    sync::Arc,
+};
 
 use rustix::termios::tcgetattr;
+use signal_hook::{consts::SIGXFSZ, flag};
 
 pub use decode::TerminalInput;
 pub use fault::{Fault, fault};
@@ -129,6 +133,12 @@ pub fn usable() -> Result<(), TerminalError> {
         return Err(TerminalError::Dumb(term));
     }
     Ok(())
+}
+
+/// Makes a write beyond the largest size of a file (`ulimit -f`) an error of that write, where it would end the process.
+pub fn report_file_size_limit() -> io::Result<()> {
+    // What is raised need not be known: the write fails with EFBIG.
+    flag::register(SIGXFSZ, Arc::default()).map(drop)
 }
 
 /// The bytes that the line to the terminal carries in a second, where it reports it. What says 38400 baud or more is a

@@ -131,9 +131,12 @@ fn read_as_written<'t>(
     default: &Unit,
 ) -> Result<QuantityReader<'t>, ReadError> {
     let (range, suffix) = units::split_suffix(text, range);
-    let cursor = Cursor::new(text, range);
+    let cursor = Cursor::new(text, range.clone());
     let mut reading = match literal_and_unit(cursor) {
         Some(reading) => reading,
+        None if is_date(&text[range.clone()]) => {
+            return Err(expression::not_a_number(&text[range.clone()], range));
+        }
         None => expression::evaluate(cursor)?,
     };
     if suffix != UnitMeaning::Plain {
@@ -154,6 +157,15 @@ fn has_dim(cursor: Cursor, span: &Range<usize>, meant: &str, default: &Unit) -> 
     let found = expression::evaluate(Cursor::new(&text, 0..text.len()));
     default.dim != Dim::NONE
         && found.is_ok_and(|found| found.unit.is_some_and(|unit| unit.dim.agrees(default.dim)))
+}
+
+/// Returns true for a date such as 1970-01-01, which is no difference of three numbers.
+fn is_date(text: &str) -> bool {
+    let mut parts = text.split('-');
+    let mut digits = |count| {
+        parts.next().is_some_and(|part| part.len() == count && part.bytes().all(|b| b.is_ascii_digit()))
+    };
+    digits(4) && digits(2) && digits(2) && parts.next().is_none()
 }
 
 fn literal_and_unit(mut cursor: Cursor<'_>) -> Option<QuantityReader<'_>> {

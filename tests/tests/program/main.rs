@@ -12,6 +12,7 @@ mod optimise;
 mod parquet;
 mod pixels;
 mod ranges;
+mod reliability;
 mod replay;
 mod sensitivity;
 mod study;

@@ -4,14 +4,15 @@
 //! the folder is made durable. A crash, a kill or a full disk at any moment leaves the old file or the new one, whole.
 
 use std::{
-    fs::{self, File, Permissions, TryLockError},
+    fs::{self, File, Metadata, Permissions, TryLockError},
     io::{self, Write},
-    os::unix::fs::PermissionsExt,
+    os::unix::fs::{MetadataExt, PermissionsExt},
     path::{Path, PathBuf},
     thread,
     time::{Duration, Instant, SystemTime},
 };
 
+use rustix::fs::{Gid, Uid, fchown};
 use tempfile::NamedTempFile;
 
 use super::{FileError, Fingerprint, failed, ordinary, process::runs, read_bytes};
@@ -27,8 +28,8 @@ pub enum Before {
     Whatever,
 }
 
-/// Replaces the content of the file, or leaves it as it is. A symbolic link is kept, and its target replaced; permissions
-/// are kept; a hard link is left with the old text.
+/// Replaces the content of the file, or leaves it as it is. A symbolic link is kept, and its target replaced; permissions,
+/// group and, where the system allows it, owner are kept; a hard link is left with the old text.
 ///
 /// The answer is what the file is now, for the next [`Before::Was`].
 pub fn save(path: &Path, content: impl AsRef<[u8]>, before: Before) -> Result<Fingerprint, FileError> {
@@ -99,9 +100,9 @@ pub(super) fn save_with(
     for part in content.chunks(64 * 1024) {
         step(Step::Write).and_then(|()| file.write_all(part)).map_err(failed("write", path))?;
     }
-    if let Some(permissions) = old {
+    if let Some(old) = old {
         step(Step::Permit)
-            .and_then(|()| file.as_file().set_permissions(permissions))
+            .and_then(|()| permit(file.as_file(), &old))
             .map_err(failed("keep the permissions of", path))?;
     }
     step(Step::Sync).and_then(|()| file.as_file().sync_all()).map_err(failed("write", path))?;
@@ -154,13 +155,26 @@ fn temporary(folder: &Path, mode: u32) -> io::Result<NamedTempFile> {
 const PREFIX: &str = ".dalembert-";
 const SUFFIX: &str = ".tmp";
 
-/// The file itself, behind all links, and its permissions if it exists.
-fn resolve(path: &Path) -> Result<(PathBuf, Option<Permissions>), FileError> {
+/// Gives a new file the owner, the group and the permissions of the old one. Where the system refuses the group, the group
+/// that the file has instead may do no more than everybody.
+fn permit(file: &File, old: &Metadata) -> io::Result<()> {
+    let (owner, group) = (Uid::from_raw(old.uid()), Gid::from_raw(old.gid()));
+    let kept = fchown(file, Some(owner), Some(group)).or_else(|_| fchown(file, None, Some(group)));
+    let mut mode = old.mode();
+    if kept.is_err() && file.metadata()?.gid() != old.gid() {
+        mode &= !0o070 | ((mode & 0o007) << 3);
+    }
+    // After the owner: a change of that takes permissions away.
+    file.set_permissions(Permissions::from_mode(mode))
+}
+
+/// The file itself, behind all links, and its metadata if it exists.
+fn resolve(path: &Path) -> Result<(PathBuf, Option<Metadata>), FileError> {
     match fs::canonicalize(path) {
         Ok(target) => {
             let metadata = fs::metadata(&target).map_err(failed("inspect", path))?;
             ordinary(path, metadata.file_type())?;
-            Ok((target, Some(metadata.permissions())))
+            Ok((target, Some(metadata)))
         }
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
             // A new file, or a link to one that is not there: the link must not be replaced by a file.

@@ -514,7 +514,7 @@ fn is_no_number(text: &str) -> bool {
     ["nan", "inf", "infinity", "infinite", "infinito", "∞"].iter().any(|word| text.eq_ignore_ascii_case(word))
 }
 
-fn not_a_number(text: &str, span: Range<usize>) -> ReadError {
+pub(super) fn not_a_number(text: &str, span: Range<usize>) -> ReadError {
     ReadError::NotANumber { text: text.into(), example: "20.3".into(), span }
 }
 

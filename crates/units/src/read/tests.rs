@@ -325,6 +325,7 @@ fn refusals_name_the_value_and_the_repair() {
         ("", "a value is needed, for example 20.3 m"),
         ("   ", "a value is needed"),
         ("abc", "unknown unit `abc`"),
+        ("1970-01-01", "`1970-01-01` is not a number"),
         ("20.3 Mpa", "did you mean `MPa`"),
         ("12 kg /", "is incomplete: a number or a unit expected"),
         ("12 *", "is incomplete"),
