@@ -1,9 +1,11 @@
 //! Helpers of the tests of the whole program: a user before the screens, and a terminal for the program itself.
 
 pub mod errors;
+pub mod fuzz;
 pub mod person;
 pub mod pictures;
 pub mod pty;
+pub mod trials;
 
 use dalembert_core::{Entry, registry};
 

@@ -66,6 +66,11 @@ impl Program {
         Ok(Self(target.join("debug").join(format!("dalembert{}", env::consts::EXE_SUFFIX))))
     }
 
+    /// Path of its file.
+    pub(crate) fn path(&self) -> &Path {
+        &self.0
+    }
+
     /// To be run with these arguments. Words are English whatever the language of the machine.
     pub(crate) fn with(&self, arguments: &[&str]) -> Command {
         self.in_language("en", arguments)

@@ -12,7 +12,7 @@ use serde_json::{Value as Json, json};
 use crate::{
     cargo::{self, Program},
     new_analysis::write as write_file,
-    server,
+    server, trust,
 };
 
 mod architecture;
@@ -116,6 +116,7 @@ fn generated(root: &Path) -> Result<Vec<(String, String)>> {
     files.push(("docs/units.md".to_owned(), format!("{BEGIN}{}{units}", include_str!("docs/units.md"))));
     files.push(decisions::index(root)?);
     files.push(architecture::picture(root)?);
+    files.push(trust::generated(root)?);
     Ok(files)
 }
 

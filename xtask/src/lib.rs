@@ -12,6 +12,7 @@ pub mod docs;
 pub mod errors;
 pub mod find;
 pub mod first_entry;
+pub mod fuzz;
 pub mod handbook;
 pub mod new_analysis;
 pub mod new_plugin;
@@ -22,6 +23,7 @@ pub mod python;
 pub mod soak;
 pub mod teaching;
 pub mod tidy;
+pub mod trust;
 pub mod verify;
 pub mod words;
 

@@ -3,8 +3,9 @@
 use std::{env, process::ExitCode};
 
 use xtask::{
-    bench, cluster, contact_sheet, dialects, dist, docs, errors, find, first_entry, handbook, new_analysis,
-    new_plugin, papers, parquet, pictures, python, root, soak, teaching, tidy, verify, words,
+    bench, cluster, contact_sheet, dialects, dist, docs, errors, find, first_entry, fuzz, handbook,
+    new_analysis, new_plugin, papers, parquet, pictures, python, root, soak, teaching, tidy, trust, verify,
+    words,
 };
 
 const USAGE: &str = "\
@@ -44,6 +45,12 @@ usage: cargo xtask COMMAND
   dialects [--make] [--all]  files as other programs write them: read right, refused with the repair, or silently wrong?
                              --make writes them again (Python), --all prints every refusal
   errors [DIGITS]... [--log] the table of the corpus of student errors: how many causes Check names
+  fuzz TARGET --runs N [--seed S]
+                             N executions of a reader in search of input that breaks it; targets: quantity expression vector
+                             keys problem-file table universal-file replay settings report
+  trust [--seed S] [--times N] [ROW]...
+                             trials of reliability at full size, or N times, recorded in docs/trust.md
+  trust --check [ROW]...     a hundredth of each, recording nothing; --list prints the rows
   cluster [POINTS]           a study killed and resumed, in shards by GNU parallel and by a real Slurm: the same bytes?
   first-entry                the rate of published problems that were right at their first entry, from the history
   bench [PART]...            measure; parts: plain units solve keys causes tui
@@ -80,6 +87,9 @@ fn main() -> ExitCode {
         ["parquet"] => parquet::run(&root()),
         ["dialects", words @ ..] => dialects::run(&root(), words),
         ["errors", words @ ..] => errors::run_corpus(&root(), words),
+        ["fuzz", target, "--runs", runs] => fuzz::run_target(&root(), target, runs, "1"),
+        ["fuzz", target, "--runs", runs, "--seed", seed] => fuzz::run_target(&root(), target, runs, seed),
+        ["trust", words @ ..] => trust::run(&root(), words),
         ["teaching"] => teaching::run(&root()),
         ["teaching", "--platforms"] => teaching::platforms(&root()),
         ["cluster"] => cluster::run(&root(), 1_000_000),

@@ -14,7 +14,7 @@ use anyhow::{Context, Result, ensure};
 use crate::{
     cargo::{Program, cargo, git, installed, output, run as run_command, target},
     docs::{self, ids},
-    new_analysis, pictures, python, tidy,
+    fuzz, new_analysis, pictures, python, tidy,
 };
 
 /// Extent of the verification.
@@ -150,7 +150,7 @@ fn dependencies(root: &Path) -> Found {
 
 fn formatting(root: &Path) -> Found {
     run_command(cargo(root).args(["fmt", "--all", "--", "--check", "--files-with-diff"]))?;
-    for folder in [OUT_OF_TREE, python::FOLDER] {
+    for folder in [OUT_OF_TREE, python::FOLDER, fuzz::FOLDER] {
         run_command(cargo(&root.join(folder)).args(["fmt", "--", "--check", "--files-with-diff"]))?;
     }
     Ok(Verdict::Passed(String::new()))

@@ -20,6 +20,7 @@
 //! examined, so that a caller can refuse to pass where nothing was found to examine.
 
 pub mod alternatives;
+pub mod cancellation;
 pub mod catalogue;
 pub mod coverage;
 mod evaluator;

@@ -4,6 +4,7 @@ mod cli;
 mod dialects;
 mod faults;
 mod field;
+mod fuzz;
 mod import;
 mod json;
 mod notes;

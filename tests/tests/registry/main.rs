@@ -1,6 +1,7 @@
 //! Properties of every analysis, every case and every problem file.
 
 mod alternatives;
+mod cancellation;
 mod catalogue;
 mod configurations;
 mod coverage;

@@ -27,6 +27,7 @@ const BELOW: [(&str, &[&str]); 17] = [
         &[
             "",
             "core",
+            "import",
             "mechanics",
             "numerics",
             "plugins",
