@@ -130,13 +130,31 @@ macro_rules! register {
     };
 }
 
-/// Every linked analysis, in the order of their ids.
+/// Every linked analysis, in the order of their ids. Of those with the same id, the first by title.
 pub fn registry() -> &'static [&'static Entry] {
-    static REGISTRY: OnceLock<Vec<&'static Entry>> = OnceLock::new();
-    REGISTRY.get_or_init(|| {
+    &linked()[0]
+}
+
+/// Analyses that are left out, because another has their id.
+pub fn duplicates() -> &'static [&'static Entry] {
+    &linked()[1]
+}
+
+/// The analyses with an id of their own, and the others.
+fn linked() -> &'static [Vec<&'static Entry>; 2] {
+    static LINKED: OnceLock<[Vec<&'static Entry>; 2]> = OnceLock::new();
+    LINKED.get_or_init(|| {
         let mut all: Vec<&'static Entry> = inventory::iter::<Entry>().collect();
-        all.sort_by_key(|entry| entry.about.id);
-        all
+        all.sort_by_key(|entry| (entry.about.id, entry.about.title));
+        let mut duplicates = Vec::new();
+        all.dedup_by(|entry, before| {
+            let is_taken = entry.about.id == before.about.id;
+            if is_taken {
+                duplicates.push(*entry);
+            }
+            is_taken
+        });
+        [all, duplicates]
     })
 }
 

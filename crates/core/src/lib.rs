@@ -65,7 +65,9 @@ pub use nalgebra;
 #[doc(hidden)]
 pub use crate::input::derive_support;
 pub use crate::{
-    analysis::{About, Analysis, Entry, Evaluate, Refusal, SolveError, Stop, find_analysis, registry},
+    analysis::{
+        About, Analysis, Entry, Evaluate, Refusal, SolveError, Stop, duplicates, find_analysis, registry,
+    },
     ascii::ascii,
     definitions::{COMMON_LISTS, Goal, has_unknown, own_fields, split_tolerance, within_problem},
     draft::Draft,

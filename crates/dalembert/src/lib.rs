@@ -26,7 +26,7 @@ use std::{
 
 use clap::FromArgMatches as _;
 use clap_complete::CompleteEnv;
-use dalembert_core::{Locale, Text};
+use dalembert_core::{Locale, Text, duplicates};
 use dalembert_tui::{
     glyphs::filter_untrusted,
     settings::{self, Settings},
@@ -57,6 +57,15 @@ pub fn main() -> ExitCode {
     match parsed {
         Ok(arguments) => {
             let console = Console::of_process(language, arguments.ascii);
+            for entry in duplicates() {
+                let words = Text::new(
+                    "{title} is left out: another analysis has its id {id}; give it one of its own",
+                );
+                console.notify(
+                    "warning: {words}",
+                    &words.with("title", entry.about.title).with("id", entry.about.id),
+                );
+            }
             let set = Set { path, settings, faults };
             run(&arguments, set, &console).unwrap_or_else(|failure| {
                 // A refusal stands in the result already.

@@ -6,7 +6,7 @@ use dalembert_core::{
     Answer, Entry, Locale, Stop,
     cases::{Comparison, ComparisonRule, Seen},
     coverage::same_trees,
-    printer,
+    duplicates, printer,
 };
 
 use crate::{
@@ -189,7 +189,6 @@ pub fn a_solve_is_a_pure_function(entries: &[&'static Entry]) {
 /// sentence, and a source.
 pub fn every_analysis_is_well_described(entries: &[&'static Entry]) {
     some(entries);
-    let mut ids: Vec<&str> = entries.iter().map(|entry| entry.about.id).collect();
     for entry in entries {
         let id = entry.about.id;
         let (family, name) = id.split_once('/').unwrap_or_else(|| panic!("{id}: an id is family/name"));
@@ -199,7 +198,6 @@ pub fn every_analysis_is_well_described(entries: &[&'static Entry]) {
         assert!(!entry.about.title.is_empty() && entry.about.summary.ends_with('.'), "{id}");
         assert!(!entry.about.sources.is_empty(), "{id} names no source");
     }
-    ids.sort_unstable();
-    ids.dedup();
-    assert_eq!(ids.len(), entries.len(), "two analyses have the same id");
+    let duplicates: Vec<&str> = duplicates().iter().map(|entry| entry.about.id).collect();
+    assert!(duplicates.is_empty(), "two analyses have the same id: {}", duplicates.join(", "));
 }

@@ -7,7 +7,8 @@ mod watch;
 mod wheel;
 
 use std::{
-    fs, io,
+    fs,
+    io::{self, Write as _},
     path::PathBuf,
     process::ExitCode,
     sync::{Arc, mpsc},
@@ -85,7 +86,7 @@ pub fn run(options: Options) -> ExitCode {
     terminal::run_guarded(&words, || match workbench(options) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("{error}{}", advice(&error));
+            let _ = writeln!(io::stderr(), "{error}{}", advice(&error));
             ExitCode::from(NO_TERMINAL)
         }
     })

@@ -12,6 +12,7 @@ mod optimise;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod pixels;
+mod plugins;
 mod ranges;
 mod reliability;
 mod replay;

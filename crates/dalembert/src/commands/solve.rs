@@ -1,6 +1,11 @@
 //! `dalembert solve`
 
-use std::{ffi::OsStr, path::Path, process::ExitCode};
+use std::{
+    ffi::OsStr,
+    io::{self, Write as _},
+    path::Path,
+    process::ExitCode,
+};
 
 use dalembert_core::{Answer, Locale, Solution, Text, UnitSetting, nearest};
 use dalembert_report::{
@@ -252,7 +257,8 @@ fn status(worked: &WorkedProblem<'_>, console: &Console) -> Result<ExitCode, Fai
     let solution = worked.outcome.map_err(|why| Failure::Refused(why.clone()))?;
     let complaints = complaints(solution, &console.locale.at(worked.entry.about.id));
     for line in &complaints {
-        eprintln!("{}", console.plain(line));
+        // Nobody is left to read it when the error stream itself is closed.
+        let _ = writeln!(io::stderr(), "{}", console.plain(line));
     }
     Ok(if complaints.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }
