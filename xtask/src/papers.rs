@@ -60,7 +60,7 @@ const SHEETS: [&str; 6] = ["sheet-1", "sheet-2", "worked-1", "worked-2", "key", 
 /// Number of programs that print at the same time.
 const PROCESSES: usize = 2;
 
-/// What is written for one name in one language.
+/// Documents that are written for one name in one language.
 #[derive(Clone, Copy)]
 enum Written<'a> {
     /// Note of an analysis.
@@ -176,7 +176,7 @@ fn programs(formats: &[&str]) -> Result<Option<&'static str>> {
     Ok(browser)
 }
 
-/// Where documents are written, and the program that writes them.
+/// Folder of the documents, with the program that writes them.
 struct Place<'a> {
     root: &'a Path,
     program: Program,
