@@ -27,8 +27,8 @@ usage: cargo xtask COMMAND
                              contact sheets in the target directory: first screen, drawing and plot of every analysis,
                              or of those whose ids contain a NAME
   papers [--format F] [NAME]...
-                             every analysis, or those whose ids contain a NAME, as a note in both languages and each format,
-                             printed as PDF and measured: letters outside of the text, lone titles
+                             every analysis as a note and variants as sheets, or those whose names contain a NAME, in both
+                             languages and each format, printed as PDF and measured: letters outside of the text, lone titles
   soak mutants               the result of each function of mechanics times 1.01: does the catalogue notice?
   soak rotors                2000 random rotors: each answered, every check holds?
   soak chains                chains of 1 to 100 four-bars through singular positions

@@ -1,4 +1,5 @@
-//! `cargo xtask papers`: every analysis as a note in both languages and each format, printed as PDF and measured.
+//! `cargo xtask papers`: every analysis as a note, and sheets and keys of variants for a class, in both languages and each
+//! format, printed as PDF and measured.
 //!
 //! | format | printed by |
 //! |---|---|
@@ -24,7 +25,7 @@ use serde::Deserialize;
 use serde_json::{Value as Json, json};
 
 use crate::{
-    cargo::{Program, browser, installed, target},
+    cargo::{Program, browser, installed, output, target},
     docs::{self, ids},
 };
 
@@ -44,13 +45,36 @@ const KINDS: [(&str, &str); 4] = [
     ("overfull", "overfull boxes"),
     ("lone", "lone titles"),
 ];
+/// Problems whose variants are printed: a problem file, and analyses with drawings, tables, vectors and long formulas.
+const VARIED: [&str; 7] = [
+    "tests/data/teaching/fan.toml",
+    "balancing/splitting",
+    "rigid-body/steady-rolling",
+    "vibration/base-excitation",
+    "vibration/harmonic-sum",
+    "virtual-work/a-frame",
+    "virtual-work/geared-drive",
+];
+/// Files of the variants of a problem, without ending: sheet and worked key of each, the key of all, and all sheets as one.
+const SHEETS: [&str; 6] = ["sheet-1", "sheet-2", "worked-1", "worked-2", "key", "class"];
 /// Number of programs that print at the same time.
 const PROCESSES: usize = 2;
 
-/// Note in one language, in a folder of its own.
+/// Documents that are written for one name in one language.
+#[derive(Clone, Copy)]
+enum Written<'a> {
+    /// Note of an analysis.
+    Note(&'a str),
+    /// Sheets and keys of two variants of a problem.
+    Sheets(&'a str),
+}
+
+/// Document in one language: a file without ending in a folder.
 struct Note {
     name: String,
     folder: PathBuf,
+    stem: &'static str,
+    formats: Vec<String>,
     titles: Vec<String>,
 }
 
@@ -63,7 +87,8 @@ struct Printed {
     faults: Vec<(String, String)>,
 }
 
-/// Prints the notes of all analyses, or of those whose ids contain one of the words; `--format F` prints one format.
+/// Prints the notes of all analyses and the sheets, or those whose names contain one of the words; `--format F` prints one
+/// format.
 ///
 /// # Errors
 /// A program that is missing, with how it is installed; faults, which are listed.
@@ -71,20 +96,25 @@ pub fn run(root: &Path, words: &[&str]) -> Result<()> {
     let (formats, names) = options(words)?;
     let browser = programs(&formats)?;
     let program = Program::built(root, root)?;
-    let ids: Vec<String> = ids(&docs::json(&program, &["list", "--json"])?)
-        .into_iter()
-        .filter(|id| names.is_empty() || names.iter().any(|name| id.contains(name)))
-        .collect();
-    ensure!(!ids.is_empty(), "no id contains {}", names.join(" or "));
-    let place = target(root).join("papers");
-    let ids: Vec<(&str, &String)> =
-        LANGUAGES.iter().flat_map(|language| ids.iter().map(move |id| (*language, id))).collect();
-    let work = |part: &[(&str, &String)]| -> Result<Vec<Printed>> {
-        let notes = part.iter().map(|(language, id)| written(&program, &place, language, id, &formats));
-        printed(&notes.collect::<Result<Vec<_>>>()?, &formats, browser)
+    let ids: Vec<String> = ids(&docs::json(&program, &["list", "--json"])?);
+    let place = Place { root, program, folder: target(root).join("papers") };
+    let is_wanted = |name: &str| names.is_empty() || names.iter().any(|word| name.contains(word));
+    let notes = ids.iter().filter(|id| is_wanted(id)).map(|id| Written::Note(id));
+    let sheets = VARIED.iter().filter(|problem| is_wanted(problem)).map(|problem| Written::Sheets(problem));
+    let wanted: Vec<Written> = notes.chain(sheets).collect();
+    ensure!(!wanted.is_empty(), "no name contains {}", names.join(" or "));
+    let wanted: Vec<(&str, Written)> =
+        LANGUAGES.iter().flat_map(|language| wanted.iter().map(move |one| (*language, *one))).collect();
+    let work = |part: &[(&str, Written)]| -> Result<Vec<Printed>> {
+        let notes = part.iter().map(|(language, one)| match one {
+            Written::Note(id) => Ok(vec![place.note(language, id, &formats)?]),
+            Written::Sheets(problem) => place.sheets(language, problem, &formats),
+        });
+        let notes: Vec<Note> = notes.collect::<Result<Vec<_>>>()?.into_iter().flatten().collect();
+        printed(&notes, &formats, browser)
     };
     let printed = thread::scope(|scope| {
-        let parts = ids.chunks(ids.len().div_ceil(PROCESSES));
+        let parts = wanted.chunks(wanted.len().div_ceil(PROCESSES));
         let workers: Vec<_> = parts.map(|part| scope.spawn(move || work(part))).collect();
         let found = workers.into_iter().map(|worker| worker.join().expect("a worker does not panic"));
         found.collect::<Result<Vec<_>>>()
@@ -146,20 +176,59 @@ fn programs(formats: &[&str]) -> Result<Option<&'static str>> {
     Ok(browser)
 }
 
-/// Writes a note in these formats, and in Markdown, which has its titles.
-fn written(program: &Program, place: &Path, language: &str, id: &str, formats: &[&str]) -> Result<Note> {
-    let folder = place.join(language).join(id.replace('/', "+"));
-    fs::create_dir_all(&folder).with_context(|| format!("{} cannot be made", folder.display()))?;
-    for format in formats.iter().chain(&["md"]) {
-        let path = folder.join(format!("note.{format}"));
-        let path = path.to_string_lossy();
-        let mut command = program.in_language(language, &["solve", id, "--force", "--output", &path]);
-        let done = command.output().context("the program cannot be run")?;
-        // A problem may have no answer: its note has the reason.
-        ensure!(done.status.code() != Some(2), "{id}: {}", String::from_utf8_lossy(&done.stderr));
+/// Folder of the documents, with the program that writes them.
+struct Place<'a> {
+    root: &'a Path,
+    program: Program,
+    folder: PathBuf,
+}
+
+impl Place<'_> {
+    /// Folder for a name in a language.
+    fn folder(&self, language: &str, name: &str) -> Result<PathBuf> {
+        let folder = self.folder.join(language).join(name.replace('/', "+"));
+        fs::create_dir_all(&folder).with_context(|| format!("{} cannot be made", folder.display()))?;
+        Ok(folder)
     }
-    let text = fs::read_to_string(folder.join("note.md"))?;
-    Ok(Note { name: format!("{id} {language}"), folder, titles: titles(&text) })
+
+    /// Writes a note in these formats, and in Markdown, which has its titles.
+    fn note(&self, language: &str, id: &str, formats: &[&str]) -> Result<Note> {
+        let folder = self.folder(language, id)?;
+        for format in formats.iter().chain(&["md"]) {
+            let path = folder.join(format!("note.{format}"));
+            let path = path.to_string_lossy();
+            let mut command =
+                self.program.in_language(language, &["solve", id, "--force", "--output", &path]);
+            let done = command.output().context("the program cannot be run")?;
+            // A problem may have no answer: its note has the reason.
+            ensure!(done.status.code() != Some(2), "{id}: {}", String::from_utf8_lossy(&done.stderr));
+        }
+        let text = fs::read_to_string(folder.join("note.md"))?;
+        let formats = formats.iter().map(|&format| format.to_owned()).collect();
+        Ok(Note { name: format!("{id} {language}"), folder, stem: "note", formats, titles: titles(&text) })
+    }
+
+    /// Writes sheets and keys of two variants in the same way. There are none for Word.
+    fn sheets(&self, language: &str, problem: &str, formats: &[&str]) -> Result<Vec<Note>> {
+        let folder = self.folder(language, &format!("variants of {problem}"))?;
+        let path = folder.to_string_lossy();
+        let formats: Vec<&str> = formats.iter().filter(|format| **format != "docx").copied().collect();
+        for format in formats.iter().chain(&["md"]) {
+            let options = ["variants", problem, "--seed", "11", "--count", "2", "--format", format];
+            let mut files = self.program.in_language(language, &options);
+            output(files.current_dir(self.root).args(["--force", "--out", &path]))?;
+            let mut class = self.program.in_language(language, &options);
+            let text = output(class.current_dir(self.root))?;
+            fs::write(folder.join(format!("class.{format}")), text)?;
+        }
+        let note = |stem: &'static str| -> Result<Note> {
+            let text = fs::read_to_string(folder.join(format!("{stem}.md")))?;
+            let name = format!("{problem} {language}, {stem}");
+            let formats = formats.iter().map(|&format| format.to_owned()).collect();
+            Ok(Note { name, folder: folder.clone(), stem, formats, titles: titles(&text) })
+        };
+        SHEETS.into_iter().map(note).collect()
+    }
 }
 
 /// The titles of a note in Markdown: headings, reasons of steps, titles of tables.
@@ -174,10 +243,12 @@ fn titles(text: &str) -> Vec<String> {
 
 /// Prints and measures notes.
 fn printed(notes: &[Note], formats: &[&str], browser: Option<&str>) -> Result<Vec<Printed>> {
-    let notes: Vec<Json> = notes
-        .iter()
-        .map(|note| json!({ "name": note.name, "folder": note.folder, "titles": note.titles }))
-        .collect();
+    let note = |note: &Note| {
+        json!({
+            "name": note.name, "folder": note.folder, "stem": note.stem, "titles": note.titles, "formats": note.formats
+        })
+    };
+    let notes: Vec<Json> = notes.iter().map(note).collect();
     let request = json!({ "notes": notes, "formats": formats, "browser": browser, "widths": WIDTHS });
     let mut python = Command::new("python3")
         .args(["-c", SCRIPT])
@@ -209,7 +280,7 @@ fn report(printed: &[Printed], formats: &[&str]) -> Result<()> {
             .iter()
             .map(|(kind, words)| format!("{} {words}", counts.get(&(*format, *kind)).unwrap_or(&0)))
             .collect();
-        println!("{format}: {} notes, {pages} pages: {}", of_format().count(), kinds.join(", "));
+        println!("{format}: {} documents, {pages} pages: {}", of_format().count(), kinds.join(", "));
     }
     match counts.values().sum() {
         0 => Ok(()),

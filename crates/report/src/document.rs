@@ -2,7 +2,10 @@
 
 use dalembert_core::{Locale, Text, file::TitleBlock, printer::WrittenStep};
 
-use crate::figure::picture::{Picture, PictureElement};
+use crate::{
+    figure::picture::{Picture, PictureElement},
+    math::{lowered, raised},
+};
 
 /// A text with headings, lists, steps and tables, every word of it in one language.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -142,13 +145,30 @@ impl Block {
     }
 }
 
+/// True if this line is the heading of those that follow.
+pub(crate) fn is_heading(lines: &[NamedValue], at: usize) -> bool {
+    lines[at].value.is_empty() && lines.get(at + 1).is_some_and(|next| next.depth > lines[at].depth)
+}
+
 /// Rows of a table that is kept on one page.
 pub(crate) const SHORT_TABLE: usize = 20;
 
-/// Estimated widths of the columns of a table, in letters: of each the widest cell, and the longest word of its heading; and
-/// those that the table has where `room` letters are wider than it is: text is wrapped, numbers are not.
+/// Estimated width of a letter beside that of a digit.
+fn breadth(letter: char) -> f64 {
+    match letter {
+        'm' | 'w' | 'M' | 'W' | '×' | '−' | '+' | '=' | '±' | '≈' | '≤' | '≥' | '→' => 1.7,
+        'A'..='Z' | '%' | 'ω' | 'Σ' => 1.4,
+        'i' | 'j' | 'l' | '.' | ',' | ':' | ';' | '\'' | '|' => 0.6,
+        '⁻' => 1.2,
+        _ if lowered(letter).is_some() || raised(letter).is_some() => 0.9,
+        _ => 1.0,
+    }
+}
+
+/// Estimated widths of the columns of a table, in digits: of each the widest cell, and the longest word of its heading; and
+/// those that the table has where `room` digits are wider than it is: text is wrapped, numbers are not.
 pub(crate) fn column_widths(table: &DocumentTable, room: f64) -> Vec<f64> {
-    let letters = |text: &str| text.chars().count() as f64;
+    let letters = |text: &str| text.chars().map(breadth).sum::<f64>();
     let longest_word = |text: &str| text.split_whitespace().map(letters).fold(0.0, f64::max);
     let column = |at: usize| {
         let cells = || table.rows.iter().chain([&table.foot]).filter_map(move |row| row.get(at));

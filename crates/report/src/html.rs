@@ -4,11 +4,13 @@ use dalembert_core::{Locale, printer::WrittenStep};
 
 use crate::{
     PROGRAM,
-    document::{Block, Document, DocumentTable, NamedValue, SHORT_TABLE},
+    document::{Block, Document, DocumentTable, NamedValue, SHORT_TABLE, is_heading},
     math::{
         self, Math,
         breaking::{room_beside, set_in_pieces},
-        closing, sides,
+        closing,
+        prose::set_in_words,
+        sides,
     },
     xml::escaped,
 };
@@ -28,7 +30,7 @@ figure svg { max-width: 100%; height: auto }
 .source { opacity: .7 }
 table.title-block { border: 1px solid }
 table.title-block th, table.title-block td { border-bottom: 1px solid; padding: .15rem .7rem }
-h2, h3, h4, p:has(+ .formula) { break-after: avoid }
+h2, h3, h4, tr.heads, p:has(+ .formula) { break-after: avoid }
 @page { margin: 2cm; @bottom-left { content: \"PROGRAM\" } @bottom-right { content: counter(page) \" / \" counter(pages) } }
 @media screen and (max-width: 46rem) { table.rows { display: block; overflow-x: auto } table:not(.rows) td, li, p { overflow-wrap: anywhere } }
 @media print { body { max-width: none; margin: 0 } .formula, figure, tr, .short { break-inside: avoid } figure svg { max-height: 23cm } }
@@ -85,42 +87,53 @@ pub fn html(document: &Document, locale: &Locale) -> String {
 
 fn block(block: &Block) -> String {
     match block {
-        Block::Heading(words) => format!("<h2>{}</h2>\n", escaped(words)),
-        Block::Subheading(words) => format!("<h3>{}</h3>\n", escaped(words)),
-        Block::Paragraph(words) => format!("<p>{}</p>\n", escaped(words)),
+        Block::Heading(words) => format!("<h2>{}</h2>\n", prose(words)),
+        Block::Subheading(words) => format!("<h3>{}</h3>\n", prose(words)),
+        Block::Paragraph(words) => format!("<p>{}</p>\n", prose(words)),
         Block::Items(items) => {
             let items =
-                items.iter().map(|item| format!("<li>{}</li>\n", escaped(item))).collect::<Vec<_>>().concat();
+                items.iter().map(|item| format!("<li>{}</li>\n", prose(item))).collect::<Vec<_>>().concat();
             format!("<ul>\n{items}</ul>\n")
         }
-        Block::TitleBlock(lines) => format!(
-            "<table class=\"title-block\">\n<tbody>\n{}</tbody>\n</table>\n",
-            lines.iter().map(pair).collect::<String>()
-        ),
+        Block::TitleBlock(lines) => {
+            format!("<table class=\"title-block\">\n<tbody>\n{}</tbody>\n</table>\n", pairs(lines))
+        }
         Block::Lines(lines) => {
-            format!("<table>\n<tbody>\n{}</tbody>\n</table>\n", lines.iter().map(pair).collect::<String>())
+            format!("<table>\n<tbody>\n{}</tbody>\n</table>\n", pairs(lines))
         }
         Block::Step(number, step) => written_step(*number, step),
         Block::Table(table) => rows(table),
         Block::Figure(picture) => format!(
             "<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n",
             picture.svg(),
-            escaped(&picture.title)
+            prose(&picture.title)
         ),
     }
 }
 
-fn pair(line: &NamedValue) -> String {
+/// Names with values; a heading stays beside the first of its lines.
+fn pairs(lines: &[NamedValue]) -> String {
+    let row = |(at, line): (usize, &NamedValue)| pair(line, is_heading(lines, at));
+    lines.iter().enumerate().map(row).collect::<Vec<_>>().concat()
+}
+
+fn pair(line: &NamedValue, is_heading: bool) -> String {
     let symbol = if line.symbol.is_empty() { String::new() } else { inline(&math::symbols(&line.symbol)) };
     let indent = match line.depth {
         0 => String::new(),
         depth => format!(" style=\"padding-left: {}em\"", 1.2 * depth as f64),
     };
+    let heads = if is_heading { " class=\"heads\"" } else { "" };
     format!(
-        "<tr><th{indent}>{}</th><td>{symbol}</td><td>{}</td></tr>\n",
-        escaped(&line.label),
+        "<tr{heads}><th{indent}>{}</th><td>{symbol}</td><td>{}</td></tr>\n",
+        prose(&line.label),
         escaped(&line.value)
     )
+}
+
+/// Words and symbols among them.
+fn prose(text: &str) -> String {
+    set_in_words(text, escaped, inline)
 }
 
 fn inline(formula: &Math) -> String {
@@ -147,7 +160,7 @@ fn written_step(number: usize, step: &WrittenStep) -> String {
     } else {
         format!(" <span class=\"source\">({})</span>", escaped(&step.source))
     };
-    let mut text = format!("<p><b>{number}.</b> {}{source}</p>\n", escaped(&step.why));
+    let mut text = format!("<p><b>{number}.</b> {}{source}</p>\n", prose(&step.why));
     let symbol = math::symbols(&step.symbol);
     let rooms = [ROOM, NARROW_ROOM].map(|room| room_beside(&symbol, room));
     text += "<div class=\"formula\">\n";
@@ -179,12 +192,12 @@ fn rows(table: &DocumentTable) -> String {
     let number = |at: usize| if table.numeric.get(at) == Some(&true) { " class=\"number\"" } else { "" };
     let row = |cells: &[String], tag: &str| {
         let cells = (0..table.columns.len()).map(|at| {
-            format!("<{tag}{}>{}</{tag}>", number(at), escaped(cells.get(at).map_or("", String::as_str)))
+            format!("<{tag}{}>{}</{tag}>", number(at), prose(cells.get(at).map_or("", String::as_str)))
         });
         format!("<tr>{}</tr>\n", cells.collect::<String>())
     };
     let caption =
-        if table.title.is_empty() { String::new() } else { format!("<h4>{}</h4>\n", escaped(&table.title)) };
+        if table.title.is_empty() { String::new() } else { format!("<h4>{}</h4>\n", prose(&table.title)) };
     let short = if table.rows.len() <= SHORT_TABLE { " short" } else { "" };
     let foot = if table.foot.is_empty() {
         String::new()

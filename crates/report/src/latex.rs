@@ -4,12 +4,14 @@ use dalembert_core::{ascii, printer::WrittenStep};
 
 use crate::{
     PROGRAM,
-    document::{Block, Document, DocumentTable, NamedValue, column_widths},
+    document::{Block, Document, DocumentTable, NamedValue, column_widths, is_heading},
     figure::picture::tikz_colours,
     math::{
         self, Math,
         breaking::{room_beside, set_in_pieces},
-        closing, sides,
+        closing,
+        prose::set_in_words,
+        sides,
     },
 };
 
@@ -42,8 +44,11 @@ const PREAMBLE: &str = r"\documentclass[11pt,a4paper]{article}
 \newcolumntype{L}[1]{>{\raggedright\arraybackslash\hspace{0pt}}p{#1}}
 \newcolumntype{R}[1]{>{\raggedleft\arraybackslash\hspace{0pt}}p{#1}}
 \emergencystretch=3em
-% A title begins another page where there is no room for what follows.
-\newcommand{\room}{\par\ifdim\pagetotal>0pt\ifdim\dimexpr\pagegoal-\pagetotal\relax<8\baselineskip\newpage\fi\fi}
+% A title begins another page where there is no room for what follows: so many lines.
+\makeatletter
+\newcommand{\room}[1][8]{\par\if@nobreak\else\ifdim\pagetotal>0pt
+  \ifdim\dimexpr\pagegoal-\pagetotal\relax<#1\baselineskip\newpage\fi\fi\fi}
+\makeatother
 % What follows stays on the page.
 \newcommand{\keep}{\par\nopagebreak}
 ";
@@ -55,7 +60,7 @@ const FOOT: &str = r"\makeatletter
 \makeatother
 ";
 
-/// Letters on a line of a table, and those that the gap between two columns takes.
+/// Digits on a line of a table, and those that the gap between two columns takes.
 const COLUMNS: f64 = 82.0;
 const GAP: f64 = 1.7;
 
@@ -64,7 +69,7 @@ const ROOM: f64 = 34.0;
 
 /// The document in LaTeX.
 pub fn latex(document: &Document) -> String {
-    let blocks: Vec<String> = document.blocks.iter().map(block).collect();
+    let blocks: Vec<String> = (0..document.blocks.len()).map(|at| block(&document.blocks, at)).collect();
     format!(
         "{PREAMBLE}{}{}\\begin{{document}}\n\\section*{{{}}}\n\n{}\n\\label{{last-page}}\n\\end{{document}}\n",
         FOOT.replace("PROGRAM", PROGRAM),
@@ -86,14 +91,18 @@ pub fn latex_formulas(document: &Document) -> String {
     format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", lines.collect::<Vec<_>>().join(" \\\\\n"))
 }
 
-fn block(block: &Block) -> String {
-    match block {
-        Block::Heading(heading) => format!("\\room\\subsection*{{{}}}\n", words(heading)),
-        Block::Subheading(heading) => format!("\\room\\subsubsection*{{{}}}\n", words(heading)),
-        Block::Paragraph(sentences) => format!("{}\n", words(sentences)),
+fn block(blocks: &[Block], at: usize) -> String {
+    match &blocks[at] {
+        Block::Heading(heading) => {
+            let has_title_below = matches!(blocks.get(at + 1), Some(Block::Subheading(_)));
+            let lines = if has_title_below { "[11]" } else { "" };
+            format!("\\room{lines}\\subsection*{{{}}}\n", prose(heading))
+        }
+        Block::Subheading(heading) => format!("\\room\\subsubsection*{{{}}}\n", prose(heading)),
+        Block::Paragraph(sentences) => format!("{}\n", prose(sentences)),
         Block::Items(items) => {
             let items =
-                items.iter().map(|item| format!("\\item {{}}{}\n", words(item))).collect::<Vec<_>>().concat();
+                items.iter().map(|item| format!("\\item {{}}{}\n", prose(item))).collect::<Vec<_>>().concat();
             format!("\\begin{{itemize}}\n{items}\\end{{itemize}}\n")
         }
         Block::TitleBlock(lines) => {
@@ -105,16 +114,24 @@ fn block(block: &Block) -> String {
         }
         Block::Lines(lines) => format!(
             "\\begin{{longtable}}[l]{{@{{}}p{{0.55\\linewidth}}lp{{0.25\\linewidth}}@{{}}}}\n{}\\end{{longtable}}\n",
-            lines.iter().map(pair).collect::<String>()
+            pairs(lines)
         ),
         Block::Step(number, step) => written_step(*number, step),
         Block::Table(table) => rows(table),
         Block::Figure(picture) => format!(
             "\\begin{{center}}\n{}\n\\smallskip\n{}\n\\end{{center}}\n",
             picture.tikz(words),
-            words(&picture.title)
+            prose(&picture.title)
         ),
     }
+}
+
+/// Names with values; a heading stays beside the first of its lines.
+fn pairs(lines: &[NamedValue]) -> String {
+    let row = |(at, line): (usize, &NamedValue)| {
+        format!("{}\\\\{}\n", pair(line), if is_heading(lines, at) { "*" } else { "" })
+    };
+    lines.iter().enumerate().map(row).collect::<Vec<_>>().concat()
 }
 
 fn pair(line: &NamedValue) -> String {
@@ -124,7 +141,7 @@ fn pair(line: &NamedValue) -> String {
         format!("${}$", set(&math::symbols(&line.symbol)))
     };
     let indent = if line.depth == 0 { String::new() } else { format!("\\hspace*{{{}em}}", line.depth) };
-    format!("{{}}{indent}{} & {symbol} & {} \\\\\n", words(&line.label), words(&line.value))
+    format!("{{}}{indent}{} & {symbol} & {} ", prose(&line.label), words(&line.value))
 }
 
 /// A side of a formula, in pieces between which a line may end.
@@ -139,7 +156,7 @@ fn side(formula: &Math, room: f64) -> String {
 fn written_step(number: usize, step: &WrittenStep) -> String {
     let source = if step.source.is_empty() { String::new() } else { format!(" ({})", words(&step.source)) };
     let mut text =
-        format!("\\textbf{{{number}.}} {}{source}\\keep\n\\begin{{equation-sides}}\n", words(&step.why));
+        format!("\\textbf{{{number}.}} {}{source}\\keep\n\\begin{{equation-sides}}\n", prose(&step.why));
     let symbol = math::symbols(&step.symbol);
     let room = room_beside(&symbol, ROOM);
     let symbol = set(&symbol);
@@ -161,7 +178,7 @@ fn written_step(number: usize, step: &WrittenStep) -> String {
 fn rows(table: &DocumentTable) -> String {
     let row = |cells: &[String]| {
         let cells: Vec<String> =
-            (0..table.columns.len()).map(|at| words(cells.get(at).map_or("", String::as_str))).collect();
+            (0..table.columns.len()).map(|at| prose(cells.get(at).map_or("", String::as_str))).collect();
         // A cell that begins with a bracket would be taken for an option of the line break before it.
         format!("{{}}{} \\\\\n", cells.join(" & "))
     };
@@ -175,21 +192,22 @@ fn rows(table: &DocumentTable) -> String {
     } else {
         let column = |(at, width): (usize, &f64)| {
             let kind = if is_number(at) { 'R' } else { 'L' };
-            format!("{kind}{{{:.3}\\linewidth}}", 0.98 * width / all.max(COLUMNS))
+            format!("{kind}{{{:.3}\\linewidth}}", 0.99 * width / all.max(COLUMNS))
         };
         widths.iter().enumerate().map(column).collect::<Vec<_>>().concat()
     };
+    // Small letters are wider than their size says.
     let size = match COLUMNS / all {
         share if share >= 1.0 => "",
-        share if share >= 0.9 => "\\small",
-        share if share >= 0.8 => "\\footnotesize",
-        share if share >= 0.7 => "\\scriptsize",
+        share if share >= 0.92 => "\\small",
+        share if share >= 0.85 => "\\footnotesize",
+        share if share >= 0.78 => "\\scriptsize",
         _ => "\\tiny",
     };
     let title = if table.title.is_empty() {
         String::new()
     } else {
-        format!("\\room\\textbf{{{}}}\\keep\n", words(&table.title))
+        format!("\\room\\textbf{{{}}}\\keep\n", prose(&table.title))
     };
     let foot = if table.foot.is_empty() { String::new() } else { format!("\\hline\n{}", row(&table.foot)) };
     format!(
@@ -282,6 +300,11 @@ fn letters(text: &str) -> String {
     out
 }
 
+/// Words outside of mathematics, and symbols among them.
+fn prose(text: &str) -> String {
+    set_in_words(text, words, |symbol| format!("${}$", set(symbol)))
+}
+
 /// Words outside of mathematics.
 fn words(text: &str) -> String {
     let mut out = String::new();
@@ -308,7 +331,7 @@ fn words(text: &str) -> String {
             continue;
         }
         match character {
-            '_' => out += "\\_\\allowbreak{}",
+            '_' => out += "\\_\\penalty900{}",
             '%' | '#' | '&' | '$' | '{' | '}' => out.extend(['\\', character]),
             '\\' => out += "\\textbackslash{}",
             '^' => out += "\\textasciicircum{}",

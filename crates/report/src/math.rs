@@ -3,6 +3,7 @@
 //! Nothing is refused: what the notation does not know is kept unchanged.
 
 pub(crate) mod breaking;
+pub(crate) mod prose;
 
 use dalembert_core::{ascii, printer::WrittenStep};
 
@@ -194,7 +195,7 @@ impl Reader {
             c == '_'
                 || named && c.is_alphanumeric() && lowered(c).is_none()
                 || raised(c).is_some()
-                || c == '\''
+                || matches!(c, '\'' | '′')
                 || c == ',' && reader.after(1).is_some_and(|next| raised(next).is_some())
         });
         text.chars().filter(|c| *c != '_').map(|c| raised(c).unwrap_or(c)).collect()

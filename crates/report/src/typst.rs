@@ -4,10 +4,11 @@ use dalembert_core::{Language, Locale, printer::WrittenStep};
 
 use crate::{
     PROGRAM,
-    document::{Block, Document, DocumentTable, NamedValue, SHORT_TABLE, figure_name},
+    document::{Block, Document, DocumentTable, NamedValue, SHORT_TABLE, figure_name, is_heading},
     math::{
         self, Math,
         breaking::{room_beside, set_in_pieces},
+        prose::set_in_words,
         sides,
     },
 };
@@ -29,11 +30,11 @@ pub fn typst(document: &Document, figures: Option<&str>, locale: &Locale) -> Str
     for block in &document.blocks {
         text.push('\n');
         text += &match block {
-            Block::Heading(heading) => format!("== {}\n", words(heading)),
-            Block::Subheading(heading) => format!("=== {}\n", words(heading)),
-            Block::Paragraph(sentences) => format!("{}\n", words(sentences)),
+            Block::Heading(heading) => format!("== {}\n", prose(heading)),
+            Block::Subheading(heading) => format!("=== {}\n", prose(heading)),
+            Block::Paragraph(sentences) => format!("{}\n", prose(sentences)),
             Block::Items(items) => {
-                items.iter().map(|item| format!("- {}\n", words(item))).collect::<Vec<_>>().concat()
+                items.iter().map(|item| format!("- {}\n", prose(item))).collect::<Vec<_>>().concat()
             }
             Block::TitleBlock(lines) => {
                 let cell =
@@ -50,7 +51,7 @@ pub fn typst(document: &Document, figures: Option<&str>, locale: &Locale) -> Str
                         "#figure(image({}, width: {:.0}%), caption: [{}])\n",
                         string(&figure_name(stem, count)),
                         (100.0 * TALLEST * picture.width / picture.height).min(100.0),
-                        words(&picture.title)
+                        prose(&picture.title)
                     ),
                     None => String::new(),
                 }
@@ -77,16 +78,34 @@ const TALLEST: f64 = 1.4;
 const ROOM: f64 = 35.0;
 
 fn pairs(lines: &[NamedValue]) -> String {
-    let cells = lines.iter().map(|line| {
+    let cells = lines.iter().enumerate().map(|(at, line)| {
         let symbol = if line.symbol.is_empty() {
             String::new()
         } else {
             format!("${}$", set(&math::symbols(&line.symbol)))
         };
-        format!("  [#h({}em);{}], [{symbol}], [{}],\n", line.depth, words(&line.label), words(&line.value))
+        let with = kept_with(lines, at);
+        format!(
+            "  [#h({}em);{}], [{symbol}], [{}],{with}\n",
+            line.depth,
+            prose(&line.label),
+            words(&line.value)
+        )
     });
     let cells = cells.collect::<String>();
-    kept(lines.len(), &format!("table(columns: 3, stroke: none, inset: 3pt,\n{cells})"))
+    kept(lines.len(), &format!("table(columns: 4, stroke: none, inset: 3pt,\n{cells})"))
+}
+
+/// Last cell of a line, of no width: headings and the first of their lines share one that no page parts.
+fn kept_with(lines: &[NamedValue], at: usize) -> String {
+    if at > 0 && is_heading(lines, at - 1) {
+        return String::new();
+    }
+    let headings = (at..lines.len()).take_while(|at| is_heading(lines, *at)).count();
+    if headings == 0 {
+        return " [],".to_owned();
+    }
+    format!(" table.cell(rowspan: {}, breakable: false)[],", headings + 1)
 }
 
 /// A side of a formula, in pieces between which a line may end.
@@ -102,7 +121,7 @@ fn written_step(number: usize, step: &WrittenStep) -> String {
     let source = if step.source.is_empty() { String::new() } else { format!(" ({})", words(&step.source)) };
     let mut text = format!(
         "#block(sticky: true)[*{number}.* {}{source}]\n#block(breakable: false, inset: (left: 2em))[\n",
-        words(&step.why)
+        prose(&step.why)
     );
     let symbol = math::symbols(&step.symbol);
     let room = room_beside(&symbol, ROOM);
@@ -128,7 +147,7 @@ fn written_step(number: usize, step: &WrittenStep) -> String {
 fn rows(table: &DocumentTable) -> String {
     let cells = |row: &[String]| {
         let cells: Vec<String> = (0..table.columns.len())
-            .map(|at| format!("[{}]", words(row.get(at).map_or("", String::as_str))))
+            .map(|at| format!("[{}]", prose(row.get(at).map_or("", String::as_str))))
             .collect();
         cells.join(", ")
     };
@@ -137,7 +156,7 @@ fn rows(table: &DocumentTable) -> String {
         .collect();
     let title = match table.title.as_str() {
         "" => String::new(),
-        title => format!("#block(sticky: true)[*{}*]\n", words(title)),
+        title => format!("#block(sticky: true)[*{}*]\n", prose(title)),
     };
     let foot = if table.foot.is_empty() {
         String::new()
@@ -211,6 +230,11 @@ fn string(text: &str) -> String {
     }
     out.push('"');
     out
+}
+
+/// Words on one line, and symbols among them.
+fn prose(text: &str) -> String {
+    set_in_words(text, words, |symbol| format!("${}$", set(symbol)))
 }
 
 /// Words on one line, without anything that would be taken for markup.

@@ -1,7 +1,8 @@
 """Makes PDFs of notes and measures them, for `cargo xtask papers`.
 
-The request is JSON on standard input, one line: notes with their titles, formats, the browser. What was found is printed as
-JSON, one line: pages and faults of each note and format. Needs the packages `typst` and `pymupdf`, Chromium and pdflatex.
+The request is JSON on standard input, one line: notes with their files, formats and titles, all formats, the browser. What
+was found is printed as JSON, one line: pages and faults of each note and format. Needs the packages `typst` and `pymupdf`,
+Chromium and pdflatex.
 """
 
 import base64
@@ -178,8 +179,12 @@ def measured(path, margin, titles):
 def latex(note):
     """PDF of a note by pdflatex, and the lines of its log on boxes that are too wide."""
     command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", note.name]
-    done = subprocess.run(command, cwd=note.parent, stdin=subprocess.DEVNULL, capture_output=True)
-    log = note.with_suffix(".log").read_text(errors="replace") if note.with_suffix(".log").exists() else ""
+    for _ in range(3):
+        done = subprocess.run(command, cwd=note.parent, stdin=subprocess.DEVNULL, capture_output=True)
+        log = note.with_suffix(".log").read_text(errors="replace") if note.with_suffix(".log").exists() else ""
+        # A run takes the columns of long tables from the run before it.
+        if done.returncode or "Column widths have changed" not in log:
+            break
     if done.returncode:
         errors = [line for line in log.splitlines() if line.startswith("!")]
         raise RuntimeError(errors[0] if errors else f"pdflatex ended with {done.returncode}")
@@ -213,9 +218,9 @@ def run(request):
     results = []
     for note in request["notes"]:
         folder = Path(note["folder"])
-        for format in formats:
-            path = folder / f"note.{format}"
-            pdf = folder / f"note-{format}.pdf"
+        for format in note["formats"]:
+            path = folder / f"{note['stem']}.{format}"
+            pdf = folder / f"{note['stem']}-{format}.pdf"
             faults, pages = [], 0
             try:
                 if format == "html":

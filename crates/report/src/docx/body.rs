@@ -9,6 +9,7 @@ use crate::{
     math::{
         self,
         breaking::{lines, room_beside},
+        prose::set_in_words,
         sides,
     },
     xml::escaped,
@@ -36,11 +37,11 @@ pub(super) fn xml(document: &Document) -> String {
     let mut figures = 0;
     for block in &document.blocks {
         text += &match block {
-            Block::Heading(heading) => paragraph("Heading1", &words(heading)),
-            Block::Subheading(heading) => paragraph("Heading2", &words(heading)),
-            Block::Paragraph(sentences) => paragraph("Normal", &words(sentences)),
+            Block::Heading(heading) => paragraph("Heading1", &prose(heading)),
+            Block::Subheading(heading) => paragraph("Heading2", &prose(heading)),
+            Block::Paragraph(sentences) => paragraph("Normal", &prose(sentences)),
             Block::Items(items) => {
-                items.iter().map(|item| paragraph("ListBullet", &words(item))).collect::<Vec<_>>().concat()
+                items.iter().map(|item| paragraph("ListBullet", &prose(item))).collect::<Vec<_>>().concat()
             }
             Block::TitleBlock(lines) => pairs(lines, true),
             Block::Lines(lines) => pairs(lines, false),
@@ -60,7 +61,15 @@ pub(super) fn xml(document: &Document) -> String {
 }
 
 fn words(text: &str) -> String {
+    if text.is_empty() {
+        return String::new();
+    }
     format!("<w:r><w:t xml:space=\"preserve\">{}</w:t></w:r>", escaped(text))
+}
+
+/// Words and symbols among them.
+fn prose(text: &str) -> String {
+    set_in_words(text, words, |symbol| equation(&set(symbol)))
 }
 
 fn bold(text: &str) -> String {
@@ -84,7 +93,7 @@ fn written_step(number: usize, step: &WrittenStep) -> String {
     let source = if step.source.is_empty() { String::new() } else { format!(" ({})", step.source) };
     let mut text = paragraph(
         "Step",
-        &format!("{}{}", bold(&format!("{number}.")), words(&format!(" {}{source}", step.why))),
+        &format!("{}{}{}", bold(&format!("{number}.")), prose(&format!(" {}", step.why)), words(&source)),
     );
     let symbol = math::symbols(&step.symbol);
     let room = room_beside(&symbol, ROOM);
@@ -138,7 +147,7 @@ fn pairs(lines: &[NamedValue], is_framed: bool) -> String {
             "" => String::new(),
             symbol => equation(&set(&math::symbols(symbol))),
         };
-        let label = cell(widths[0], &indent, &words(&line.label), false);
+        let label = cell(widths[0], &indent, &prose(&line.label), false);
         let symbol = if is_framed { String::new() } else { cell(widths[1], "", &symbol, false) };
         row(&[label, symbol, cell(widths[2], "", &words(&line.value), false)])
     });
@@ -168,11 +177,11 @@ fn rows(of: &DocumentTable) -> String {
     };
     let head = line(&of.columns, bold);
     let mut all = format!("<w:tr><w:trPr><w:cantSplit/><w:tblHeader/></w:trPr>{}</w:tr>", head.concat());
-    all += &of.rows.iter().map(|cells| row(&line(cells, words))).collect::<Vec<_>>().concat();
+    all += &of.rows.iter().map(|cells| row(&line(cells, prose))).collect::<Vec<_>>().concat();
     if !of.foot.is_empty() {
         all += &row(&line(&of.foot, bold));
     }
-    let title = if of.title.is_empty() { String::new() } else { paragraph("TableTitle", &words(&of.title)) };
+    let title = if of.title.is_empty() { String::new() } else { paragraph("TableTitle", &prose(&of.title)) };
     title + &table(&widths, RULES, &all)
 }
 
@@ -217,6 +226,6 @@ fn figure(picture: &Picture, number: usize) -> String {
     format!(
         "{}\n{}",
         formed("Normal", "<w:keepNext/>", &drawing),
-        paragraph("Caption", &words(&picture.title))
+        paragraph("Caption", &prose(&picture.title))
     )
 }
