@@ -217,6 +217,8 @@ pub enum DrawnShape {
     Disc(Point, f64, Ink),
     /// A fixed pin.
     Pin(Point),
+    /// A fixed pin under ground.
+    HungPin(Point),
     /// Fixed ground along a line, hatched on its right-hand side seen from the first point.
     Ground(Point, Point),
     /// A helical spring between two points, with so many coils.
@@ -390,7 +392,7 @@ impl DrawnShape {
             | DrawnShape::Arrow(a, b, _)
             | DrawnShape::Measure(a, b)
             | DrawnShape::Extent(a, b) => vec![*a, *b],
-            DrawnShape::Pin(at) | DrawnShape::Label(at, ..) => vec![*at],
+            DrawnShape::Pin(at) | DrawnShape::HungPin(at) | DrawnShape::Label(at, ..) => vec![*at],
         }
     }
 }

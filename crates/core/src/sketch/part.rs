@@ -15,6 +15,7 @@ pub(super) enum Part {
     /// A place over which words stand.
     Centre(Point),
     Pin(Point),
+    HungPin(Point),
     Joint(Point),
     Roller(Point),
     Bearing(Point, f64),
@@ -132,6 +133,7 @@ impl Part {
             | Part::Particle(at)
             | Part::TorsionSpring(at, _)
             | Part::MassCentre(at)
+            | Part::HungPin(at)
             | Part::Couple(at, ..)
             | Part::Angle(at, ..) => vec![*at],
             Part::Guide(a, b)
@@ -159,6 +161,7 @@ impl Part {
             | Part::TorsionSpring(at, _)
             | Part::MassCentre(at) => (*at, Towards::Out),
             Part::Centre(at) => (*at, Towards::Over(f64::INFINITY)),
+            | Part::HungPin(at)
             Part::Particle(at) => (*at, Towards::Over(2.4 * unit)),
             Part::Line(points, _) => {
                 let [from, .., to] = points[..] else { return Default::default() };
@@ -254,6 +257,7 @@ impl Part {
                 add(DrawnShape::Polyline(
                     vec![plus(*at, (-0.6 * unit, 0.0)), plus(*at, (0.6 * unit, 0.0))],
                     Ink::Body,
+            Part::HungPin(at) => add(DrawnShape::HungPin(*at)),
                 ));
                 add(DrawnShape::Polyline(
                     vec![plus(*at, (0.0, -0.6 * unit)), plus(*at, (0.0, 0.6 * unit))],
