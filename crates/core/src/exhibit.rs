@@ -254,6 +254,11 @@ pub enum Ink {
 }
 
 impl Plot {
+    /// True where every curve is zero at all of its points: the plot of a load that there is none of.
+    pub(crate) fn is_zero(&self) -> bool {
+        !self.series.is_empty() && self.series.iter().flat_map(|curve| &curve.points).all(|(_, y)| *y == 0.0)
+    }
+
     /// A plot without marks, bands or levels.
     pub fn new(title: impl Into<Text>, x: Axis, y: Axis, series: Vec<Series>) -> Self {
         Self {
