@@ -215,7 +215,7 @@ pub enum DrawnShape {
     Body(Vec<Point>, Ink),
     /// A filled circle about a centre: a wheel, a bob, a joint.
     Disc(Point, f64, Ink),
-    /// A fixed pin.
+    /// A fixed pin on ground.
     Pin(Point),
     /// A fixed pin under ground.
     HungPin(Point),

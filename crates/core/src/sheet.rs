@@ -9,7 +9,7 @@ mod holding;
 mod term;
 mod vect;
 
-use std::{cell::RefCell, collections::HashMap};
+use std::{cell::RefCell, collections::HashMap, ops::Range};
 
 use dalembert_numerics::intervals::IntervalSet;
 use dalembert_numerics::{Real, Vector};
@@ -514,6 +514,24 @@ impl<'a> Sheet<'a> {
             }
             _ if more.steps.is_empty() => {}
             _ => problems.push(more),
+        }
+    }
+
+    /// Puts the exhibits of a problem before those of the others.
+    pub(crate) fn show_first(&self, name: &str) {
+        let Solution { exhibits, problems, .. } = &mut *self.solution.borrow_mut();
+        let Some(first) = problems.iter().position(|of| of.name == name && !of.exhibits.is_empty()) else {
+            return;
+        };
+        let Range { start, end } = problems[first].exhibits;
+        exhibits[..end].rotate_left(start);
+        let count = end - start;
+        for (n, of) in problems.iter_mut().enumerate() {
+            if n == first {
+                of.exhibits = 0..count;
+            } else if of.exhibits.start < start {
+                of.exhibits = of.exhibits.start + count..of.exhibits.end + count;
+            }
         }
     }
 
