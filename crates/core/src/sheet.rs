@@ -370,8 +370,7 @@ impl<'s> Worksheet for &'s Sheet<'s> {
 
     fn show(self, exhibit: impl FnOnce() -> Exhibit) {
         let exhibit = exhibit();
-        let is_flat = matches!(&exhibit, Exhibit::Plot(plot) if plot.is_zero());
-        if !is_flat {
+        if !matches!(&exhibit, Exhibit::Plot(plot) if plot.is_zero()) {
             self.solution.borrow_mut().exhibits.push(exhibit);
         }
     }
