@@ -180,7 +180,7 @@ impl Entry {
     }
 
     /// The same entry with the pictures of one of its linked problems first; empty for the order in which they are solved.
-    pub(crate) fn picturing(self, pictured: &'static str) -> Self {
+    pub(crate) fn with_pictured(self, pictured: &'static str) -> Self {
         Self { pictured, ..self }
     }
 

@@ -95,5 +95,5 @@ fn read(name: &str, text: &'static str) -> Result<&'static Entry, String> {
         sources: linked.about.sources,
         cases: text,
     }));
-    Ok(Box::leak(Box::new(linked.with_about(about).picturing(pictured))))
+    Ok(Box::leak(Box::new(linked.with_about(about).with_pictured(pictured))))
 }
