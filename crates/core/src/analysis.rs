@@ -91,6 +91,8 @@ pub struct Entry {
     prepare: Prepare,
     /// The problems that are linked; none of an analysis itself.
     linked: &'static [LinkedProblem],
+    /// The linked problem whose pictures come first; empty for the order in which they are solved.
+    pictured: &'static str,
 }
 
 /// Writes the solution of the inputs at a path onto a sheet.
@@ -174,6 +176,7 @@ impl Entry {
             write: write::<A>,
             prepare: prepared::prepare::<A>,
             linked: &[],
+            pictured: "",
         }
     }
 
@@ -186,12 +189,27 @@ impl Entry {
         let write: Write = |_, _, _| Ok(());
         let prepare: Prepare =
             |_, _, _| Err(Refusal::because("linked problems are solved one by one").into());
-        Self { about, simd: false, shape, inputs, write, prepare, linked }
+        Self { about, simd: false, shape, inputs, write, prepare, linked, pictured: "" }
     }
 
     /// The same entry under another description.
     pub(crate) fn with_about(self, about: &'static About) -> Self {
         Self { about, ..self }
+    }
+
+    /// The same entry with the pictures of one of its linked problems first; empty for the order in which they are solved.
+    pub(crate) fn with_pictured(self, pictured: &'static str) -> Self {
+        Self { pictured, ..self }
+    }
+
+    /// The linked problem whose pictures come first; empty where none was chosen.
+    pub(crate) fn pictured(&self) -> &'static str {
+        self.pictured
+    }
+
+    /// True where the pictures of a chosen one of its linked problems come first.
+    pub fn is_pictured(&self) -> bool {
+        !self.pictured.is_empty()
     }
 
     /// The problems that are linked; none of an analysis itself.

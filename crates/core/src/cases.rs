@@ -141,19 +141,25 @@ pub fn cases(entry: &Entry) -> Result<Vec<Case>, String> {
     list.iter().map(|table| case(entry, table)).collect()
 }
 
-/// Title and problems of an exam question.
-pub(crate) fn exam(text: &str) -> Result<(String, Vec<LinkedProblem>), String> {
+/// Title and problems of an exam question, and the name of the problem whose pictures come first.
+pub(crate) fn exam(text: &str) -> Result<(String, Vec<LinkedProblem>, &'static str), String> {
     let document = file::document(text)
         .map_err(|errors| errors.first().map_or_else(String::new, |error| error.why.english()))?;
     let root = document.as_table();
     let title = root.get("title").and_then(Item::as_str).ok_or("`title` is missing")?;
     let problems = file::exam_problems(root).map_err(|why| why.english())?;
-    Ok((title.to_owned(), problems))
+    let pictured = root.get("picture").and_then(Item::as_str).unwrap_or_default();
+    let named = problems.iter().map(|problem| problem.name).find(|name| *name == pictured);
+    let pictured = match named {
+        None if !pictured.is_empty() => return Err(format!("`picture`: there is no problem `{pictured}`")),
+        named => named.unwrap_or_default(),
+    };
+    Ok((title.to_owned(), problems, pictured))
 }
 
 /// The keys of an exam question.
-const EXAM_KEYS: [&str; 10] =
-    ["format", "title", "source", "statement", "vary", "let", "problem", "given", "ask", "expect"];
+const EXAM_KEYS: [&str; 11] =
+    ["format", "title", "source", "statement", "picture", "vary", "let", "problem", "given", "ask", "expect"];
 
 /// The case of an exam question.
 fn exam_case(root: &toml_edit::Table) -> Result<Case, String> {

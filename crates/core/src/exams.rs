@@ -1,11 +1,13 @@
 //! Exam questions of several steps, or of an optimum: files of linked problems with a statement and the answers that it
-//! asks for.
+//! asks for. `picture` names the problem whose drawings and plots come first; without it they stand in the order in which
+//! the problems are solved.
 //!
 //! ```toml
 //! format = 2
 //! title = "Fan on a bracket"
 //! source = "…"
 //! statement = "A fan of 40 kg stands on …"
+//! picture = "bracket"
 //!
 //! [problem.bracket]
 //! analysis = "vibration/equivalent-stiffness"
@@ -73,7 +75,7 @@ pub fn find(id: &str) -> Option<&'static Entry> {
 }
 
 fn read(name: &str, text: &'static str) -> Result<&'static Entry, String> {
-    let (title, problems) = cases::exam(text)?;
+    let (title, problems, pictured) = cases::exam(text)?;
     let linked = linked::entry(&problems);
     let analyses: Vec<&str> = problems.iter().map(|problem| problem.entry.about.title).collect();
     let (topic, summary) = match linked.linked() {
@@ -93,5 +95,5 @@ fn read(name: &str, text: &'static str) -> Result<&'static Entry, String> {
         sources: linked.about.sources,
         cases: text,
     }));
-    Ok(Box::leak(Box::new(linked.with_about(about))))
+    Ok(Box::leak(Box::new(linked.with_about(about).with_pictured(pictured))))
 }

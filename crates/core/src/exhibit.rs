@@ -215,8 +215,10 @@ pub enum DrawnShape {
     Body(Vec<Point>, Ink),
     /// A filled circle about a centre: a wheel, a bob, a joint.
     Disc(Point, f64, Ink),
-    /// A fixed pin.
+    /// A fixed pin on ground.
     Pin(Point),
+    /// A fixed pin under ground.
+    HungPin(Point),
     /// Fixed ground along a line, hatched on its right-hand side seen from the first point.
     Ground(Point, Point),
     /// A helical spring between two points, with so many coils.
@@ -252,6 +254,11 @@ pub enum Ink {
 }
 
 impl Plot {
+    /// True where every curve is zero at all of its points: the plot of a load that there is none of.
+    pub(crate) fn is_zero(&self) -> bool {
+        !self.series.is_empty() && self.series.iter().flat_map(|curve| &curve.points).all(|(_, y)| *y == 0.0)
+    }
+
     /// A plot without marks, bands or levels.
     pub fn new(title: impl Into<Text>, x: Axis, y: Axis, series: Vec<Series>) -> Self {
         Self {
@@ -390,7 +397,7 @@ impl DrawnShape {
             | DrawnShape::Arrow(a, b, _)
             | DrawnShape::Measure(a, b)
             | DrawnShape::Extent(a, b) => vec![*a, *b],
-            DrawnShape::Pin(at) | DrawnShape::Label(at, ..) => vec![*at],
+            DrawnShape::Pin(at) | DrawnShape::HungPin(at) | DrawnShape::Label(at, ..) => vec![*at],
         }
     }
 }

@@ -9,7 +9,7 @@ mod holding;
 mod term;
 mod vect;
 
-use std::{cell::RefCell, collections::HashMap};
+use std::{cell::RefCell, collections::HashMap, ops::Range};
 
 use dalembert_numerics::intervals::IntervalSet;
 use dalembert_numerics::{Real, Vector};
@@ -370,7 +370,9 @@ impl<'s> Worksheet for &'s Sheet<'s> {
 
     fn show(self, exhibit: impl FnOnce() -> Exhibit) {
         let exhibit = exhibit();
-        self.solution.borrow_mut().exhibits.push(exhibit);
+        if !matches!(&exhibit, Exhibit::Plot(plot) if plot.is_zero()) {
+            self.solution.borrow_mut().exhibits.push(exhibit);
+        }
     }
 
     fn warn(self, warning: impl FnOnce() -> Text) {
@@ -511,6 +513,24 @@ impl<'a> Sheet<'a> {
             }
             _ if more.steps.is_empty() => {}
             _ => problems.push(more),
+        }
+    }
+
+    /// Puts the exhibits of a problem before those of the others.
+    pub(crate) fn show_first(&self, name: &str) {
+        let Solution { exhibits, problems, .. } = &mut *self.solution.borrow_mut();
+        let Some(first) = problems.iter().position(|of| of.name == name && !of.exhibits.is_empty()) else {
+            return;
+        };
+        let Range { start, end } = problems[first].exhibits;
+        exhibits[..end].rotate_left(start);
+        let count = end - start;
+        for (n, of) in problems.iter_mut().enumerate() {
+            if n == first {
+                of.exhibits = 0..count;
+            } else if of.exhibits.start < start {
+                of.exhibits = of.exhibits.start + count..of.exhibits.end + count;
+            }
         }
     }
 

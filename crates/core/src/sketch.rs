@@ -82,6 +82,11 @@ impl Sketch {
         self.add(Part::Pin(at), name)
     }
 
+    /// A fixed pin under ground: the pivot of what hangs.
+    pub fn hung_pin(&mut self, name: impl Into<Text>, at: Point) -> &mut Self {
+        self.add(Part::HungPin(at), name)
+    }
+
     /// A pin that joins moving links.
     pub fn joint(&mut self, name: impl Into<Text>, at: Point) -> &mut Self {
         self.add(Part::Joint(at), name)

@@ -344,6 +344,7 @@ fn numbers(shape: &DrawnShape) -> (&'static str, Vec<f64>) {
         DrawnShape::Body(corners, _) => ("body", corners.iter().flat_map(|&(x, y)| [x, y]).collect()),
         DrawnShape::Disc(at, radius, _) => ("disc", vec![at.0, at.1, *radius]),
         DrawnShape::Pin(at) => ("pin", vec![at.0, at.1]),
+        DrawnShape::HungPin(at) => ("hung pin", vec![at.0, at.1]),
         DrawnShape::Ground(a, b) => ("ground", two(a, b)),
         DrawnShape::Spring(a, b, _) => ("spring", two(a, b)),
         DrawnShape::Damper(a, b) => ("damper", two(a, b)),

@@ -2635,7 +2635,7 @@ at-the-natural-frequency = Na frequência natural
 at-the-natural-frequency-the-amplitude-is-m-e-2-m-far-above-it-m-e-m = Na frequência natural a amplitude é m₀e/(2ζm); muito acima dela, m₀e/m
 axis-of-the-shaft = Posição do eixo
 shaft-orientation = Orientação do eixo
-the-shaft-from-its-side-and-along-its-axis-bearing-centre-o-shaft-centre-w-centre-of-mass-g-a-short = O eixo visto de lado e ao longo do seu eixo: centro dos mancais O, centro do eixo W, centro de massa G (uma seta curta é desenhada maior)
+the-shaft-and-its-section-not-to-scale-bearing-centre-o-shaft-centre-w-centre-of-mass-g = O eixo e a sua seção (fora de escala): centro dos mancais O, centro do eixo W, centro de massa G
 lower-limit-of-the-forbidden-range = Limite inferior da faixa proibida
 lower-limit-of-the-forbidden-range-the-whirl-amplitude-reaches-the-permitted-value = Limite inferior da faixa proibida: a amplitude de precessão atinge o valor admissível
 below-the-critical-speed-undamped-the-centre-of-mass-lies-on-the-outside-in-line-with-the-deflection = Abaixo da velocidade crítica, sem amortecimento: o centro de massa fica para fora, alinhado com a deflexão
@@ -3396,7 +3396,7 @@ maximum-force-of-spring-and-damper-on-the-support-kx-c-where-its-rate-is-zero = 
 largest-force-on-the-support = Força máxima no apoio
 maximum-force-on-the-support = Força máxima no apoio
 relative-displacement = deslocamento relativo
-load-as-equivalent-static-displacement = carga, como deslocamento estático equivalente
+static-displacement-under-the-load = deslocamento estático sob a carga
 displacement-time-history = Evolução do deslocamento no tempo
 a-force-moves-a-mass-give-the-mass-in-addition-to-the-natural-frequency = uma força move uma massa: dê a massa além da frequência natural
 static-displacement-under-the-maximum-force = Deslocamento estático sob a força máxima
@@ -6645,7 +6645,7 @@ a-a-s-a-s-with-s-t-t-d-in-multiples-of-the-maximum-1-0-1-for-1-s-0-4-4-for-an-ar
 c-2-m-the-motion-by-numerical-integration-of-its-equation = c = 2ζmωₙ; o movimento por integração numérica da sua equação
 equal-springs = molas iguais
 equivalent-mass-by-the-moment-of-inertia-about-the-point-of-contact-j-c-r = massa equivalente pelo momento de inércia em relação ao ponto de contato, J_C/r²
-load-as-equivalent-static-angle = carga, como ângulo estático equivalente
+static-angle-under-the-torque = ângulo estático sob o torque
 m-eq-3m-2-2k-m-eq-c-2-k-m-eq-the-motion-by-numerical-integration-of-its-equation = m_eq = 3m/2, ωₙ = √(2k/m_eq), c = 2ζ√(k m_eq); o movimento por integração numérica da sua equação
 relative-angle = ângulo relativo
 the-area-under-this-parabola-is-not-positive-and-gives-no-maximum-for-an-impulse-give-the-maximum-or = a área sob esta parábola não é positiva, e não dá máximo para um impulso: dê o máximo, ou outros coeficientes

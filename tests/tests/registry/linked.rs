@@ -1,8 +1,8 @@
 //! Linked problems, configurations, and the exam questions of several steps.
 
 use dalembert_core::{
-    AnswerValue, Entry, Goal, Number, Record, SolveError, Stop, cases, cases::Comparison, exams::exams, file,
-    find, vary,
+    AnswerValue, Entry, Exhibit, Goal, Number, Record, SolveError, Stop, cases, cases::Comparison,
+    exams::exams, file, find, vary,
 };
 use dalembert_plugins as _;
 use itertools::zip_eq;
@@ -222,6 +222,27 @@ fn every_exam_question_comes_out() {
         assert!(find(id).is_some_and(|found| found.about.id == id));
     }
     assert!((exams().len(), of_four, answers) >= (25, 5, 200), "{} {of_four} {answers}", exams().len());
+}
+
+#[test]
+fn an_exam_question_shows_the_pictures_of_the_problem_that_it_names_first() {
+    let entry = find("exam/turbine-disc-critical-speed").unwrap();
+    let [case] = &cases::cases(entry).unwrap()[..] else { panic!("one case") };
+    let solution = entry.solve(&case.draft.read(&entry.shape()).unwrap(), &Stop::default()).unwrap();
+    let title = |exhibit: &Exhibit| match exhibit {
+        Exhibit::Plot(plot) => plot.title.english(),
+        Exhibit::Drawing(drawing) => drawing.title.english(),
+        Exhibit::Animation(animation) => animation.title.english(),
+        Exhibit::Scene(scene) => scene.title.english(),
+        Exhibit::Table(table) => table.title.english(),
+    };
+    let all: Vec<String> = solution.exhibits.iter().map(title).collect();
+    assert!(all[0].starts_with("whirl: "), "{all:?}");
+    assert!(all.iter().any(|title| title.starts_with("span: ")), "{all:?}");
+    for of in &solution.problems {
+        let own = &all[of.exhibits.clone()];
+        assert!(own.iter().all(|title| title.starts_with(&format!("{}: ", of.name))), "{}: {own:?}", of.name);
+    }
 }
 
 #[test]

@@ -38,6 +38,9 @@ impl Plan {
                 sheet.add_problem_steps(ProblemSteps { name, steps: start.0..end.0, exhibits });
             }
         }
+        if !entry.pictured().is_empty() {
+            sheet.show_first(entry.pictured());
+        }
         Ok(())
     }
 }

@@ -15,6 +15,7 @@ pub(super) enum Part {
     /// A place over which words stand.
     Centre(Point),
     Pin(Point),
+    HungPin(Point),
     Joint(Point),
     Roller(Point),
     Bearing(Point, f64),
@@ -97,10 +98,17 @@ fn bounds(points: impl Iterator<Item = Point>) -> Option<(Point, Point)> {
 /// The pieces of the symbols of a sketch, in their order.
 pub(super) fn items(parts: &[Part], unit: f64) -> Vec<Item> {
     let mut out = Vec::new();
+    let touches = |at: Point| parts.iter().any(|part| part.touches(at, unit));
     for part in parts {
         match part {
             Part::Named(part, name) => {
-                let (at, towards) = part.named(unit);
+                let (at, towards) = match **part {
+                    // A vector that presses on a part has its free end, and its name, at its tail.
+                    Part::Vector(tail, head, _) if touches(head) && !touches(tail) => {
+                        (tail, Towards::To(direction(head, tail)))
+                    }
+                    _ => part.named(unit),
+                };
                 let before = out.len();
                 part.draw(unit, &mut out);
                 // What is not drawn has no name: a vector without length.
@@ -125,6 +133,7 @@ impl Part {
             Part::Nothing(at)
             | Part::Centre(at)
             | Part::Pin(at)
+            | Part::HungPin(at)
             | Part::Joint(at)
             | Part::Roller(at)
             | Part::Bearing(at, _)
@@ -152,6 +161,7 @@ impl Part {
             Part::Named(part, _) => part.named(unit),
             Part::Nothing(at)
             | Part::Pin(at)
+            | Part::HungPin(at)
             | Part::Joint(at)
             | Part::Roller(at)
             | Part::Bearing(at, _)
@@ -195,6 +205,43 @@ impl Part {
         }
     }
 
+    /// True where a point lies in a body or on its edge.
+    fn touches(&self, at: Point, unit: f64) -> bool {
+        let near = 0.5 * unit;
+        let on = |from: Point, to: Point| {
+            let (x, y) = (to.0 - from.0, to.1 - from.1);
+            let along = ((at.0 - from.0) * x + (at.1 - from.1) * y) / (x * x + y * y);
+            let foot = plus(from, (along.clamp(0.0, 1.0) * x, along.clamp(0.0, 1.0) * y));
+            (at.0 - foot.0).hypot(at.1 - foot.1) < near
+        };
+        match self {
+            Part::Named(part, _) => part.touches(at, unit),
+            Part::Line(points, Ink::Body) | Part::Shape(DrawnShape::Polyline(points, Ink::Body)) => {
+                points.windows(2).any(|pair| on(pair[0], pair[1]))
+            }
+            Part::Body(corners, Ink::Body) => {
+                let edges = || corners.iter().copied().zip(corners.iter().copied().cycle().skip(1));
+                // A line from the point to the right meets the outline an odd number of times.
+                let is_met = |((ax, ay), (bx, by)): &(Point, Point)| {
+                    (*ay > at.1) != (*by > at.1) && at.0 < (bx - ax) * (at.1 - ay) / (by - ay) + ax
+                };
+                edges().filter(is_met).count() % 2 == 1 || edges().any(|(from, to)| on(from, to))
+            }
+            Part::Block(a, b, Ink::Body) => {
+                let within = |at: f64, a: f64, b: f64| at > a.min(b) - near && at < a.max(b) + near;
+                within(at.0, a.0, b.0) && within(at.1, a.1, b.1)
+            }
+            Part::Particle((x, y)) => {
+                let reach = 1.2 * unit + near;
+                (at.0 - x).abs() < reach && (at.1 - y).abs() < reach
+            }
+            Part::Round(middle, radius, Ink::Body) => {
+                (at.0 - middle.0).hypot(at.1 - middle.1) < radius + near
+            }
+            _ => false,
+        }
+    }
+
     /// Half the width of a symbol along a line, between whose edges no name stands.
     fn half(&self, unit: f64) -> f64 {
         match self {
@@ -210,6 +257,7 @@ impl Part {
             Part::Named(part, _) => part.draw(unit, out),
             Part::Nothing(_) | Part::Centre(_) => {}
             Part::Pin(at) => add(DrawnShape::Pin(*at)),
+            Part::HungPin(at) => add(DrawnShape::HungPin(*at)),
             Part::Joint(at) => add(DrawnShape::Disc(*at, JOINT * unit, Ink::Body)),
             Part::Roller((x, y)) => {
                 let (radius, half) = (0.8 * unit, 1.8 * unit);

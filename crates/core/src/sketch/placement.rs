@@ -294,12 +294,10 @@ fn mark(shape: &DrawnShape, unit: f64, marks: &mut Vec<Point>) {
             let corners = [*a, (b.0, a.1), *b, (a.0, b.1), *a];
             corners.windows(2).for_each(|pair| line(pair[0], pair[1], unit, marks));
         }
-        DrawnShape::Pin((x, y)) => {
-            for down in [0.0, 0.7, 1.4, 2.1, 2.8] {
-                marks.extend([
-                    (x - 0.4 * down * unit, y - down * unit),
-                    (x + 0.4 * down * unit, y - down * unit),
-                ]);
+        DrawnShape::Pin((x, y)) | DrawnShape::HungPin((x, y)) => {
+            let way = if matches!(shape, DrawnShape::Pin(_)) { -unit } else { unit };
+            for far in [0.0, 0.7, 1.4, 2.1, 2.8] {
+                marks.extend([-0.4, 0.4].map(|side| (x + side * far * unit, y + far * way)));
             }
         }
         DrawnShape::Ground(a, b) => beside(*a, *b, &[0.0, -0.6, -1.2], unit, marks),

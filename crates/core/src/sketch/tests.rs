@@ -43,6 +43,21 @@ fn a_name_stands_beyond_the_head_of_its_vector() {
 }
 
 #[test]
+fn the_name_of_a_force_that_presses_on_a_part_stands_at_its_tail() {
+    let place = |tail, head| {
+        let drawing = Sketch::new("").mass("m", (0.0, 0.0), (4.0, 4.0)).force("F", tail, head).finish();
+        let label = |shape: &DrawnShape| match shape {
+            DrawnShape::Label(at, _, text) if text.english() == "F" => Some(*at),
+            _ => None,
+        };
+        drawing.shapes.iter().find_map(label)
+    };
+    assert_eq!(place((-2.0, 2.0), (0.0, 2.0)), Some((-2.0, 2.0)), "it presses");
+    assert_eq!(place((4.0, 2.0), (6.0, 2.0)), Some((6.0, 2.0)), "it pulls");
+    assert_eq!(place((1.0, 2.0), (3.0, 2.0)), Some((3.0, 2.0)), "it lies within");
+}
+
+#[test]
 fn a_name_stands_in_a_mass_that_is_wide_enough() {
     let mass = |width: f64| {
         Sketch::new("").mass("m", (0.0, 0.0), (width, 2.0)).ground((-5.0, 0.0), (5.0, 0.0)).finish()

@@ -71,7 +71,12 @@ impl Frame {
         let beside = fits(&legend);
         // A title that is too long goes on in a second row where there is room for one.
         let title = axes.plot.title.render(locale);
-        let title = wrap::title(&title, area.width.into(), if height > 10 { 2 } else { 1 }, look);
+        let most = match height {
+            16.. => 3,
+            11.. => 2,
+            _ => 1,
+        };
+        let title = wrap::title(&title, area.width.into(), most, look);
         let most = if height > 15 { 2 } else { 1 };
         let axis_title = |title: &AxisTitle| axis_lines(title, area.width.into(), most, look);
         let foot = axes.x.title(axes.x.span.ticks(3, locale.style).ten, locale);

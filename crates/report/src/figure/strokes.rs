@@ -138,7 +138,8 @@ impl Strokes {
             DrawnShape::Disc(at, radius, ink) => {
                 self.part(arc(*at, *radius, 0.0, TAU), *ink, StrokeRole::Disc);
             }
-            DrawnShape::Pin(at) => self.pin(*at),
+            DrawnShape::Pin(at) => self.pin(*at, -1.0),
+            DrawnShape::HungPin(at) => self.pin(*at, 1.0),
             DrawnShape::Ground(a, b) => self.ground(*a, *b),
             DrawnShape::Spring(a, b, coils) => self.spring(*a, *b, *coils),
             DrawnShape::Damper(a, b) => self.damper(*a, *b),
@@ -160,12 +161,14 @@ impl Strokes {
         self.out.push(Stroke { points, ink, part });
     }
 
-    /// A pin over a triangle on ground.
-    fn pin(&mut self, at: Point) {
-        let (half, deep) = (1.2 * self.sign, 2.0 * self.sign);
-        let (left, right) = ((at.0 - half, at.1 - deep), (at.0 + half, at.1 - deep));
-        self.line(vec![at, left, right, at], Ink::Body);
-        self.ground((left.0 - self.sign / 2.0, left.1), (right.0 + self.sign / 2.0, right.1));
+    /// A pin at the corner of a triangle on ground, which lies below it (−1) or above it (1).
+    fn pin(&mut self, at: Point, side: f64) {
+        let (half, deep) = (side * 1.2 * self.sign, side * 2.0 * self.sign);
+        // The ground is hatched at its right-hand side.
+        let (from, to) = ((at.0 + half, at.1 + deep), (at.0 - half, at.1 + deep));
+        self.line(vec![at, from, to, at], Ink::Body);
+        let over = side * self.sign / 2.0;
+        self.ground((from.0 + over, from.1), (to.0 - over, to.1));
         self.part(arc(at, self.sign / 2.0, 0.0, TAU), Ink::Body, StrokeRole::Disc);
     }
 

@@ -40,10 +40,15 @@ pub(super) fn show(model: &mut Model, at: usize) -> Vec<Intent> {
 /// Shows what the panes have of the part that is shown; results and working are scrolled to it.
 pub(super) fn bring_results(model: &mut Model) -> Vec<Intent> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
-    let name = bench.problem.inputs.form.part().name;
+    let form = &bench.problem.inputs.form;
+    let name = form.part().name;
+    // A problem whose pictures have an order of their own is opened with the first of them.
+    let is_opened = bench.turned_to.is_empty() && form.parts().first().is_some_and(|part| part.name == name);
     bench.turned_to.clone_from(&name);
-    for pane in &mut bench.panes {
-        pane.turn_to(&bench.problem, &name);
+    if !(is_opened && bench.problem.entry().is_pictured()) {
+        for pane in &mut bench.panes {
+            pane.turn_to(&bench.problem, &name);
+        }
     }
     for tab in bench.all_tabs() {
         let Some(bench) = &mut model.bench else { break };

@@ -289,7 +289,7 @@ impl Analysis for LinkageBalance {
             LinkageInput::FourBar { .. } => FOUR_BAR_JOINTS,
             LinkageInput::SliderCrank { .. } => SLIDER_CRANK_JOINTS,
         };
-        for (joint, label) in names.into_iter().enumerate() {
+        for (joint, [label, before, after]) in names.into_iter().enumerate() {
             let of = move |s: &Shaking| s.joints[joint][0].hypot(s.joints[joint][1]);
             let why = |when: &'static str| {
                 let why = Text::new(
@@ -300,8 +300,8 @@ impl Analysis for LinkageBalance {
             let at = most(&of);
             let first = sheet.numerical(("P_before", joint + 1), "N", at[0].value, why("before"));
             let last = sheet.numerical(("P_after", joint + 1), "N", at[1].value, why("after"));
-            sheet.answer(("joint_force", joint + 1), label, first);
-            sheet.answer(("joint_force_after", joint + 1), label, last);
+            sheet.answer(("joint_force", joint + 1), before, first);
+            sheet.answer(("joint_force_after", joint + 1), after, last);
             let what = "force in a joint at that angle by the Newton–Euler equations of all links";
             again(what, [first, last], at, 1.0, &|on| on.joints[joint][0].hypot(on.joints[joint][1]));
         }
@@ -332,26 +332,43 @@ impl Analysis for LinkageBalance {
     }
 }
 
-/// The joints, in the order of [`Shaking::joints`].
-const FOUR_BAR_JOINTS: [&str; 4] = [
-    "Force in the pivot of the crank",
-    "Force in the crank pin",
-    "Force in the coupler pin",
-    "Force in the pivot of the rocker",
+/// The joints, in the order of [`Shaking::joints`]: their force, before the counterweights and after them.
+const FOUR_BAR_JOINTS: [[&str; 3]; 4] = [
+    PIVOT_OF_CRANK,
+    CRANK_PIN,
+    ["Force in the coupler pin", "Force in the coupler pin before", "Force in the coupler pin after"],
+    [
+        "Force in the pivot of the rocker",
+        "Force in the pivot of the rocker before",
+        "Force in the pivot of the rocker after",
+    ],
 ];
 
-const SLIDER_CRANK_JOINTS: [&str; 4] = [
-    "Force in the pivot of the crank",
-    "Force in the crank pin",
-    "Force in the pin of the slider",
-    "Force of the guide",
+const SLIDER_CRANK_JOINTS: [[&str; 3]; 4] = [
+    PIVOT_OF_CRANK,
+    CRANK_PIN,
+    [
+        "Force in the pin of the slider",
+        "Force in the pin of the slider before",
+        "Force in the pin of the slider after",
+    ],
+    ["Force of the guide", "Force of the guide before", "Force of the guide after"],
 ];
+
+const PIVOT_OF_CRANK: [&str; 3] = [
+    "Force in the pivot of the crank",
+    "Force in the pivot of the crank before",
+    "Force in the pivot of the crank after",
+];
+
+const CRANK_PIN: [&str; 3] =
+    ["Force in the crank pin", "Force in the crank pin before", "Force in the crank pin after"];
 
 /// Share of the forces that cancel below which what is left of them is rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// The largest force in each joint over a turn.
-fn joint_forces(names: [&'static str; 4], before: &[Shaking], after: &[Shaking]) -> TableExhibit {
+fn joint_forces(names: [[&'static str; 3]; 4], before: &[Shaking], after: &[Shaking]) -> TableExhibit {
     let most = |all: &[Shaking], joint: usize| {
         Cell::Number(largest(all, |s| s.joints[joint][0].hypot(s.joints[joint][1])))
     };
@@ -363,7 +380,7 @@ fn joint_forces(names: [&'static str; 4], before: &[Shaking], after: &[Shaking])
             Column { heading: "after".into(), unit: "N" },
         ],
         rows: (0..4)
-            .map(|joint| vec![Cell::Text(names[joint].into()), most(before, joint), most(after, joint)])
+            .map(|joint| vec![Cell::Text(names[joint][0].into()), most(before, joint), most(after, joint)])
             .collect(),
         foot: Vec::new(),
     }

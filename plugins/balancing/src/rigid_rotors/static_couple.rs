@@ -178,6 +178,11 @@ fn drawing(
     for (vector, name) in vectors.into_iter().zip(symbols) {
         sketch.motion(name, (0.0, 0.0), at(vector));
     }
+    // The other diagonal of the parallelogram is twice S.
+    let far = at((2.0 * common.0, 2.0 * common.1));
+    for vector in vectors {
+        sketch.axis(at(vector), far);
+    }
     sketch.edge("S", (0.0, 0.0), at(common), Ink::Result);
     for (sign, name) in [(1.0, "C"), (-1.0, "−C")] {
         let tip = at((common.0 + sign * opposite.0, common.1 + sign * opposite.1));

@@ -497,6 +497,9 @@ impl HeavyTop {
             }
             first.push((spin, sign * top::first_order_precession(at.couple, at.axial, spin)));
         }
+        // The fast branch as far as the slow one and this top leave it room.
+        let most = slow.iter().fold(at.precession.abs(), |most: f64, (_, slow)| most.max(slow.abs()));
+        fast.retain(|(_, fast)| fast.abs() <= 3.0 * most);
         let mut series = vec![Series::line("slow", slow).of("slow_precession")];
         if !fast.is_empty() {
             series.push(Series::line("fast", fast).of("fast_precession"));

@@ -175,6 +175,8 @@ pub(crate) fn draw(
         };
         let turn = axis * length * (0.55 + 0.2 * ((row - 1) % 2) as f64);
         scene.turn(flat::of_row(motion, row), at + turn, axis, 0.16 * length, Ink::Motion);
+        // What the joint turns, across its axis.
+        scene.circle(at, axis, if row == joints.len() { 0.25 } else { 0.12 } * length, Ink::Body);
         if (at - from).norm() > 1e-9 * length {
             scene.dimension(flat::of_row(&["d"], row), [from, at], Vector3::zeros());
         }

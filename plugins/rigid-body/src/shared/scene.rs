@@ -241,7 +241,7 @@ pub fn animation(title: impl Into<Text>, period: f64, mut frame: impl FnMut(f64)
 }
 
 /// Two unit vectors across a direction; with it, right-handed.
-fn across(direction: Vector3<f64>) -> [Vector3<f64>; 2] {
+pub(crate) fn across(direction: Vector3<f64>) -> [Vector3<f64>; 2] {
     let along = direction.try_normalize(0.0).unwrap_or_else(Vector3::z);
     // The axis that is furthest from the direction.
     let away = if along.x.abs() < 0.9 { Vector3::x() } else { Vector3::y() };

@@ -152,11 +152,11 @@ impl Analysis for HarmonicForce {
         }
         let zeta = own_damping(&suspension);
         plots::force_families(at.ratio.value(), zeta, Some("magnification"), sheet);
+        sheet.show(|| Exhibit::Drawing(self.drawing(motion)));
         sheet.show(|| {
             let [spring, damper, inertia] = forces;
             Exhibit::Drawing(plots::force_vectors(motion, spring, damper, inertia))
         });
-        sheet.show(|| Exhibit::Drawing(self.drawing(motion)));
         Ok(())
     }
 }

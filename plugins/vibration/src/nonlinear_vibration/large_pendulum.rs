@@ -205,7 +205,7 @@ impl LargePendulum {
                 .arc((0.0, 0.0), 1.0, swing, Ink::Faint)
                 .axis((0.0, 0.0), (0.0, -1.0))
                 .link("", (0.0, 0.0), end)
-                .pin("", (0.0, 0.0))
+                .hung_pin("", (0.0, 0.0))
                 .disc("", end, 0.08)
                 .line("L", (0.0, 0.0), end, Ink::Body)
                 .angle("θ", (0.0, 0.0), -PI / 2.0, angle - PI / 2.0)

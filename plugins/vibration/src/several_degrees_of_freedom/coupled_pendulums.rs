@@ -203,7 +203,7 @@ impl CoupledPendulums {
         for (place, ((length, spring, bob), turn)) in sizes.into_iter().zip(turns).enumerate() {
             let x = apart * place as f64;
             let at = |distance: f64| (x + distance * turn.sin(), -distance * turn.cos());
-            sketch.link("", (x, 0.0), at(length.max(spring))).pin("", (x, 0.0));
+            sketch.link("", (x, 0.0), at(length.max(spring))).hung_pin("", (x, 0.0));
             if bob {
                 sketch.disc("", at(length), 0.06 * apart);
             }

@@ -306,7 +306,7 @@ impl DoublePendulum {
             .axis((0.0, 0.0), (0.0, -4.0))
             .link("", (0.0, 0.0), joint)
             .link("", joint, end)
-            .pin("", (0.0, 0.0))
+            .hung_pin("", (0.0, 0.0))
             .axis(joint, (joint.0, joint.1 - 1.6))
             .angle("θ₁", (0.0, 0.0), -FRAC_PI_2, turns[0] - FRAC_PI_2)
             .angle("θ₂", joint, -FRAC_PI_2, turns[1] - FRAC_PI_2);

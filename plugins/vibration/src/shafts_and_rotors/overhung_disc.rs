@@ -432,7 +432,9 @@ impl OverhungDisc {
         let whirls: Vec<(f64, Option<[f64; 4]>)> =
             speeds.map(|speed| (speed, numbers.whirl(speed))).collect();
         let curve = |pick: fn([f64; 4]) -> f64| {
-            whirls.iter().map(|&(speed, all)| (speed, all.map_or(f64::NAN, pick))).collect()
+            // Whirl far above the speeds of the plot would leave its critical speeds no room.
+            let at = |&(speed, all): &(f64, Option<[f64; 4]>)| all.map(|all| (speed, pick(all)));
+            whirls.iter().filter_map(at).filter(|(_, whirl)| whirl.abs() <= 1.2 * last).collect()
         };
         let mut plot = Plot::new(
             "Campbell diagram",

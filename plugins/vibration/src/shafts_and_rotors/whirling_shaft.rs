@@ -469,15 +469,15 @@ impl WhirlingShaft {
     /// The shaft from its side, and the rotor along its axis.
     fn vectors(&self, [natural, eccentricity, zeta]: [f64; 3], (speed, amplitude): (f64, f64)) -> Drawing {
         let lag = sdof::phase_lag_from_ratios(speed / natural, zeta);
-        // The longer of the two arrows has the length 1; the shorter one stays visible.
+        // The longer of the two arrows has the length 1.6; the shorter one stays visible.
         let longer = amplitude.max(eccentricity);
-        let [a, e] = [amplitude, eccentricity].map(|length| (length / longer).max(0.25));
+        let [a, e] = [amplitude, eccentricity].map(|length| 1.6 * (length / longer).max(0.5));
         // The centre of mass is ahead of the deflection by the lag, in the sense of the rotation.
-        let origin = (4.6, 0.0);
+        let origin = (5.4, 0.0);
         let w = (origin.0 + a, 0.0);
         let g = (w.0 + e * lag.cos(), e * lag.sin());
         let mut sketch = Sketch::new(
-            "The shaft from its side, and along its axis: bearing centre O, shaft centre W, centre of mass G (a short arrow is drawn longer)",
+            "The shaft, and its section (not to scale): bearing centre O, shaft centre W, centre of mass G",
         );
         let mounting = match &self.shaft {
             RotorShaft::Round { mounting, .. } => *mounting,
@@ -498,7 +498,7 @@ impl WhirlingShaft {
             .mass("", (x - 0.35, -0.8), (x + 0.35, 0.8))
             .label("m", (x, 0.8))
             .circle(origin, a, Ink::Faint)
-            .circle(w, 0.6, Ink::Body)
+            .circle(w, 1.2, Ink::Body)
             .motion("", origin, w)
             .edge(unbalance, w, g, Ink::Danger)
             .label("G", g)

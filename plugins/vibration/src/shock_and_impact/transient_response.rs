@@ -552,7 +552,7 @@ impl<N: Real> LoadModel<N> {
         if self.size.is_some() || self.end.is_some() {
             let load = (0..=480).map(|n| (time(n), self.motion.load(time(n)))).collect();
             series.push(Series::line(
-                of.of("load, as equivalent static displacement", "load, as equivalent static angle"),
+                of.of("static displacement under the load", "static angle under the torque"),
                 load,
             ));
         }

@@ -211,7 +211,7 @@ impl Rhombus {
         sketch
             .bars([top, left, low, right])
             .link("L", top, right)
-            .pin("", top)
+            .hung_pin("", top)
             .joint("", left)
             .joint("", right)
             .joint("", low)

@@ -1,5 +1,7 @@
 //! A reciprocating engine with one cylinder: the piston's motion, the forces in its parts, and its turning moment.
 
+use std::f64::consts::FRAC_PI_2;
+
 use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{Real, slider_crank::engine as kernel};
 
@@ -223,13 +225,15 @@ impl Analysis for Engine {
         };
         if view.running {
             sheet.show(|| Exhibit::Table(view.models()));
-            sheet.show(|| Exhibit::Plot(view.accelerations()));
         }
         if view.running && view.force.is_some() {
-            sheet.show(|| Exhibit::Plot(view.efforts()));
             sheet.show(|| Exhibit::Plot(view.moments()));
+            sheet.show(|| Exhibit::Plot(view.efforts()));
             sheet.show(|| Exhibit::Plot(view.crank_pin()));
             sheet.show(|| Exhibit::Plot(view.bearing()));
+        }
+        if view.running {
+            sheet.show(|| Exhibit::Plot(view.accelerations()));
         }
         sheet.show(|| animation::show(&view));
         Ok(())
@@ -237,6 +241,15 @@ impl Analysis for Engine {
 }
 
 impl Engine {
+    /// Angle of the line of stroke over the horizontal.
+    fn upright(&self) -> f64 {
+        match self.orientation {
+            Orientation::Vertical => FRAC_PI_2,
+            Orientation::Horizontal | Orientation::Weightless => 0.0,
+            Orientation::Inclined { angle } => angle,
+        }
+    }
+
     /// Inputs that do not go together.
     fn refuse_contradictions(&self, offset: bool) -> Result<(), Refusal> {
         if offset && !matches!(self.terms, Terms::Exact) {

@@ -390,7 +390,17 @@ impl EpicyclicTrain {
         [sun_speed, ring_speed, arm_speed]: [f64; 3],
     ) -> Exhibit {
         const FRAMES: usize = 24;
-        let fastest = sun_speed.abs().max(ring_speed.abs()).max(arm_speed.abs());
+        let driver_speed = match self.driver {
+            Member::Sun => sun_speed,
+            Member::Ring => ring_speed,
+            Member::Arm => arm_speed,
+        };
+        let pinion = self.pinion.as_ref().map(|pinion| {
+            let (small, large) = (f64::from(pinion.pinion), f64::from(pinion.wheel));
+            (pinion, small / large, -driver_speed * large / small)
+        });
+        let fastest = pinion.iter().map(|(.., speed)| *speed).chain([sun_speed, ring_speed, arm_speed]);
+        let fastest = fastest.fold(0.0, |most: f64, speed| most.max(speed.abs()));
         let outside = matches!(self.gears, Gears::Suns { .. });
         // Pitch radii with the axes one apart: the modules of the two meshes may differ.
         let axes = 1.0;
@@ -424,16 +434,38 @@ impl EpicyclicTrain {
                 .link("A", o, centre)
                 .pin("", o)
                 .joint("", centre)
-                .label(teeth("S", sun), (-hub * FRAC_1_SQRT_2, hub * FRAC_1_SQRT_2))
+                .caption(teeth("S", sun), (0.0, 0.5 * hub))
                 .label(planet, (centre.0, centre.1 + 0.5 * first * one))
                 .label(teeth(if outside { "S₂" } else { "R" }, ring), (0.0, -rim));
-            let (radius, speed) = match self.driver {
-                Member::Sun => (hub, sun_speed),
-                Member::Ring => (rim, ring_speed),
-                Member::Arm => (axes, arm_speed),
+            let radius = match self.driver {
+                Member::Sun => hub,
+                Member::Ring => rim,
+                Member::Arm => axes,
             };
-            let (start, way) = (3.6, 0.5 * if speed < 0.0 { -1.0 } else { 1.0 });
-            let at = |angle: f64| At::from(built::away([0.0; 2], 1.12 * radius, angle));
+            // The shaft that drives: that of the member, or of the pinion in mesh with the wheel on it, outside of all others.
+            let (middle, radius, speed) = match pinion {
+                None => (o, radius, driver_speed),
+                Some((pinion, share, speed)) => {
+                    let wheel = 1.1 * rim.max(axes + first.max(second) * one);
+                    let (middle, small) = ((-wheel * (1.0 + share), 0.0), wheel * share);
+                    sketch
+                        .gear("", middle, small, speed * time)
+                        .pin("", middle)
+                        .caption(
+                            Text::verbatim(format!("z = {}", pinion.pinion)),
+                            (middle.0, middle.1 + 0.5 * small),
+                        )
+                        .gear("", o, wheel, driver_speed * time)
+                        .label(
+                            Text::verbatim(format!("z = {}", pinion.wheel)),
+                            (wheel * FRAC_1_SQRT_2, wheel * FRAC_1_SQRT_2),
+                        );
+                    (middle, small, speed)
+                }
+            };
+            let (start, way) =
+                (if pinion.is_some() { 2.6 } else { 3.6 }, 0.5 * if speed < 0.0 { -1.0 } else { 1.0 });
+            let at = |angle: f64| At::from(built::away(middle.into(), 1.12 * radius, angle));
             let bent: Vec<At> = (0..=8).map(|n| at(start + way * f64::from(n) / 8.0)).collect();
             sketch.curve(bent, Ink::Motion).vector(
                 self.driving_letters(),

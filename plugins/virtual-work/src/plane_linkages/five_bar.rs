@@ -532,7 +532,7 @@ impl FiveBar {
                 "The five-bar linkage",
                 ("first_angle", self.first_angle),
                 range,
-                self.frame,
+                self.first_crank.max(self.second_crank) + self.first_rod.max(self.second_rod),
                 |angle, sketch| {
                     let there = at(angle);
                     let found = there.plain()?;

@@ -481,7 +481,7 @@ impl OscillatingCylinder {
                     }
                     let size = there.pin_force.norm();
                     if size > 0.0 {
-                        let part = 0.8 * there.crank / size;
+                        let part = 0.4 * there.crank / size;
                         let tail = (pin.0 - part * there.pin_force.x, pin.1 - part * there.pin_force.y);
                         sketch.force("", tail, pin).label("F_A", tail);
                     }

@@ -20,7 +20,9 @@ use crate::{
 /// The widest column of labels in a pane of less than twice that; in wider ones half of it. Longer labels go on below.
 const WIDEST_LABELS: usize = 40;
 /// The narrowest column of labels beside symbols, and without: where there is less room, symbols give way, then columns.
-const NARROWEST_LABELS: (usize, usize) = (20, 24);
+const NARROWEST_LABELS: (usize, usize) = (16, 24);
+/// So many of the values have room in their column.
+const USUAL: (usize, usize) = (17, 20);
 /// The widest symbol that stands beside its answer.
 const WIDEST_SYMBOL: usize = 9;
 /// So many lists of the same name are shown; of more their number.
@@ -41,7 +43,13 @@ pub(super) fn page(
     let answers: Vec<ShownAnswer<'_>> = solution
         .answers
         .iter()
-        .map(|answer| ShownAnswer::of(answer, solution, reading, look, locale))
+        .enumerate()
+        .map(|(n, answer)| {
+            let is_alike = |before: &&Answer| before.is_main && before.problem == answer.problem;
+            let is_among_first = solution.answers[..n].iter().filter(is_alike).count() < MOST_MAIN;
+            let is_bold = answer.is_main && (answer.asked || is_among_first);
+            ShownAnswer { is_bold, ..ShownAnswer::of(answer, solution, reading, look, locale) }
+        })
         .collect();
     let columns = Columns::of(&answers, width);
     let mut page = Page::default();
@@ -87,6 +95,8 @@ struct ShownAnswer<'a> {
     /// The parts of a single number.
     aligned: Option<Aligned>,
     is_covered: bool,
+    /// True for the main answers that stand out.
+    is_bold: bool,
 }
 
 impl<'a> ShownAnswer<'a> {
@@ -108,15 +118,16 @@ impl<'a> ShownAnswer<'a> {
             aligned: is_number.then(|| Aligned::of(&value)),
             value,
             is_covered,
+            is_bold: answer.is_main,
         }
     }
 
     fn label_style(&self) -> Style {
-        if self.answer.is_main { Style::new().add_modifier(Modifier::BOLD) } else { Style::new() }
+        if self.is_bold { Style::new().add_modifier(Modifier::BOLD) } else { Style::new() }
     }
 
     fn value_style(&self, look: &Appearance) -> Style {
-        if self.answer.is_main { look.answer() } else { Style::new() }
+        if self.is_bold { look.answer() } else { Style::new() }
     }
 
     /// The answer in a narrow pane.
@@ -183,13 +194,14 @@ struct Columns {
 
 impl Columns {
     fn of(answers: &[ShownAnswer<'_>], width: usize) -> Option<Self> {
-        let numbers = widths(answers.iter().filter_map(|one| one.aligned.as_ref()));
-        let values = answers
-            .iter()
-            .filter_map(|one| one.aligned.as_ref())
-            .map(|one| numbers.0 + numbers.1 + unit_column(one).width())
-            .max()
-            .unwrap_or(0);
+        // A few wide values make no column: they stand below their labels.
+        let aligned = || answers.iter().filter_map(|one| one.aligned.as_ref());
+        let mut widest: Vec<usize> = aligned().map(width_of).collect();
+        widest.sort_unstable();
+        let most = widest.get(widest.len() * USUAL.0 / USUAL.1).or(widest.last()).copied().unwrap_or(0);
+        let usual = || aligned().filter(|one| width_of(one) <= most);
+        let numbers = widths(usual());
+        let values = usual().map(|one| numbers.0 + numbers.1 + unit_column(one).width()).max().unwrap_or(0);
         let longest = answers.iter().map(|one| one.label.width()).max().unwrap_or(0);
         let symbol = answers.iter().map(|one| one.symbol.width()).max().unwrap_or(0);
         let room = width.saturating_sub(2 + values.max(16));
@@ -215,6 +227,9 @@ impl Columns {
             Some(aligned) => {
                 let number = number(aligned, self.numbers);
                 let unit = unit_column(aligned);
+                if self.before() + number.width() + unit.width() > width {
+                    return one.below(look, width);
+                }
                 // A pure number leaves nothing behind it.
                 let number = if unit.is_empty() { number.trim_end().to_owned() } else { number };
                 vec![Span::styled(number, one.value_style(look)), Span::raw(unit)]
@@ -237,6 +252,12 @@ impl Columns {
         lines.push(Line::from(spans));
         lines
     }
+}
+
+/// Cells that a number takes with its unit.
+fn width_of(one: &Aligned) -> usize {
+    let (before, after) = widths(std::iter::once(one));
+    before + after + unit_column(one).width()
 }
 
 /// The unit with the space before it that every unit of a column has, `°` too.

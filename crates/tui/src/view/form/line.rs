@@ -53,9 +53,10 @@ pub(super) struct Columns {
 }
 
 impl Columns {
-    /// The same for a line whose value is so wide.
-    fn with_room_for(&self, value: usize) -> Self {
-        let from_label = value.saturating_sub(self.value).min(self.label.saturating_sub(LEAST_LABEL));
+    /// The same for a line whose value is so wide, with its label set in by so many cells.
+    fn with_room_for(&self, value: usize, margin: usize) -> Self {
+        let from_label =
+            value.saturating_sub(self.value).min(self.label.saturating_sub(margin + LEAST_LABEL));
         Self { label: self.label - from_label, symbol: self.symbol, value: self.value + from_label }
     }
 
@@ -239,7 +240,7 @@ impl LineView<'_> {
         let (look, form) = (&self.model.look, &self.bench.problem.inputs.form);
         let style = if self.focused { look.title() } else { Style::new() };
         if let Some(edit) = form.edit.as_ref().filter(|edit| edit.path == self.line.path) {
-            let columns = self.columns.with_room_for(width(edit.input.value()) + 1);
+            let columns = self.columns.with_room_for(width(edit.input.value()) + 1, margin(self.line));
             let cells = columns.value.saturating_sub(1);
             let input = edit.input.input();
             let scroll = input.visual_scroll(cells);
@@ -261,8 +262,9 @@ impl LineView<'_> {
         let computed =
             computed(self.model, self.line).filter(|computed| value.echo.as_ref() == Some(computed));
         let both = own + computed.map_or(0, |value| width(&value) + BESIDE);
-        let roomy = self.columns.with_room_for(both);
-        let columns = if roomy.value >= both { roomy } else { self.columns.with_room_for(own) };
+        let set_in = margin(self.line);
+        let roomy = self.columns.with_room_for(both, set_in);
+        let columns = if roomy.value >= both { roomy } else { self.columns.with_room_for(own, set_in) };
         // Another decimal mark leaves the digits where they are.
         let is_seen = self.focused && value.text.len() == text.len();
         let digit = form.digit(&self.line.path, text).filter(|_| is_seen);

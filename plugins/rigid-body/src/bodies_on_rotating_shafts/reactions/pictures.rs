@@ -15,8 +15,9 @@ use nalgebra::Vector3;
 
 use super::{Acts, Found, Held, Reactions, ShaftDrive, SupportKind};
 use crate::shared::{
+    flat,
     joints::{self, Named, given_name, seen_from},
-    scene::Scene,
+    scene::{self, Scene},
 };
 
 impl Reactions {
@@ -220,10 +221,14 @@ impl Reactions {
         }
         scene.label(centre, "G");
         let largest = found.supports.iter().map(|of| of.force.norm()).fold(0.0f64, f64::max);
-        for (support, of) in self.supports.iter().zip(&found.supports) {
+        for ((support, of), row) in self.supports.iter().zip(&found.supports).zip(1..) {
+            if matches!(support.kind, SupportKind::Bearing { .. } | SupportKind::ThrustBearing) {
+                bearing(&mut scene, support.at, axis, 0.08 * reach);
+            }
             scene.label(support.at, given_name(&support.name));
             if largest > 0.0 && of.force.norm() > 1e-9 * largest {
-                scene.arrow(support.at, of.force * (reach * 0.6 / largest), Ink::Force, "R");
+                let along = of.force * (reach * 0.6 / largest);
+                scene.arrow(support.at, along, Ink::Force, flat::of_row(&["R"], row));
             }
         }
         let omega = seen_from(axes, last.angular_velocity);
@@ -231,5 +236,13 @@ impl Reactions {
             scene.arrow(centre, omega.normalize() * reach * 0.4, Ink::Motion, "ω");
         }
         scene.exhibit("The body on its supports")
+    }
+}
+
+/// A bearing of a shaft: a bar on either side of it, along it.
+fn bearing(scene: &mut Scene, at: Vector3<f64>, axis: Vector3<f64>, half: f64) {
+    for side in scene::across(axis).into_iter().flat_map(|across| [across, -across]) {
+        let middle = at + side * (0.5 * half);
+        scene.line([middle - axis * half, middle + axis * half], Ink::Body);
     }
 }

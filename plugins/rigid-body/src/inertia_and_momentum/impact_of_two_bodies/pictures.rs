@@ -73,7 +73,9 @@ fn velocity(
 ) {
     match given {
         ImpactVelocity::Direct { .. } => {
-            sketch.motion(normal, (x, y + 0.6), (x + n, y + 0.6));
+            // From outside, so that the arrow ends on the ball.
+            let edge = x - 0.5 * n.signum();
+            sketch.motion(normal, (edge - n, y), (edge, y));
         }
         ImpactVelocity::Oblique { .. } => {
             sketch.motion(speed, (x, y), (x + n, y + t)).angle(angle, (x, y), 0.0, t.atan2(n));
@@ -113,7 +115,7 @@ fn hinged(sketch: &mut Sketch, target: &HingedTarget, sense: f64) {
                 .dimension("h", pin, below(centre), 4.0);
         }
     }
-    sketch.pin("O", pin).dimension("r", pin, point, -2.5);
+    sketch.hung_pin("O", pin).dimension("r", pin, point, -2.5);
     if target.speed != 0.0 {
         let turn =
             if sense > 0.0 { (FRAC_PI_2 + 2.2, FRAC_PI_2 + 4.2) } else { (FRAC_PI_2 + 4.2, FRAC_PI_2 + 2.2) };

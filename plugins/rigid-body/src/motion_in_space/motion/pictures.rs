@@ -17,6 +17,7 @@ impl Motion {
     pub(super) fn show<W: Worksheet>(&self, sheet: W, body: &RotatingBody, moved: &follow::RigidBodyMotion) {
         let samples = &moved.samples;
         sheet.show(|| self.animation(body, samples));
+        sheet.show(|| Exhibit::Plot(self.angles(samples)));
         sheet.show(|| {
             let omega: fn(&RotationSample) -> Vector3<f64> = |sample| sample.turning.omega_body;
             Exhibit::Plot(components(
@@ -37,7 +38,6 @@ impl Motion {
                 omega,
             ))
         });
-        sheet.show(|| Exhibit::Plot(self.angles(samples)));
         sheet.show(|| {
             let points =
                 samples.iter().map(|sample| self.axis_of(sample)).map(|axis| (axis.x, axis.y)).collect();

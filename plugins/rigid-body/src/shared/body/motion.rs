@@ -272,7 +272,11 @@ impl BodyVelocity {
                     scene.arrow(at, along * length, Ink::Motion, "v_0");
                 }
             }
-            BodyVelocity::Fixed { point } | BodyVelocity::Carried { point, .. } => scene.label(point, "r_F"),
+            BodyVelocity::Fixed { point } | BodyVelocity::Carried { point, .. } => {
+                // The body reaches to the point that holds it.
+                scene.line([point, at], Ink::Body);
+                scene.label(point, "r_F");
+            }
             BodyVelocity::Point { point, velocity } => {
                 scene.label(point, "r_P");
                 if let Some(along) = velocity.try_normalize(0.0) {

@@ -35,6 +35,7 @@ impl Body {
     pub(crate) fn draw_parts(&self, scene: &mut Scene, place: impl Fn(Vector3<f64>) -> Vector3<f64>) -> f64 {
         let Body::Parts { parts } = self else { return 0.0 };
         let mut size = 0.0f64;
+        rods(parts, scene, &place);
         for (part, row) in parts.iter().zip(1..) {
             let ink = if part.presence == Presence::Hole { Ink::Faint } else { Ink::Body };
             let lines = part.lines();
@@ -52,6 +53,25 @@ impl Body {
             }
         }
         size
+    }
+}
+
+/// Draws rods without mass between the centres of successive parts that do not touch, so that they are one body.
+fn rods(parts: &[BodyPart], scene: &mut Scene, place: impl Fn(Vector3<f64>) -> Vector3<f64>) {
+    let centre = |part: &BodyPart| {
+        part.properties().ok().filter(|_| part.presence != Presence::Hole).map(|there| there.centre)
+    };
+    for pair in parts.windows(2) {
+        let [Some(from), Some(to)] = [centre(&pair[0]), centre(&pair[1])] else { continue };
+        let Some(along) = (to - from).try_normalize(0.0) else { continue };
+        // So far a part reaches from its centre along the line of the centres.
+        let reach = |part: &BodyPart, centre: Vector3<f64>| {
+            let far = |point: &Vector3<f64>| (point - centre).dot(&along).abs();
+            part.lines().iter().flatten().map(far).fold(0.0, f64::max)
+        };
+        if (to - from).norm() > reach(&pair[0], from) + reach(&pair[1], to) {
+            scene.line([place(from), place(to)], Ink::Body);
+        }
     }
 }
 

@@ -89,5 +89,6 @@ pub(super) fn check_scatter<W: Worksheet>(
     // What fits to the last places leaves rounding alone.
     let rounding = 1e-14 * other.size;
     let residual = W::Num::from(scatter - other.scatter);
-    sheet.check_residual(what, residual, scatter.max(other.scatter), rounding);
+    let left = scatter.max(other.scatter);
+    sheet.check_residual(what, residual, if left > rounding { left } else { other.size }, rounding);
 }

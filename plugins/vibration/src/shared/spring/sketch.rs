@@ -204,7 +204,7 @@ pub(crate) fn hanging<T: Suspended>(
                     Text::new(printer::symbol(&symbol("L", place))),
                     (wall, level),
                     (top.0, level),
-                    -1.5,
+                    -3.0,
                 );
         }
         Hanging::Beam { cantilever: false, share } => {

@@ -27,12 +27,19 @@ pub(crate) fn at_rest(system: &System, loads: &[(usize, Text)]) -> Drawing {
         return equal(*count, damper.is_some(), *ends).finish();
     }
     let mut sketch = sketch(system, &vec![0.0; size(system)], true).titled("The system");
-    if let System::Chain { masses, .. } = system
+    if let System::Chain { masses, wall } = system
         && masses.len() <= DRAWN
     {
+        let half = half(masses.len());
         for (place, letters) in loads {
             let x = STEP * *place as f64;
-            sketch.force(letters.clone(), (x - 0.3, HALF + 0.4), (x + 0.7, HALF + 0.4));
+            if *place == masses.len() && wall.is_none() {
+                sketch.force(letters.clone(), (x + half, 0.0), (x + half + 0.9, 0.0));
+            } else {
+                // A stem on the mass, from which the arrow goes along the row.
+                let (foot, top) = ((x, half), (x, half + 0.4));
+                sketch.curve([foot, top], Ink::Force).force(letters.clone(), top, (x + 0.8, half + 0.4));
+            }
         }
     }
     sketch.finish()
@@ -119,6 +126,11 @@ enum Lettering {
     Alike,
 }
 
+/// Half the width of a mass of so many: many are narrower, so that the coils between them are seen.
+fn half(count: usize) -> f64 {
+    if count > EQUAL { 0.7 * HALF } else { HALF }
+}
+
 /// Masses in a row that move along it.
 fn chain(
     moved: &[f64],
@@ -127,8 +139,7 @@ fn chain(
     labels: Option<Lettering>,
 ) -> Sketch {
     let n = moved.len();
-    // Many masses are narrower, so that the coils between them are seen.
-    let half = if n > EQUAL { 0.7 * HALF } else { HALF };
+    let half = half(n);
     let rest = |row: usize| STEP * (row as f64 + 1.0);
     let at = |row: usize| rest(row) + moved[row];
     let mut sketch = Sketch::default();

@@ -185,7 +185,7 @@ pub(super) fn pendulum(
         .label(mass, (0.42, -0.9))
         .dimension(letter, at(from), at(to), if from > to { 5.5 } else { -5.5 });
     for (name, height) in points {
-        sketch.pin(Text::new("{x}").with("x", name), at(*height));
+        sketch.hung_pin(Text::new("{x}").with("x", name), at(*height));
     }
     sketch.finish()
 }

@@ -12,19 +12,6 @@ impl Solved<'_> {
     /// All figures and tables.
     pub(super) fn show<W: Worksheet>(&self, problem: &Motion, sheet: W) {
         sheet.show(|| Exhibit::Animation(self.animation(problem)));
-        sheet.show(|| {
-            Exhibit::Plot(
-                self.of_bodies("Angles", ("Angle", "deg"), "angle", |moment| &moment.state.positions),
-            )
-        });
-        sheet.show(|| {
-            let axis = ("Angular velocity", "rad/s");
-            Exhibit::Plot(
-                self.of_bodies("Angular velocities", axis, "angular_velocity", |moment| {
-                    &moment.state.velocities
-                }),
-            )
-        });
         for (row, followed) in (1..).zip(&problem.watched) {
             let name = &self.parts.points[followed.point.0].name;
             let point = self.parts.point(followed.point);
@@ -54,6 +41,19 @@ impl Solved<'_> {
                 )
             });
         }
+        sheet.show(|| {
+            Exhibit::Plot(
+                self.of_bodies("Angles", ("Angle", "deg"), "angle", |moment| &moment.state.positions),
+            )
+        });
+        sheet.show(|| {
+            let axis = ("Angular velocity", "rad/s");
+            Exhibit::Plot(
+                self.of_bodies("Angular velocities", axis, "angular_velocity", |moment| {
+                    &moment.state.velocities
+                }),
+            )
+        });
         sheet.show(|| {
             let start = self.moved.samples[0].stored;
             let series = vec![

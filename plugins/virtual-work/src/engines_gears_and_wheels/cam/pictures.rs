@@ -1,5 +1,7 @@
 //! Plots of the motion and drawing of cam and follower.
 
+use std::f64::consts::TAU;
+
 use dalembert_core::{Axis, Drawing, Ink, Plot, Series, Sketch, Text, exhibit::Point};
 
 use super::{
@@ -132,19 +134,31 @@ impl View<'_> {
             }
         }
         // Radii about a base circle that is not given, and the follower at the start.
-        let (hub, base) = ((-1.6, 0.3), 0.45);
-        let radius = |lift: f64| base + 0.5 * scale * lift;
-        let on_cam = |motion: &Motion| {
-            let (sin, cos) = (motion.angle - start).sin_cos();
-            (hub.0 + radius(motion.lift) * sin, hub.1 + radius(motion.lift) * cos)
-        };
+        let (hub, base) = ((-1.9, 0.4), 0.8);
+        let radius = |lift: f64| base + 0.4 * scale * lift;
+        let on_cam =
+            |turn: f64, lift: f64| (hub.0 + radius(lift) * turn.sin(), hub.1 + radius(lift) * turn.cos());
+        let outline = motions.iter().map(|motion| on_cam(motion.angle - start, motion.lift));
         let foot = hub.1 + motions.first().map_or(base, |first| radius(first.lift));
         sketch
             .circle(hub, base, Ink::Faint)
-            .curve(motions.iter().map(on_cam).collect::<Vec<Point>>(), Ink::Body)
+            .curve(outline.collect::<Vec<Point>>(), Ink::Body)
             .pin("", hub)
-            .bars([(hub.0 - 0.2, foot), (hub.0 + 0.2, foot)])
+            .bars([(hub.0 - 0.3, foot), (hub.0 + 0.3, foot)])
             .bars([(hub.0, foot), (hub.0, foot + 0.6)]);
+        // What is left of the turn is not given: a dwell and the way back, the program mirrored.
+        let rest = TAU - whole;
+        if let Some(last) = motions.last().filter(|_| rest > 1e-9 * TAU) {
+            let is_back = (last.lift - motions[0].lift).abs() <= 1e-9 * highest;
+            let back = if is_back { 0.0 } else { rest.min(whole) };
+            let dwell = (0..=24).map(|n| on_cam(whole + (rest - back) * f64::from(n) / 24.0, last.lift));
+            sketch.curve(dwell.collect::<Vec<Point>>(), if is_back { Ink::Body } else { Ink::Faint });
+            if !is_back {
+                let mirrored =
+                    |motion: &Motion| on_cam(TAU - (motion.angle - start) * back / whole, motion.lift);
+                sketch.curve(motions.iter().map(mirrored).collect::<Vec<Point>>(), Ink::Faint);
+            }
+        }
         if self.speed.is_some() {
             turning(&mut sketch, hub, ("ω", 1.0), ("", 0.0));
         }

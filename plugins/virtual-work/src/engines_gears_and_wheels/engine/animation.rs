@@ -1,8 +1,8 @@
 //! The engine in motion, with its forces.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use dalembert_core::{Exhibit, Ink, Sketch};
+use dalembert_core::{Exhibit, Ink, Point, Sketch};
 use dalembert_mechanics::slider_crank::{engine::Forces, piston};
 
 use super::{Gas, Throw, exhibits::View};
@@ -55,52 +55,48 @@ fn largest(forces: &Forces) -> f64 {
 fn frame(view: &View<'_>, angle: f64, forces: Option<&Forces>, size: f64) -> Sketch {
     let kernel = view.kernel;
     let (r, l, e) = (kernel.crank, kernel.rod, kernel.offset);
+    // The stroke along x of the formulas, turned until the weight points down.
+    let upright = view.engine.upright();
+    let (sin, cos) = if upright == FRAC_PI_2 { (1.0, 0.0) } else { upright.sin_cos() };
+    let to = |(x, y): Point| (x * cos - y * sin, x * sin + y * cos);
     let obliquity = piston::obliquity_with_offset(r, l, e, angle);
     let pin = (r * angle.cos(), r * angle.sin());
     let gudgeon = (piston::position(r, l, angle, obliquity), e);
     let half = 0.35 * r;
     let far = piston::farthest(r, l, e);
     let (low, high) = (far - 2.0 * r - half, far + 1.6 * half);
-    let (o, a, b) = ((0.0, 0.0), pin, gudgeon);
+    let (o, a, b) = ((0.0, 0.0), to(pin), to(gudgeon));
+    let wall = e - 1.2 * half;
     let mut sketch = Sketch::default();
     sketch
         .size(far + r + 1.6 * half)
         .circle(o, r, Ink::Faint)
-        .curve(
-            [(low, e + 1.2 * half), (high, e + 1.2 * half), (high, e - 1.2 * half), (low, e - 1.2 * half)],
-            Ink::Faint,
-        )
+        .curve([(low, e + 1.2 * half), (high, e + 1.2 * half), (high, wall), (low, wall)].map(to), Ink::Faint)
         .body(
             if view.engine.reciprocating > 0.0 { "m_R" } else { "" },
-            [(-half, -half), (half, -half), (half, half), (-half, half)].map(|(x, y)| (gudgeon.0 + x, e + y)),
+            [(-half, -half), (half, -half), (half, half), (-half, half)]
+                .map(|(x, y)| to((gudgeon.0 + x, e + y))),
         )
         .link("r", o, a)
         .link("l", a, b)
-        .axis(o, (0.8 * r, 0.0))
-        .angle("θ", o, 0.0, angle.rem_euclid(TAU))
+        .axis(o, to((0.8 * r, 0.0)))
+        .angle("θ", o, upright, upright + angle.rem_euclid(TAU))
         .pin("O", o)
         .joint("A", a)
         .joint("P", b);
-    // The stroke lies, whatever its direction; gravity tells how the engine stands.
-    let [along, across] = kernel.gravity;
-    if along != 0.0 {
-        let (tail, part) = ((0.5 * far, -1.2 * r), 0.7 * r / along.hypot(across));
-        sketch.force("g", tail, (tail.0 - part * along, tail.1 - part * across));
-    }
-    let wall = e - 1.2 * half;
     if has_bore(&view.engine.gas) {
-        sketch.dimension("D", (high, wall), (high, e + 1.2 * half), -2.0);
+        sketch.dimension("D", to((high, wall)), to((high, e + 1.2 * half)), -2.0);
     }
     if let Throw::Stroke { .. } = view.engine.throw {
-        sketch.dimension("S", (far - 2.0 * r, wall), (far, wall), -2.0);
+        sketch.dimension("S", to((far - 2.0 * r, wall)), to((far, wall)), -2.0);
     }
     if e != 0.0 {
-        sketch.dimension("e", (low, 0.0), (low, e), 0.0);
+        sketch.dimension("e", to((low, 0.0)), to((low, e)), 0.0);
     }
     if view.engine.friction.is_some_and(|friction| friction > 0.0) {
         // Against the motion, beside the piston; the crank turns forward.
         let way = if angle.rem_euclid(TAU) < PI { 1.0 } else { -1.0 };
-        let beside = |along: f64| (gudgeon.0 + way * along * half, e + 0.8 * half);
+        let beside = |along: f64| to((gudgeon.0 + way * along * half, e + 0.8 * half));
         sketch.force("F_f", beside(-1.0), beside(1.0));
     }
     if view.running {
@@ -110,7 +106,7 @@ fn frame(view: &View<'_>, angle: f64, forces: Option<&Forces>, size: f64) -> Ske
     if kernel.rod_mass > 0.0 {
         let part = kernel.rod_centre / l;
         let centre = (pin.0 + part * (gudgeon.0 - pin.0), pin.1 + part * (gudgeon.1 - pin.1));
-        sketch.mass_centre("G", centre);
+        sketch.mass_centre("G", to(centre));
     }
     let Some(forces) = forces.filter(|_| size > 0.0) else { return sketch };
     let scale = 1.3 * r / size;
@@ -122,7 +118,7 @@ fn frame(view: &View<'_>, angle: f64, forces: Option<&Forces>, size: f64) -> Ske
     for (tail, (x, y), name) in arrows {
         let (x, y) = (scale * x, scale * y);
         if x.hypot(y) >= 0.02 * r {
-            sketch.force(name, tail, (tail.0 + x, tail.1 + y));
+            sketch.force(name, to(tail), to((tail.0 + x, tail.1 + y)));
         }
     }
     sketch
