@@ -7,8 +7,7 @@ mod watch;
 mod wheel;
 
 use std::{
-    fs,
-    io::{self, Write as _},
+    fs, io,
     path::PathBuf,
     process::ExitCode,
     sync::{Arc, mpsc},
@@ -86,7 +85,7 @@ pub fn run(options: Options) -> ExitCode {
     terminal::run_guarded(&words, || match workbench(options) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            let _ = writeln!(io::stderr(), "{error}{}", advice(&error));
+            eprintln!("{error}{}", advice(&error));
             ExitCode::from(NO_TERMINAL)
         }
     })

@@ -31,7 +31,7 @@ fn solved(deed: u8) -> (Option<i32>, String) {
 }
 
 #[test]
-fn what_an_analysis_does_is_named_and_the_status_says_so() {
+fn what_an_analysis_does_is_named_and_sets_the_status() {
     for (deed, status, words) in [
         (1, 2, "misbehaving/plugin panicked at"),
         (3, 1, "cannot be represented: y"),
