@@ -3,7 +3,6 @@
 #![no_main]
 
 #[path = "../../tests/src/fuzz.rs"]
-#[expect(dead_code, reason = "the tests read the corpus")]
 mod fuzz;
 
 use std::{env, fs, path::Path, sync::LazyLock};

@@ -360,18 +360,3 @@ fn titles() -> Vec<Vec<u8>> {
         "& < > \" ' % _ ~ {",
     ])
 }
-
-/// The corpus of a target: one JSON text a line, a character for each byte.
-///
-/// # Panics
-/// If a line is no text, or has a character that is no byte.
-#[must_use]
-pub fn corpus(lines: &str) -> Vec<Vec<u8>> {
-    lines
-        .lines()
-        .map(|line| {
-            let text: String = serde_json::from_str(line).unwrap_or_else(|err| panic!("{line}: {err}"));
-            text.chars().map(|byte| u8::try_from(u32::from(byte)).expect("a character is a byte")).collect()
-        })
-        .collect()
-}

@@ -4,6 +4,7 @@ pub mod errors;
 pub mod fuzz;
 pub mod person;
 pub mod pictures;
+pub mod process;
 pub mod pty;
 pub mod trials;
 

@@ -148,12 +148,22 @@ fn corpus_file(root: &Path, name: &str) -> PathBuf {
     root.join("tests/data/fuzz").join(format!("{name}.jsonl"))
 }
 
-/// The corpus that is kept: a JSON text a line, a character for each byte.
+/// The corpus that is kept of a target; none before its first search.
 fn kept(root: &Path, name: &str) -> Result<Vec<Vec<u8>>> {
-    let Ok(lines) = fs::read_to_string(corpus_file(root, name)) else { return Ok(Vec::new()) };
+    fs::read_to_string(corpus_file(root, name)).map_or_else(|_| Ok(Vec::new()), |lines| corpus(&lines))
+}
+
+/// Inputs of a file of a corpus: one JSON text a line, a character for each byte.
+///
+/// # Errors
+/// A line that is not a text, or has a character that is not a byte.
+pub fn corpus(lines: &str) -> Result<Vec<Vec<u8>>> {
     let bytes = |line: &str| {
         let text: String = serde_json::from_str(line)?;
-        Ok(text.chars().filter_map(|byte| u8::try_from(u32::from(byte)).ok()).collect())
+        let bytes = text.chars().map(|byte| u8::try_from(u32::from(byte)));
+        bytes
+            .collect::<Result<Vec<u8>, _>>()
+            .with_context(|| format!("{line} has characters that are not bytes"))
     };
     lines.lines().map(bytes).collect()
 }

@@ -11,7 +11,7 @@ use std::{
 use tempfile::TempDir;
 
 use super::{Outcome, Random};
-use crate::pty;
+use crate::{process, pty};
 
 /// Time in which a command ends: `verify` solves every case.
 const LIMIT: Duration = Duration::from_mins(1);
@@ -31,26 +31,10 @@ fn in_folder(command: &mut Command, folder: &Path) {
         .stdin(Stdio::null());
 }
 
-/// Status of a command that ends by itself, or none.
+/// Status of a command, none if it does not end by itself, and all that it prints.
 fn ended(command: &mut Command) -> (Option<ExitStatus>, Vec<u8>) {
-    let folder = folder();
-    let (out, err) = (folder.path().join("out"), folder.path().join("err"));
-    let file = |path: &Path| fs::File::create(path).expect("a file can be made");
-    let mut child = command.stdout(file(&out)).stderr(file(&err)).spawn().expect("the program runs");
-    let start = Instant::now();
-    let status = loop {
-        match child.try_wait().expect("the program can be waited for") {
-            Some(status) => break Some(status),
-            None if start.elapsed() > LIMIT => {
-                let _ = child.kill();
-                let _ = child.wait();
-                break None;
-            }
-            None => thread::sleep(Duration::from_millis(1)),
-        }
-    };
-    let mut printed = fs::read(out).unwrap_or_default();
-    printed.extend(fs::read(err).unwrap_or_default());
+    let (status, [mut printed, errors]) = process::ended(command, LIMIT);
+    printed.extend(errors);
     (status, printed)
 }
 

@@ -4,15 +4,13 @@
 use std::{
     fmt::Write as _,
     fs,
-    io::Read as _,
     os::unix::fs::{MetadataExt as _, PermissionsExt as _},
     path::Path,
     process::{Command, Output, Stdio},
-    thread,
-    time::{Duration, Instant},
+    time::Duration,
 };
 
-use dalembert_tests::pty;
+use dalembert_tests::{process, pty};
 use tempfile::TempDir;
 
 /// Time in which the program answers on a machine that does other work too. Each of these files once took more than
@@ -28,32 +26,9 @@ fn folder() -> TempDir {
 
 /// Output of the program, which ends by itself within [`SOON`].
 fn solved_soon(folder: &Path, arguments: &[&str]) -> Output {
-    let mut child = crate::program()
-        .args(arguments)
-        .current_dir(folder)
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the program runs");
-    let mut streams = (child.stdout.take().expect("it is piped"), child.stderr.take().expect("it is piped"));
-    let readers = thread::spawn(move || {
-        let (mut stdout, mut stderr) = (Vec::new(), Vec::new());
-        let errors = thread::spawn(move || streams.1.read_to_end(&mut stderr).map(|_| stderr));
-        streams.0.read_to_end(&mut stdout).map(|_| (stdout, errors))
-    });
-    let start = Instant::now();
-    let status = loop {
-        if let Some(status) = child.try_wait().expect("the program can be waited for") {
-            break status;
-        }
-        if start.elapsed() > SOON {
-            child.kill().expect("the program can be ended");
-            panic!("{arguments:?} runs for more than {SOON:?}");
-        }
-        thread::sleep(Duration::from_millis(5));
-    };
-    let (stdout, errors) = readers.join().expect("no panic").expect("the output is read");
-    let stderr = errors.join().expect("no panic").expect("the errors are read");
+    let mut command = crate::program();
+    let (status, [stdout, stderr]) = process::ended(command.args(arguments).current_dir(folder), SOON);
+    let status = status.unwrap_or_else(|| panic!("{arguments:?} runs for more than {SOON:?}"));
     Output { status, stdout, stderr }
 }
 

@@ -38,7 +38,7 @@ impl Plan {
                 sheet.add_problem_steps(ProblemSteps { name, steps: start.0..end.0, exhibits });
             }
         }
-        if !entry.pictured().is_empty() {
+        if entry.is_pictured() {
             sheet.show_first(entry.pictured());
         }
         Ok(())
