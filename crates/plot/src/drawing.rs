@@ -44,11 +44,7 @@ pub fn render(
     }
     let locale = locale.ascii(look.ascii);
     if area.height >= 6 {
-        let most = match area.height {
-            16.. => 3,
-            11.. => 2,
-            _ => 1,
-        };
+        let most = wrap::title_rows(area.height);
         for line in wrap::title(&drawing.title.render(&locale), area.width.into(), most, look) {
             buffer.set_string(area.x, area.y, line, look.title());
             area = Rect { y: area.y + 1, height: area.height - 1, ..area };

@@ -39,6 +39,15 @@ pub fn title(text: &str, width: usize, most: usize, look: &Appearance) -> Vec<St
     lines
 }
 
+/// Rows that a title may take of a picture of this height.
+pub fn title_rows(height: u16) -> usize {
+    match height {
+        16.. => 3,
+        11.. => 2,
+        _ => 1,
+    }
+}
+
 /// A word in pieces of at most `width` cells.
 pub fn broken(word: &str, width: usize) -> Vec<String> {
     let mut pieces: Vec<String> = vec![String::new()];

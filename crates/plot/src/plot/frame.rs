@@ -69,14 +69,9 @@ impl Frame {
             legend = curves(axes, marker, look, locale);
         }
         let beside = fits(&legend);
-        // A title that is too long goes on in a second row where there is room for one.
+        // A title that is too long goes on in further rows where there is room for them.
         let title = axes.plot.title.render(locale);
-        let most = match height {
-            16.. => 3,
-            11.. => 2,
-            _ => 1,
-        };
-        let title = wrap::title(&title, area.width.into(), most, look);
+        let title = wrap::title(&title, area.width.into(), wrap::title_rows(height), look);
         let most = if height > 15 { 2 } else { 1 };
         let axis_title = |title: &AxisTitle| axis_lines(title, area.width.into(), most, look);
         let foot = axes.x.title(axes.x.span.ticks(3, locale.style).ten, locale);

@@ -46,8 +46,8 @@ pub(super) fn page(
         .enumerate()
         .map(|(n, answer)| {
             let is_alike = |before: &&Answer| before.is_main && before.problem == answer.problem;
-            let is_among_first = solution.answers[..n].iter().filter(is_alike).count() < MOST_MAIN;
-            let is_bold = answer.is_main && (answer.asked || is_among_first);
+            let is_among_first = || solution.answers[..n].iter().filter(is_alike).count() < MOST_MAIN;
+            let is_bold = answer.is_main && (answer.asked || is_among_first());
             ShownAnswer { is_bold, ..ShownAnswer::of(answer, solution, reading, look, locale) }
         })
         .collect();
