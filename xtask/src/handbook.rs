@@ -20,6 +20,7 @@ mod html;
 mod inputs;
 mod markdown;
 mod pages;
+mod solver;
 mod words;
 
 /// Folder of the handbook in the target folder.
@@ -27,6 +28,7 @@ const FOLDER: &str = "handbook";
 
 const STYLE: &str = include_str!("handbook/style.css");
 const SEARCH: &str = include_str!("handbook/search.js");
+const SOLVE: &str = include_str!("handbook/solve.js");
 
 /// Documents that are pages: file in docs/, and page.
 const DOCUMENTS: [(&str, &str); 4] = [
@@ -59,21 +61,32 @@ pub fn run(root: &Path, words: &[&str]) -> Result<()> {
     let program = Program::built(root, root)?;
     let folder = target(root).join(FOLDER);
     let documents = documents(root, &program)?;
+    println!("the solver of the pages is built as WebAssembly: minutes, the first time");
+    let solver = solver::build(root, &folder)?;
+    if let Err(why) = &solver {
+        println!("NOT BUILT: the pages do not solve: {why}");
+    }
     for words in languages {
         let within = folder.join(words.language);
         if within.exists() {
             fs::remove_dir_all(&within).with_context(|| format!("{} cannot be removed", within.display()))?;
         }
-        let pages = write(&program, words, &documents, &within)?;
+        let pages = write(&program, words, &documents, solver.is_ok(), &within)?;
         println!("written: {pages} pages in {}", within.display());
     }
     write_file(&folder.join("index.html"), &html::languages())?;
     copy(&root.join("docs/pictures"), &folder.join("en/pictures"))?;
-    if checked { check::run(root, &program, &folder, &documents) } else { Ok(()) }
+    if checked { check::run(root, &program, &folder, &documents, solver.is_ok()) } else { Ok(()) }
 }
 
 /// Writes all pages in a language, and says how many.
-fn write(program: &Program, words: &'static Words, documents: &Documents, folder: &Path) -> Result<usize> {
+fn write(
+    program: &Program,
+    words: &'static Words,
+    documents: &Documents,
+    solves: bool,
+    folder: &Path,
+) -> Result<usize> {
     let verified = program.in_language(words.language, &["verify", "--json"]).output()?;
     let verified: Json =
         serde_json::from_slice(&verified.stdout).context("`dalembert verify` printed no JSON")?;
@@ -88,7 +101,7 @@ fn write(program: &Program, words: &'static Words, documents: &Documents, folder
         let cases = cases(server, &shown, &rows)?;
         let figures = server.ask("report", &json!({ "problem": id, "case": 1, "format": "figures" }))?;
         let theory: Vec<(&str, &str)> = documents.theory_of(id);
-        let files = pages::of_analysis(&shown, array(&figures), &cases, &theory, words);
+        let files = pages::of_analysis(&shown, array(&figures), &cases, &theory, solves, words);
         write_files(folder, &files)?;
         let titles: Vec<String> = cases.iter().map(|case| text(case.shown, "title").to_owned()).collect();
         Ok((files.iter().filter(|(path, _)| is_page(path)).count(), titles))
@@ -97,6 +110,7 @@ fn write(program: &Program, words: &'static Words, documents: &Documents, folder
     let mut files = vec![
         ("style.css".to_owned(), STYLE.to_owned()),
         ("search.js".to_owned(), SEARCH.to_owned()),
+        ("solve.js".to_owned(), format!("const WORDS = {};\n{SOLVE}", words.of_solver())),
         ("search-index.js".to_owned(), contents::search_index(&index, array(&listed), &titles)),
         ("index.html".to_owned(), contents::page(array(&listed), &documents.theory(), words)),
     ];

@@ -751,3 +751,7 @@ a-title-block-has-no-key-did-you-mean-near = um carimbo não tem `{ $key }`; ser
 a-title-block-has-no-key-it-has-keys = um carimbo não tem `{ $key }`; tem { $keys }
 title-block-is-a-table-as-in-title-block-author-a-silva = `title_block` é uma tabela, como em [title_block] author = "A. Silva"
 a-line-of-a-title-block-is-a-text = uma linha de um carimbo é um texto
+
+# Formulário
+count-lines = { $count } linhas
+one-line = uma linha

@@ -44,6 +44,15 @@ pub fn in_words(shape: &Shape, locale: &Locale) -> String {
     text.render(locale)
 }
 
+/// Description of the values that a field takes, with its default.
+pub fn takes(field: &Field, locale: &Locale) -> String {
+    let values = in_words(&field.shape, locale);
+    match default_of(field) {
+        Some(default) => format!("{values}, {}", default.render(locale)),
+        None => values,
+    }
+}
+
 /// The default of a field in words.
 pub fn default_of(field: &Field) -> Option<Text> {
     let default = field.default?;

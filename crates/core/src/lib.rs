@@ -21,6 +21,7 @@ pub mod exercises;
 pub mod exhibit;
 mod field;
 pub mod file;
+pub mod form;
 mod formula;
 pub mod gravity;
 pub mod hints;

@@ -84,7 +84,6 @@ error-why = erro: { $why }
 id-has-no-case-number-it-has-cases-1-to-have = { $id } não tem o caso { $number }; tem os casos 1 a { $have }
 no-analysis-matches-filter-dalembert-list-shows-them-all = nenhuma análise corresponde a { $filter }; `dalembert list` mostra todas
 no-answer-why = sem resposta: { $why }
-path-value-why = { $path } = { $value }: { $why }
 set-change-write-a-path-and-a-value-as-in-set-mass-40-kg = --set { $change }: escreva um caminho e um valor, como em --set mass="40 kg"
 there-is-no-subcommand-name-did-you-mean-near = não há subcomando `{ $name }`; seria `{ $near }`?
 there-is-no-subcommand-name-see-dalembert-help = não há subcomando `{ $name }`; veja `dalembert --help`
@@ -264,9 +263,6 @@ weights-why = --weights { $why }
 file-why = { $file }: { $why }
 
 # Check of a user's own answers.
-likely-cause = Causa provável:
-possible-causes = Causas possíveis:
-correct-value = correto: { $value }
 written-write-an-answer-and-its-value-as-in-amplitude-19-5-mm = `{ $written }`: escreva uma resposta e o seu valor, como em `amplitude=19.5 mm`
 there-is-no-answer-name-the-answers-are-known = não há resposta `{ $name }`; as respostas são { $known }
 the-value-of-name-is-missing-as-in-name-example = falta o valor de `{ $name }`, como em `{ $name }={ $example }`

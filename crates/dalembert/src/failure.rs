@@ -2,12 +2,10 @@
 
 use std::io;
 
-use dalembert_core::{Arg, Locale, Text};
+use dalembert_core::{Locale, Text};
+use dalembert_report::{RequestError, errors_json};
 use dalembert_tui::files::FileError;
-use serde_json::{Value as Json, json};
-
-/// Version of the schema of errors: `{"format", "errors": [{"path", "message", "repair", "line"}]}`.
-const ERRORS_FORMAT: u32 = 1;
+use serde_json::Value as Json;
 
 /// Errors of a file.
 #[derive(Clone, Debug)]
@@ -73,59 +71,4 @@ impl Failure {
     pub(crate) fn json(&self, locale: &Locale) -> Json {
         errors_json(&self.errors(locale))
     }
-}
-
-/// `{"format", "errors"}`.
-pub(crate) fn errors_json(errors: &[RequestError]) -> Json {
-    json!({ "format": ERRORS_FORMAT, "errors": errors.iter().map(RequestError::json).collect::<Vec<_>>() })
-}
-
-/// Error of a request, for another program.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct RequestError {
-    /// Path of the input; empty where it is about none.
-    pub path: String,
-    /// The whole sentence, with value and repair.
-    pub message: String,
-    /// The name that was probably meant, where there is one.
-    pub repair: Option<String>,
-    /// Line of the problem file, counted from 1.
-    pub line: Option<usize>,
-}
-
-impl RequestError {
-    fn of(text: &Text, line: Option<usize>, locale: &Locale) -> Self {
-        let argument = |name| argument(text, name).map(str::to_owned);
-        Self {
-            path: argument("path").unwrap_or_default(),
-            message: text.render(locale),
-            repair: argument("near"),
-            line,
-        }
-    }
-
-    fn json(&self) -> Json {
-        let mut error = json!({ "path": self.path, "message": self.message });
-        if let Some(repair) = &self.repair {
-            error["repair"] = repair.as_str().into();
-        }
-        if let Some(line) = self.line {
-            error["line"] = line.into();
-        }
-        error
-    }
-}
-
-/// The argument of a sentence, or of one within it.
-fn argument<'t>(text: &'t Text, wanted: &str) -> Option<&'t str> {
-    let own = text.args.iter().find_map(|(name, value)| match value {
-        Arg::Verbatim(value) if *name == wanted => Some(value.as_str()),
-        _ => None,
-    });
-    own.or_else(|| {
-        text.args.iter().find_map(|(_, value)| match value {
-            Arg::Text(inner) => argument(inner, wanted),
-            _ => None,
-        })
-    })
 }

@@ -13,7 +13,7 @@ use dalembert_core::{
     file::{self, ProblemFile, TitleBlock},
     find, is_within,
 };
-use dalembert_report::{WorkedProblem, with_file};
+use dalembert_report::{WorkedProblem, named_error as named, short, typed, with_file};
 use dalembert_tui::files::{self, FileError};
 
 use serde_json::{Map, Value as Json};
@@ -22,9 +22,6 @@ use crate::{console::Console, failure::Failure, questions, snippet, solving::Sol
 
 /// The names that stand for the standard input.
 const STDIN: [&str; 2] = ["-", "/dev/stdin"];
-
-/// The longest value that an error repeats in full, in characters.
-const LONGEST_VALUE: usize = 60;
 
 /// A problem with its inputs understood.
 #[derive(Debug)]
@@ -457,32 +454,4 @@ fn from_file(draft: &Draft, shape: &Shape, path: &str, value: &str) -> Result<Op
         Some(columns) => files::read_table(Path::new(name), columns).map(Some),
         None => Ok(None),
     }
-}
-
-/// An error with the value that was typed. Of a table nothing is printed: it may be the content of a file.
-fn named(err: &FieldError, draft: &Draft, shape: &Shape) -> Text {
-    let mut value = typed(draft, shape, &err.path);
-    if value.contains('\n') {
-        value.clear();
-    }
-    let text =
-        if value.is_empty() { Text::new("{path}: {why}") } else { Text::new("{path} = {value}: {why}") };
-    text.with("path", &err.path).with("value", short(&value)).with_text("why", err.why.clone())
-}
-
-fn typed(draft: &Draft, shape: &Shape, path: &str) -> String {
-    match draft.at(shape, path) {
-        Ok((Draft::Leaf(text), _)) => text.clone(),
-        _ => String::new(),
-    }
-}
-
-/// A value on one line of an error.
-fn short(value: &str) -> String {
-    let mut line: String =
-        value.chars().take(LONGEST_VALUE).map(|c| if c == '\n' { ' ' } else { c }).collect();
-    if value.chars().nth(LONGEST_VALUE).is_some() {
-        line.push('…');
-    }
-    line
 }

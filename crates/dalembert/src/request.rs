@@ -16,8 +16,9 @@ use dalembert_core::{Entry, Language, Locale, Record, Solution, Text, UnitSettin
 use dalembert_report::{Block, DocumentFormat, RESULT_KEYS, WorkedProblem, document, html_fragment, json_of};
 use serde_json::{Map, Value as Json, json};
 
+pub use dalembert_report::RequestError;
+
 pub use self::inputs::NamedValue;
-pub use crate::failure::RequestError;
 use crate::{
     commands::{list, schema, show, solve},
     console::Console,

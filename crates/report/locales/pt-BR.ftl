@@ -75,3 +75,12 @@ the-note-holds-no-problem-file-dalembert-solve-output-writes-notes-that-do = o m
 the-problem-file-in-the-note-is-damaged-its-first-or-last-line-is-not-as-it-was-written = o arquivo do problema no memorial está danificado: sua primeira ou última linha não está como foi escrita
 the-document-cannot-be-written-why = o documento não pode ser gravado: { $why }
 the-file-is-no-document-of-word-or-is-damaged = o arquivo não é um documento do Word ou está danificado
+
+## Errors and verdicts
+path-value-why = { $path } = { $value }: { $why }
+likely-cause = Causa provável:
+possible-causes = Causas possíveis:
+correct-value = correto: { $value }
+incorrect-no-common-error-reproduces-this-value = Incorreto. Nenhum erro comum reproduz este valor.
+other-possibilities = Outras possibilidades:
+wrong-correct-right = { $wrong }   (correto: { $right })

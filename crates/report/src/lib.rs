@@ -5,10 +5,12 @@
 //! [`text`], [`markdown`], [`html`], [`latex`] and [`typst`] how it looks. Another format for people is another function of a [`Document`];
 //! one for machines is another function of a [`WorkedProblem`], like [`json`] and [`csv`].
 
+mod checked;
 mod csv;
 mod document;
 #[cfg(feature = "word")]
 mod docx;
+mod errors;
 pub mod figure;
 mod format;
 mod html;
@@ -32,8 +34,10 @@ mod xml;
 #[cfg(feature = "word")]
 pub use crate::docx::{DocxNote, docx, docx_differences};
 pub use crate::{
+    checked::{CheckedAnswer, checked_answers},
     csv::{csv, csv_tables, plot_csv},
     document::{Block, Document, DocumentTable, NamedValue},
+    errors::{RequestError, errors_json, named_error, short, typed},
     figure::figure,
     format::DocumentFormat,
     html::{html, html_fragment},

@@ -193,7 +193,6 @@ n-1-error = 1 erro
 n-1-value-missing = falta 1 valor
 count-values-missing = faltam { $count } valores
 needed = falta
-count-lines = { $count } linhas
 left-out = fora
 empty = vazio
 yes = sim
@@ -462,7 +461,6 @@ one-row-per-line-columns-separated-by-semicolons-tabs-spaces-or-commas-a-first-l
 file-holds-data-not-a-problem = { $file } contém dados, não um problema
 open-an-analysis-that-has-a-table-move-to-it-and-import-the-file-there-with-key = Abra uma análise que tenha tabela, vá até ela e importe o arquivo ali com { $key }.
 file-is-too-large-for-a-table-limit-most-mib-keep-every-tenth-row-or-the-range-of-interest = { $file } é grande demais para uma tabela (limite { $most } MiB): guarde uma linha em cada dez, ou a faixa de interesse
-one-line = uma linha
 
 # Linhas de listas
 collapse-or-expand-the-row = recolher ou expandir a linha

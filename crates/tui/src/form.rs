@@ -3,28 +3,29 @@
 
 mod edit;
 mod fold;
-mod lines;
 mod nudge;
 mod parts;
 mod paste;
 mod questions;
-mod units;
 
 use std::{
     collections::{BTreeSet, HashMap},
     ops::Range,
 };
 
-use dalembert_core::{Draft, Entry, Shape, Value, ascii, draft, gravity, linked, within_problem};
+use dalembert_core::{
+    Draft, Entry, Shape, Value, ascii, draft,
+    form::{self, in_next_unit, rows_mut, with_unit, written_unit},
+    gravity, linked, within_problem,
+};
 use dalembert_units::{Decimal, Style, thousands, with_point, write_quantity, write_vector};
 
+pub use dalembert_core::form::{BETWEEN, FormLine, Role, in_language, lines, settled};
 pub use edit::{Edit, Sign};
-pub use lines::{BETWEEN, FormLine, Role, lines};
 pub use nudge::{digit_at, nudged};
 pub use parts::{FilePart, PartRole};
 pub use paste::Filled;
 
-use self::units::{in_next_unit, with_unit, written_unit};
 use crate::glyphs::filter_untrusted;
 
 /// The longest text that is kept of one line, in characters.
@@ -260,30 +261,16 @@ impl Form {
     /// can be come back to.
     pub fn choose(&mut self, path: &str, to: usize) -> bool {
         let Ok((draft, shape)) = self.draft.at(&self.shape, path) else { return false };
-        let shape = shape.present();
-        let old = match (draft, shape) {
-            (Draft::OneOf(from, _), _) if *from == to => return false,
-            (Draft::OneOf(from, fields), _) => Some((*from, (**fields).clone())),
-            (_, Shape::OneOf(_)) => None,
-            _ => return false,
-        };
+        let Some(new) = form::alternative(&shape.present(), draft, to) else { return false };
+        let old = draft.clone();
         let new = match self.left.get(&(path.to_owned(), to)) {
             Some(kept) => kept.clone(),
-            None => {
-                let new = Draft::alternative(&shape, to).with_first_alternatives(&shape);
-                match (new, &old) {
-                    (Draft::OneOf(_, blank), Some((from, old))) => {
-                        with_common_texts(*blank, old, &shape, *from, to)
-                    }
-                    (Draft::OneOf(_, blank), None) => *blank,
-                    _ => return false,
-                }
-            }
+            None => new,
         };
-        if let Some((from, old)) = old {
+        if let Draft::OneOf(from, _) = old {
             self.left.insert((path.to_owned(), from), old);
         }
-        self.put(Change::Other, path, Draft::OneOf(to, Box::new(new)))
+        self.put(Change::Other, path, new)
     }
 
     /// Chooses the alternative, or the name, so many places further.
@@ -315,12 +302,7 @@ impl Form {
                 let on = matches!(draft::read_leaf(text, &Shape::Flag, ""), Ok(Value::Flag(true)));
                 self.set(&line.path, if on { "no" } else { "yes" }.to_owned(), Decimal::Point)
             }
-            Role::Absent => self.change(Change::Other, |draft, shape| {
-                let (place, shape) = draft.at_mut(shape, &line.path).ok()?;
-                let shape = shape.present();
-                *place = Draft::blank(&shape).with_first_alternatives(&shape);
-                Some(())
-            }),
+            Role::Absent => self.change(Change::Other, |draft, shape| form::put_in(draft, shape, &line.path)),
             _ if line.optional => self.leave_out(&line.path),
             _ => false,
         }
@@ -328,19 +310,7 @@ impl Form {
 
     /// The names of the rows that a reference may name; their numbers where they have none.
     pub fn names(&self, list: &str) -> Vec<String> {
-        let list = self.part().outside(list);
-        let Ok((Draft::Rows(rows), shape)) = self.draft.at(&self.shape, &list) else { return Vec::new() };
-        let Shape::Rows { item, .. } = shape.present() else { return Vec::new() };
-        let fields = item().fields(None);
-        let named = fields.iter().position(|field| field.name == "name");
-        let name = |row: &Draft| match (row, named) {
-            (Draft::Group(fields), Some(at)) => match fields.get(at) {
-                Some(Draft::Leaf(text)) if !text.trim().is_empty() => Some(text.trim().to_owned()),
-                _ => None,
-            },
-            _ => None,
-        };
-        rows.iter().enumerate().map(|(n, row)| name(row).unwrap_or_else(|| (n + 1).to_string())).collect()
+        form::names(&self.draft, &self.shape, &self.part().outside(list))
     }
 
     /// The innermost row that holds the line of the cursor.
@@ -395,13 +365,7 @@ impl Form {
         let mut path = String::new();
         self.left.clear();
         let done = self.change(Change::Other, |draft, shape| {
-            let (rows, shape) = rows_mut(draft, shape, &row.list)?;
-            let Shape::Rows { item, most, .. } = shape else { return None };
-            let at = row.at.map_or(rows.len(), |at| at + 1);
-            if rows.len() >= most {
-                return None;
-            }
-            rows.insert(at.min(rows.len()), Draft::blank(item()).with_first_alternatives(item()));
+            let at = form::insert_row(draft, shape, &row.list, row.at.map(|at| at + 1))?;
             path = format!("{}[{}]", row.list, at + 1);
             Some(())
         });
@@ -647,22 +611,6 @@ pub fn point_of_thousands(text: &str, style: Style) -> Option<&str> {
     }
 }
 
-/// A text of the draft as it is shown and edited in a language: numbers with its decimal mark. What is no quantity stays
-/// as it is.
-pub fn in_language(text: &str, shape: &Shape, decimal: Decimal) -> String {
-    let is_quantity = matches!(shape.present(), Shape::Quantity(_) | Shape::Vector(..));
-    let is_marked = decimal != Decimal::Point && is_quantity && draft::read_leaf(text, shape, "").is_ok();
-    if is_marked { decimal.written(text) } else { text.to_owned() }
-}
-
-/// A number as a draft has it, of what is typed in a language: with a decimal point. Any other text as it is.
-fn settled(text: String, shape: &Shape, decimal: Decimal) -> String {
-    match shape.present() {
-        Shape::Quantity(_) | Shape::Vector(..) => decimal.to_point(&text),
-        _ => text,
-    }
-}
-
 /// A text as it compares: however it is spaced, and whichever way powers and products are written.
 fn squeezed(text: &str) -> String {
     text.chars()
@@ -681,38 +629,6 @@ fn row_of(path: &str) -> Option<Row> {
     let open = path.rfind('[')?;
     let row: usize = path[open + 1..].split(']').next()?.parse().ok()?;
     Some(Row { list: path[..open].to_owned(), at: Some(row.checked_sub(1)?) })
-}
-
-fn rows_mut<'d>(draft: &'d mut Draft, shape: &Shape, list: &str) -> Option<(&'d mut Vec<Draft>, Shape)> {
-    match draft.at_mut(shape, list).ok()? {
-        (Draft::Rows(rows), shape) => Some((rows, shape.present())),
-        _ => None,
-    }
-}
-
-/// The fields of an alternative, with the texts of another in the fields of the same name.
-fn with_common_texts(blank: Draft, old: &Draft, shape: &Shape, from: usize, to: usize) -> Draft {
-    let (Draft::Group(mut blank), Draft::Group(old)) = (blank, old) else { return Draft::Absent };
-    let names = shape.fields(Some(from));
-    for (field, place) in shape.fields(Some(to)).iter().zip(&mut blank) {
-        let common =
-            names.iter().position(|other| other.name == field.name && alike(&other.shape, &field.shape));
-        if let Some(old) = common.and_then(|at| old.get(at)) {
-            *place = old.clone();
-        }
-    }
-    Draft::Group(blank)
-}
-
-/// Returns true if the texts of one shape may stand in the other.
-fn alike(a: &Shape, b: &Shape) -> bool {
-    match (a, b) {
-        (Shape::OneOf(a), Shape::OneOf(b)) => std::ptr::eq(a(), b()),
-        (Shape::Group(a), Shape::Group(b)) => std::ptr::eq(a(), b()),
-        (Shape::Rows { item: a, .. }, Shape::Rows { item: b, .. })
-        | (Shape::Optional(a), Shape::Optional(b)) => alike(a(), b()),
-        _ => a.is_leaf() && b.is_leaf(),
-    }
 }
 
 #[cfg(test)]

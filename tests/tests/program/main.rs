@@ -20,6 +20,7 @@ mod sensitivity;
 mod study;
 mod study_plans;
 mod teaching;
+mod web;
 mod workbench;
 mod workflows;
 

@@ -1,7 +1,10 @@
 // Examines the handbook for `cargo xtask handbook --check`. The request is JSON on standard input, what was found is printed
 // as JSON. `search SEARCH INDEX`: ids of the first three analyses of each query. `widths`: pages that are wider than the
-// window of a headless Chromium, which is spoken to through a pipe.
+// window of a headless Chromium, which is spoken to through a pipe. `solver`: problem files solved by the page and by the
+// program, compared, and errors as a page shows them.
 import { readFileSync, mkdtempSync, rmSync } from "node:fs";
+import { createInterface } from "node:readline";
+import { brotliCompressSync, gzipSync } from "node:zlib";
 import { spawn } from "node:child_process";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -51,47 +54,189 @@ function started(browser, profile) {
   return { process, call, event };
 }
 
-/** A tab that measures pages. */
+/** A tab: what opens a page in it, and what is asked of it. */
 async function tab({ call, event }) {
   const { targetId } = await call("Target.createTarget", { url: "about:blank" });
   const { sessionId } = await call("Target.attachToTarget", { targetId, flatten: true });
   const ask = (method, params) => call(method, params, sessionId);
   await ask("Page.enable");
-  return async (page, widths) => {
+  const open = async (page) => {
     const loaded = event("Page.loadEventFired", sessionId);
     await ask("Page.navigate", { url: pathToFileURL(page).href });
     await loaded;
-    const wide = [];
-    for (const width of widths) {
-      const view = { width, height: 800, deviceScaleFactor: 1, mobile: false };
-      await ask("Emulation.setDeviceMetricsOverride", view);
-      const { result } = await ask("Runtime.evaluate", { expression: "document.documentElement.scrollWidth" });
-      if (result.value > width) wide.push({ page, at: width, is: result.value });
-    }
-    return wide;
   };
+  /** Value of an expression in the page, of its promise where it is one. */
+  const value = async (expression) => {
+    const params = { expression, awaitPromise: true, returnByValue: true };
+    const { result, exceptionDetails } = await ask("Runtime.evaluate", params);
+    if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
+    return result.value;
+  };
+  const sized = (width) =>
+    ask("Emulation.setDeviceMetricsOverride", { width, height: 800, deviceScaleFactor: 1, mobile: false });
+  return { open, value, sized, ask };
 }
 
-async function widths({ browser, pages, widths }) {
+/** Does something with a browser, which is ended then. */
+async function browsing(browser, act) {
   const profile = mkdtempSync(join(tmpdir(), "handbook-"));
   const running = started(browser, profile);
-  const waiting = [...pages];
-  const wide = [];
-  let measured = 0;
-  const work = async () => {
-    const measure = await tab(running);
-    for (let page = waiting.shift(); page !== undefined; page = waiting.shift()) {
-      wide.push(...(await measure(page, widths)));
-      measured += 1;
-    }
-  };
-  await Promise.all([work(), work()]);
-  const ended = new Promise((done) => running.process.on("exit", done));
-  running.call("Browser.close").catch(() => {});
-  await ended;
-  rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
-  return { measured, wide };
+  try {
+    return await act(running);
+  } finally {
+    const ended = new Promise((done) => running.process.on("exit", done));
+    running.call("Browser.close").catch(() => {});
+    await ended;
+    rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+  }
 }
 
-const found = task === "search" ? search(files) : await widths(request);
+/** Takes each item in one of two tabs. */
+const inTabs = (running, items, begin) => {
+  const waiting = [...items];
+  const work = async () => {
+    const take = await begin(await tab(running));
+    for (let item = waiting.shift(); item !== undefined; item = waiting.shift()) await take(item);
+  };
+  return Promise.all([work(), work()]);
+};
+
+function widths({ browser, pages, widths }) {
+  return browsing(browser, async (running) => {
+    const wide = [];
+    let measured = 0;
+    await inTabs(running, pages, ({ open, value, sized }) => async (page) => {
+      await open(page);
+      for (const width of widths) {
+        await sized(width);
+        const is = await value("document.documentElement.scrollWidth");
+        if (is > width) wide.push({ page, at: width, is });
+      }
+      measured += 1;
+    });
+    return { measured, wide };
+  });
+}
+
+/** A program that answers requests line by line: the texts of its results. */
+function served(program, language) {
+  const running = spawn(program, ["--lang", language, "serve", "--stdio"], { stdio: ["pipe", "pipe", "inherit"] });
+  const lines = createInterface({ input: running.stdout })[Symbol.asyncIterator]();
+  const ask = async (request) => {
+    running.stdin.write(`${JSON.stringify(request)}\n`);
+    const { value } = await lines.next();
+    const begin = '{"id":null,"result":';
+    return value.startsWith(begin) ? value.slice(begin.length, -1) : value;
+  };
+  return { ask, end: () => running.stdin.end() };
+}
+
+/** Numbers of two answers that are not the same, and how far the farthest are apart. */
+function apart(ours, theirs) {
+  const numbers = (value) => (Array.isArray(value) ? value.flatMap(numbers) : [value]);
+  const [a, b] = [ours, theirs].map(({ si }) => numbers(si));
+  const off = a.map((x, n) => (x === b[n] ? 0 : Math.abs(x - b[n]) / Math.max(Math.abs(x), Math.abs(b[n]))));
+  return { count: off.filter((share) => share > 0).length, of: a.length, most: Math.max(0, ...off) };
+}
+
+/** What of a problem the page has otherwise than the program. */
+function compared(ours, theirs) {
+  if (ours === theirs) return { same: true, numbers: 0, off: 0, most: 0, other: [] };
+  const [a, b] = [ours, theirs].map((text) => JSON.parse(text));
+  const other = [];
+  let numbers = 0, off = 0, most = 0;
+  for (const key of new Set([...Object.keys(a), ...Object.keys(b)])) {
+    if (key === "answers" || JSON.stringify(a[key]) === JSON.stringify(b[key])) continue;
+    other.push(key);
+  }
+  const wrong = [];
+  const names = Object.keys(b.answers ?? {});
+  if (JSON.stringify(Object.keys(a.answers ?? {})) !== JSON.stringify(names)) wrong.push("the answers are others");
+  for (const name of names) {
+    const [x, y] = [a.answers?.[name], b.answers[name]];
+    if (x?.shown !== y.shown || x?.label !== y.label) wrong.push(`${name}: ${x?.shown}, and not ${y.shown}`);
+    if (!x) continue;
+    const found = apart(x, y);
+    [numbers, off, most] = [numbers + found.of, off + found.count, Math.max(most, found.most)];
+  }
+  for (const key of ["refusal", "warnings", "notes", "inputs", "errors"]) if (other.includes(key)) wrong.push(key);
+  return { same: false, numbers, off, most, other, wrong };
+}
+
+/** Every problem file solved by the page and by the program; what a page says to wrong inputs. */
+async function solver({ browser, program, script, languages, widths }) {
+  const sizes = { file: readFileSync(script).length, gzip: gzipSync(readFileSync(script), { level: 9 }).length,
+    brotli: brotliCompressSync(readFileSync(script)).length };
+  return browsing(browser, async (running) => {
+    const found = [];
+    for (const { language, files } of languages) {
+      const begin = performance.now();
+      const total = { language, count: 0, same: 0, shown: 0, papers: 0, numbers: 0, off: 0, most: 0, where: "", faults: [] };
+      await inTabs(running, files, async ({ open, value }) => {
+        const { ask } = served(program, language);
+        await open(files[0].replace(/toml$/, "html"));
+        await value(`loaded(document.querySelector("#solve").dataset.up + "../solver.js")`);
+        return async (file) => {
+          const text = readFileSync(file, "utf8");
+          const given = JSON.stringify(text);
+          const asked = (call) => value(`solver.ask("${call}", ${given}, "${language}")`);
+          try {
+            const theirs = await ask({ solve: { problem_file: text } });
+            const result = compared(await asked("solved"), theirs);
+            const paper = JSON.parse(await ask({ report: { problem_file: text, format: "html_fragment" } }));
+            total.count += 1;
+            total.same += Number(result.same);
+            total.papers += Number(JSON.parse(await asked("opened")).html === paper);
+            total.shown += Number(!result.wrong?.length);
+            total.off += result.off;
+            if (result.most > total.most) [total.most, total.where] = [result.most, file];
+            total.faults.push(...(result.wrong ?? []).map((what) => `${file}: ${what}`));
+          } catch (fault) {
+            total.faults.push(`${file}: ${fault.message}`);
+          }
+        };
+      });
+      found.push({ ...total, seconds: (performance.now() - begin) / 1000 });
+    }
+    const pages = languages.map(({ files }) => files[0].replace(/toml$/, "html"));
+    const shown = [];
+    for (const page of pages) shown.push(await typed(await tab(running), page, widths));
+    return { sizes, found, shown };
+  });
+}
+
+/** Widths of a page while it solves, and what it says to a wrong unit, a missing value and a wrong answer. */
+async function typed({ open, value, sized }, page, widths) {
+  await open(page);
+  await value(`document.querySelector("#solve .begin").click()`);
+  const settled = `new Promise((done) => {
+    const look = () => (document.querySelector("#solve .inputs .line") && !document.querySelector("#solve[aria-busy]") ? done() : setTimeout(look, 50));
+    setTimeout(look, 50);
+  })`;
+  await value(settled);
+  const first = `document.querySelector("#solve .line.text input")`;
+  const unit = (text) => `(() => {
+    const field = ${first};
+    field.value = ${JSON.stringify(text)};
+    field.dispatchEvent(new Event("change"));
+  })()`;
+  const said = async (text) => {
+    await value(unit(text));
+    await value(settled);
+    return value(`document.querySelector("#solve .line .error")?.textContent ?? ""`);
+  };
+  const wide = [];
+  for (const width of widths) {
+    await sized(width);
+    const is = await value("document.documentElement.scrollWidth");
+    if (is > width) wide.push({ at: width, is });
+  }
+  const before = await value(`${first}.value`);
+  const errors = [await said("12 furlongz"), await said("")];
+  const repaired = await said(before);
+  return { page, wide, errors, repaired, answers: await value(`document.querySelectorAll("#solve .found tr").length`) };
+}
+
+const tasks = { search: () => search(files), widths: () => widths(request), solver: () => solver(request) };
+const found = await tasks[task]();
 process.stdout.write(JSON.stringify(found));

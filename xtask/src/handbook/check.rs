@@ -18,7 +18,9 @@ use crate::{
     server::{self, Server},
 };
 
-/// Script for Node.js: the search, and pages in a browser.
+mod solver;
+
+/// Script for Node.js: the search, pages in a browser, and what they compute.
 const SCRIPT: &str = include_str!("check.mjs");
 /// Queries of the search, in the tree.
 const QUERIES: &str = "tests/data/queries.toml";
@@ -29,7 +31,13 @@ const WIDTHS: [u32; 2] = [390, 1200];
 ///
 /// # Errors
 /// What is wrong with it.
-pub(super) fn run(root: &Path, program: &Program, folder: &Path, documents: &Documents) -> Result<()> {
+pub(super) fn run(
+    root: &Path,
+    program: &Program,
+    folder: &Path,
+    documents: &Documents,
+    solves: bool,
+) -> Result<()> {
     let pages = pages(folder)?;
     let mut faults = Vec::new();
     let listed = Server::start(program, "en")?.ask("list", &Json::Null)?;
@@ -67,6 +75,11 @@ pub(super) fn run(root: &Path, program: &Program, folder: &Path, documents: &Doc
             faults.extend(wide);
         }
         _ => println!("widths: not run, Chromium or Node.js is not installed"),
+    }
+    match browser() {
+        _ if !solves => println!("solver: not run, it is not built"),
+        Some(browser) if has_node => faults.extend(solver::compared(program, browser, folder, &pages)?),
+        _ => println!("solver: not run, Chromium or Node.js is not installed"),
     }
     for fault in &faults {
         println!("{fault}");

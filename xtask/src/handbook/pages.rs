@@ -31,6 +31,7 @@ pub(super) fn of_analysis(
     figures: &[Json],
     cases: &[Case<'_>],
     theory: &[(&str, &str)],
+    solves: bool,
     words: &'static Words,
 ) -> Files {
     let id = text(shown, "id");
@@ -41,7 +42,7 @@ pub(super) fn of_analysis(
         let path = format!("{id}/{}.html", n + 1);
         let title = format!("{}: {}", text(shown, "title"), text(case.shown, "title"));
         let frame = Frame { path: &path, title: &title, words, translated: true };
-        files.push((path.clone(), frame.page(&solved(shown, case, n + 1, cases.len(), words))));
+        files.push((path.clone(), frame.page(&solved(shown, case, n + 1, cases.len(), solves, words))));
         files.push((format!("{id}/{}.toml", n + 1), case.file.clone()));
     }
     files
@@ -151,7 +152,7 @@ fn compared(comparisons: &[&Json], shown: &Json, words: &Words) -> String {
 }
 
 /// Content of the page of a case.
-fn solved(shown: &Json, case: &Case<'_>, number: usize, count: usize, words: &Words) -> String {
+fn solved(shown: &Json, case: &Case<'_>, number: usize, count: usize, solves: bool, words: &Words) -> String {
     let id = text(shown, "id");
     let mut page = crumbs(shown, "../../");
     let others = [
@@ -165,8 +166,17 @@ fn solved(shown: &Json, case: &Case<'_>, number: usize, count: usize, words: &Wo
         "<p>{} {number}/{count}. <a href=\"{number}.toml\" download>{}</a></p>\n",
         words.case, words.file
     );
-    page += &case.report;
-    page + &section(words.comparisons, &compared(&case.comparisons, case.shown, words))
+    page += &format!(
+        "<details><summary>{}</summary>\n<pre id=\"problem-file\">{}</pre>\n</details>\n",
+        words.file,
+        escaped(&case.file)
+    );
+    if solves {
+        page += "<section id=\"solve\" data-up=\"../../\" hidden></section>\n";
+    }
+    page += &format!("<div id=\"worked\">\n{}</div>\n", case.report);
+    page += &section(words.comparisons, &compared(&case.comparisons, case.shown, words));
+    if solves { page + "<script src=\"../../solve.js\"></script>\n" } else { page }
 }
 
 /// Family and topic, with links to them in the contents.

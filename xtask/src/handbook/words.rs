@@ -1,5 +1,7 @@
 //! Words of the pages themselves, in both languages; those of analyses come from the program.
 
+use serde_json::Value as Json;
+
 /// Words of a language.
 #[derive(Debug)]
 pub(super) struct Words {
@@ -44,11 +46,19 @@ pub(super) struct Words {
     pub(super) keywords: &'static str,
     pub(super) previous: &'static str,
     pub(super) next: &'static str,
+    /// Words of the page that solves, each by the name that its script has for it.
+    pub(super) solver: &'static [(&'static str, &'static str)],
 }
 
 impl Words {
     /// Every language.
     pub(super) const ALL: [&'static Words; 2] = [&ENGLISH, &PORTUGUESE];
+
+    /// The words of the page that solves, for its script.
+    pub(super) fn of_solver(&self) -> Json {
+        let own = [("inputs", self.inputs), ("answers", self.answers), ("file", self.file)];
+        own.iter().chain(self.solver).map(|(name, words)| ((*name).to_owned(), Json::from(*words))).collect()
+    }
 
     /// The word for a verdict of the program.
     pub(super) fn verdict_of(&self, verdict: &str) -> &'static str {
@@ -100,6 +110,33 @@ const ENGLISH: Words = Words {
     keywords: "Keywords",
     previous: "Previous case",
     next: "Next case",
+    solver: &[
+        ("solve", "Edit and solve here"),
+        ("size", "loads the program once, 4 MB"),
+        ("loading", "The program is loaded …"),
+        (
+            "missing",
+            "solver.js, in the folder above that of the language, cannot be read: copy the whole handbook",
+        ),
+        ("solving", "Solving …"),
+        ("stop", "Stop"),
+        ("stopped", "stopped"),
+        ("fault", "The program has ended; the problem is as it was before"),
+        ("common", "Definitions, questions, given answers, configurations"),
+        ("add", "Add a row"),
+        ("takeOut", "Take out"),
+        ("putIn", "Put in"),
+        ("leaveOut", "Leave out"),
+        (
+            "wrong",
+            "There are no answers while an input is wrong; the solution below is of the inputs before.",
+        ),
+        ("ownAnswers", "Check your own answers"),
+        ("checking", "Type what you found, with its unit; what is left empty is not checked."),
+        ("check", "Check"),
+        ("searching", "Searching for the cause …"),
+        ("again", "Back to the published inputs"),
+    ],
 };
 
 const PORTUGUESE: Words = Words {
@@ -142,4 +179,28 @@ const PORTUGUESE: Words = Words {
     keywords: "Palavras-chave",
     previous: "Caso anterior",
     next: "Próximo caso",
+    solver: &[
+        ("solve", "Editar e resolver aqui"),
+        ("size", "carrega o programa uma vez, 4 MB"),
+        ("loading", "Carregando o programa …"),
+        ("missing", "solver.js, na pasta acima da do idioma, não pode ser lido: copie o manual inteiro"),
+        ("solving", "Resolvendo …"),
+        ("stop", "Parar"),
+        ("stopped", "interrompido"),
+        ("fault", "O programa terminou; o problema está como antes"),
+        ("common", "Definições, perguntas, respostas dadas, configurações"),
+        ("add", "Acrescentar uma linha"),
+        ("takeOut", "Retirar"),
+        ("putIn", "Incluir"),
+        ("leaveOut", "Deixar fora"),
+        (
+            "wrong",
+            "Não há respostas enquanto uma entrada está errada; a solução abaixo é das entradas anteriores.",
+        ),
+        ("ownAnswers", "Conferir as suas respostas"),
+        ("checking", "Escreva o que encontrou, com a unidade; o que fica vazio não é conferido."),
+        ("check", "Conferir"),
+        ("searching", "Procurando a causa …"),
+        ("again", "Voltar aos dados publicados"),
+    ],
 };

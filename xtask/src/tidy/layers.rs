@@ -3,7 +3,7 @@
 use super::{Tree, ends_in, lines, without_tests};
 
 /// A crate and those of this workspace that it may depend on, by folder, without tests.
-const BELOW: [(&str, &[&str]); 17] = [
+const BELOW: [(&str, &[&str]); 18] = [
     ("crates/units", &[]),
     ("crates/numerics", &[]),
     ("crates/mechanics", &["numerics"]),
@@ -20,6 +20,7 @@ const BELOW: [(&str, &[&str]); 17] = [
         "crates/dalembert",
         &["core", "import", "mechanics", "plugins", "report", "study", "teaching", "tui", "units"],
     ),
+    ("crates/web", &["core", "plugins", "report"]),
     ("plugins/*", &["core", "mechanics", "numerics", "units"]),
     ("crates/testkit", &["core", "mechanics", "numerics", "plot", "report", "terminal", "units"]),
     (
@@ -37,6 +38,7 @@ const BELOW: [(&str, &[&str]); 17] = [
             "testkit",
             "tui",
             "units",
+            "web",
         ],
     ),
     ("xtask", &["units"]),
@@ -49,7 +51,7 @@ const OF_A_PLUGIN: [&str; 1] = ["nalgebra"];
 const EFFECTS: [&str; 4] = ["fs", "net", "process", "env"];
 
 /// The crates that do no input or output.
-const PURE: [&str; 9] = [
+const PURE: [&str; 10] = [
     "crates/units/src/",
     "crates/numerics/src/",
     "crates/mechanics/src/",
@@ -58,6 +60,7 @@ const PURE: [&str; 9] = [
     "crates/report/src/",
     "crates/teaching/src/",
     "crates/plot/src/",
+    "crates/web/src/",
     "plugins/",
 ];
 

@@ -3,10 +3,11 @@
 use std::process::ExitCode;
 
 use dalembert_core::{
-    Locale, Solution, Stop, Text,
-    check::{self, Cause, Mistake, Place, Verdict},
+    Solution, Stop, Text,
+    check::{self, Verdict},
     find as analysis, nearest,
 };
+use dalembert_report::checked_answers;
 use serde_json::{Value as Json, json};
 
 use crate::{
@@ -19,14 +20,6 @@ use crate::{
 
 /// Version of the schema of the JSON.
 const FORMAT: u32 = 1;
-
-/// The verdict on an answer.
-struct Checked<'s> {
-    name: String,
-    typed: &'s str,
-    verdict: Verdict,
-    causes: Vec<Cause>,
-}
 
 /// Compares answers with the computed ones, and prints the likeliest cause of each wrong one.
 pub(crate) fn run(check: &Check, console: &Console) -> Result<ExitCode, Failure> {
@@ -42,15 +35,7 @@ pub(crate) fn run(check: &Check, console: &Console) -> Result<ExitCode, Failure>
     let causes = solving::guarded(problem.entry, || {
         check::causes(problem.entry, &problem.record, &solution, &typed, &Stop::new(), None)
     })?;
-    let checked: Vec<Checked<'_>> = check::compare_all(&solution, &typed)
-        .into_iter()
-        .zip(&typed)
-        .map(|((name, verdict), (_, typed))| {
-            let causes = causes.iter().find(|(known, _)| *known == name);
-            let causes = causes.map_or_else(Vec::new, |(_, causes)| causes.clone());
-            Checked { name, typed, verdict, causes }
-        })
-        .collect();
+    let checked = checked_answers(&solution, &typed, &causes);
     if check.json {
         let answers: Vec<Json> = checked.iter().map(|one| one.json(&solution, &locale)).collect();
         print_json(&json!({ "format": FORMAT, "analysis": problem.entry.about.id, "answers": answers }))?;
@@ -91,101 +76,4 @@ fn typed(answers: &[String], solution: &Solution) -> Result<Vec<(String, String)
         typed.push((answer.name.to_string(), value.to_owned()));
     }
     Ok(typed)
-}
-
-impl Checked<'_> {
-    /// Name of the verdict in JSON.
-    fn verdict_name(&self) -> &'static str {
-        match self.verdict {
-            Verdict::Right => "correct",
-            Verdict::RoundedEarly(_) => "near",
-            Verdict::TooFewDigits => "too-few-digits",
-            Verdict::Wrong => "incorrect",
-            Verdict::Unread(_) => "unreadable",
-        }
-    }
-
-    fn lines(&self, solution: &Solution, reveals: bool, locale: &Locale) -> Vec<String> {
-        let verdict = self.verdict.text().render(&locale.digits(2));
-        let verdict = match (&self.verdict, self.causes.is_empty()) {
-            (Verdict::Wrong, true) => {
-                Text::new("Incorrect. No common error reproduces this value.").render(locale)
-            }
-            (Verdict::RoundedEarly(_), false) => Verdict::Wrong.text().render(locale),
-            _ => verdict,
-        };
-        let mut lines = vec![format!("{} = {}: {verdict}", self.name, self.typed)];
-        let mut say = |indent: usize, text: &Text| {
-            lines.push(format!("{}{}", " ".repeat(indent), text.render(locale)));
-        };
-        let named = self.causes.first().is_some_and(|first| first.is_named);
-        for (n, cause) in self.causes.iter().enumerate() {
-            match n {
-                0 if named => say(2, &Text::new("Likely cause:")),
-                0 => say(2, &Text::new("Possible causes:")),
-                1 if named => say(2, &Text::new("Other possibilities:")),
-                _ => {}
-            }
-            say(4, &cause.text(solution));
-            if n > 0 {
-                continue;
-            }
-            for [wrong, right] in cause.mistakes.iter().filter_map(|one| one.lines(solution, locale)) {
-                if reveals {
-                    let line = Text::new("{wrong}   (correct: {right})");
-                    say(6, &line.with("wrong", wrong).with("right", right));
-                } else {
-                    say(6, &Text::verbatim(wrong));
-                }
-            }
-        }
-        if let (true, Some(answer)) = (reveals, solution.answer(&self.name)) {
-            say(2, &Text::new("correct: {value}").with("value", answer.shown(locale)));
-        }
-        lines
-    }
-
-    fn json(&self, solution: &Solution, locale: &Locale) -> Json {
-        let causes: Vec<Json> = self
-            .causes
-            .iter()
-            .map(|cause| {
-                let one = |mistake: &Mistake| {
-                    let (place, at) = match &mistake.place {
-                        Place::Answer => ("answer", None),
-                        Place::Problem => ("problem", None),
-                        Place::Input(path, _) => ("input", Some(path.clone())),
-                        Place::Step(_, symbol) => ("step", Some(dalembert_core::printer::symbol(symbol))),
-                    };
-                    let lines = mistake.lines(solution, locale);
-                    json!({
-                        "place": place,
-                        "at": at,
-                        "operation": mistake.operation(),
-                        "text": mistake.text(solution).render(locale),
-                        "computed": lines.as_ref().map(|[wrong, _]| wrong),
-                        "correct": lines.as_ref().map(|[_, right]| right),
-                    })
-                };
-                let mistakes: Vec<Json> = cause.mistakes.iter().map(one).collect();
-                let equivalents: Vec<Vec<Json>> =
-                    cause.equivalents.iter().map(|all| all.iter().map(one).collect()).collect();
-                let text = cause.text(solution).render(locale);
-                json!({
-                    "text": text,
-                    "named": cause.is_named,
-                    "mistakes": mistakes,
-                    "equivalents": equivalents,
-                })
-            })
-            .collect();
-        let text = self.verdict.text().render(&locale.digits(2));
-        json!({
-            "answer": self.name,
-            "typed": self.typed,
-            "verdict": self.verdict_name(),
-            "text": text,
-            "causes": causes,
-        })
-    }
 }

@@ -11,12 +11,13 @@ use std::{
 };
 
 use dalembert_core::{Locale, Text, nearest};
+use dalembert_report::errors_json;
 use serde_json::{Map, Value as Json, json};
 
 use crate::{
     commands::{list, new},
     console::Console,
-    failure::{Failure, errors_json},
+    failure::Failure,
     request::{self, RequestFailure, RequestedProblem},
     solving,
 };

@@ -5,7 +5,8 @@ use std::process::ExitCode;
 use dalembert_core::{
     ChildList, Entry, Field, FieldLimit, Locale, Measure, Shape, Stop, Text, Variant,
     cases::{self, Case, ComparisonRule, Seen},
-    describe, search,
+    describe::takes,
+    search,
     suggestions::{Suggestion, suggestions},
 };
 use dalembert_report::{Block, Document, NamedValue};
@@ -140,15 +141,6 @@ fn document(
         ),
     ]);
     Document { title: say(about.title), blocks }
-}
-
-/// Values that a field takes, and its default.
-fn takes(field: &Field, locale: &Locale) -> String {
-    let value = describe::in_words(&field.shape, locale);
-    match describe::default_of(field) {
-        Some(default) => format!("{value}, {}", default.render(locale)),
-        None => value,
-    }
 }
 
 /// Form in which a published answer was seen, in words.

@@ -104,9 +104,14 @@ fn among_threads<T: Send>(n: usize, work: impl FnOnce() -> T + Send) -> T {
     if n < WORTH_THREADS { work() } else { rayon::scope(|_| work()) }
 }
 
-/// One thread for small matrices, as many as there are for large ones.
+/// One thread for small matrices, as many as there are for large ones; one in a browser.
 fn threads(n: usize) -> Par {
-    if n < WORTH_THREADS { Par::Seq } else { Par::rayon(0) }
+    #[cfg(not(target_family = "wasm"))]
+    if n >= WORTH_THREADS {
+        return Par::rayon(0);
+    }
+    let _ = n;
+    Par::Seq
 }
 
 /// Eigenvalues of a symmetric matrix, ascending, and its vectors if they are wanted. The lower half is read.

@@ -1,15 +1,13 @@
 //! Typing in a field.
 
-use dalembert_core::{Draft, Shape};
+use dalembert_core::{
+    Draft, Shape,
+    form::{own_unit, with_unit, written_unit},
+};
 use dalembert_units::{Decimal, Unit};
 use tui_input::InputRequest;
 
-use super::{
-    Change, Form, FormLine, Role, Snapshot, in_language,
-    parts::Target,
-    settled,
-    units::{own_unit, with_unit, written_unit},
-};
+use super::{Change, Form, FormLine, Role, Snapshot, in_language, parts::Target, settled};
 use crate::text_entry::TextEntry;
 
 /// A field that is being typed in.

@@ -4,7 +4,9 @@ use std::collections::BTreeSet;
 
 use dalembert_core::{Draft, is_within};
 
-use super::{Form, FormLine, Role, lines::summary};
+use dalembert_core::form::summary;
+
+use super::{Form, FormLine, Role};
 
 impl Form {
     /// Every line of the part that is shown, those of folded rows among them.

@@ -6,13 +6,11 @@
 use std::collections::HashSet;
 
 use dalembert_core::{
-    COMMON_LISTS, Draft, Entry, Field, Shape, Text, is_within, linked, normalised, within_problem,
+    COMMON_LISTS, Draft, Entry, Field, Shape, Text, form::push_field, is_within, linked, normalised,
+    within_problem,
 };
 
-use super::{
-    Change, Form, FormLine, Role,
-    lines::{lines, push_field},
-};
+use super::{Change, Form, FormLine, Role, lines};
 
 /// A part of a problem file: a problem or a configuration.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -204,18 +202,6 @@ fn line_of<'l>(lines: &'l mut [FormLine], path: &str, symbol: &str) -> Option<&'
         lines.iter().position(|line| line.path == only)
     });
     at.map(|at| &mut lines[at]).filter(|line| line.is_quantity())
-}
-
-impl FormLine {
-    /// Returns true if it is a quantity.
-    pub fn is_quantity(&self) -> bool {
-        matches!(&self.role, Role::Leaf { shape, .. } if matches!(shape.present(), Shape::Quantity(_)))
-    }
-
-    /// Returns true if what is said of a path is said of this line.
-    pub fn stands_at(&self, path: &str) -> bool {
-        self.changed.as_deref().unwrap_or(&self.path) == path
-    }
 }
 
 impl Form {

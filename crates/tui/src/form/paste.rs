@@ -3,7 +3,7 @@
 use dalembert_core::{Draft, Shape};
 use dalembert_units::Decimal;
 
-use super::{Change, Form, FormLine, Role, as_line, lines::lines, row_of, rows_mut, settled};
+use super::{Change, Form, FormLine, Role, as_line, lines, row_of, rows_mut, settled};
 
 /// So many rows are filled at once: more numbers than these belong in a table.
 const MOST_ROWS: usize = 1_000;

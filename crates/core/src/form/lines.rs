@@ -1,6 +1,6 @@
 //! A draft as lines: what a form shows from top to bottom.
 
-use dalembert_core::{Draft, Field, Shape, Text, Variant, table::TableOutline};
+use crate::{Draft, Field, Shape, Text, Variant, table::TableOutline};
 
 /// A line of a form.
 #[derive(Clone, Debug)]
@@ -57,6 +57,18 @@ pub enum Role {
     Absent,
 }
 
+impl FormLine {
+    /// Returns true if it is a quantity.
+    pub fn is_quantity(&self) -> bool {
+        matches!(&self.role, Role::Leaf { shape, .. } if matches!(shape.present(), Shape::Quantity(_)))
+    }
+
+    /// Returns true if what is said of a path is said of this line.
+    pub fn stands_at(&self, path: &str) -> bool {
+        self.changed.as_deref().unwrap_or(&self.path) == path
+    }
+}
+
 impl PartialEq for FormLine {
     fn eq(&self, other: &Self) -> bool {
         let same_role = match (&self.role, &other.role) {
@@ -94,13 +106,7 @@ fn push_fields(
 }
 
 /// Pushes the lines of a field of the group at a path.
-pub(super) fn push_field(
-    field: &'static Field,
-    draft: &Draft,
-    path: &str,
-    depth: u16,
-    lines: &mut Vec<FormLine>,
-) {
+pub fn push_field(field: &'static Field, draft: &Draft, path: &str, depth: u16, lines: &mut Vec<FormLine>) {
     let path = if path.is_empty() { field.name.to_owned() } else { format!("{path}.{}", field.name) };
     let (number, optional, role) = (None, false, Role::Absent);
     push(FormLine { path, depth, field, number, optional, changed: None, role }, &field.shape, draft, lines);
@@ -178,7 +184,7 @@ fn lines_of(text: &str) -> Text {
 pub const BETWEEN: &str = " · ";
 
 /// The texts of a row, beside each other.
-pub(super) fn summary(draft: &Draft) -> String {
+pub fn summary(draft: &Draft) -> String {
     fn collect<'d>(draft: &'d Draft, texts: &mut Vec<&'d str>) {
         match draft {
             Draft::Leaf(text) if !text.trim().is_empty() && !text.contains('\n') => texts.push(text.trim()),

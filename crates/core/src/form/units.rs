@@ -1,13 +1,14 @@
 //! A quantity in the next unit of its kind; a number alone in the unit that is there.
 
-use dalembert_core::{Shape, Value, draft};
 use dalembert_units::{self as units, Kind, Style, Unit};
+
+use crate::{Shape, Value, draft};
 
 /// Digits of a value that is written in another unit.
 const CONVERTED_DIGITS: u8 = 9;
 
 /// Value converted to the unit that follows the displayed one; in its own unit, as it was typed.
-pub(super) fn in_next_unit(typed: &str, shown: &str, shape: &Shape) -> Option<String> {
+pub fn in_next_unit(typed: &str, shown: &str, shape: &Shape) -> Option<String> {
     let style = Style { digits: CONVERTED_DIGITS, ascii: true, ..Style::default() };
     let next = |unit: &Unit, kind: Kind| {
         let all = kind.units();
@@ -38,7 +39,7 @@ pub(super) fn in_next_unit(typed: &str, shown: &str, shape: &Shape) -> Option<St
 }
 
 /// The unit that a text is written in; `None` where it has none or cannot be read.
-pub(super) fn written_unit(text: &str, shape: &Shape) -> Option<Unit> {
+pub fn written_unit(text: &str, shape: &Shape) -> Option<Unit> {
     let (own, kind) = asked(shape, text)?;
     if is_number(text, shape) {
         return None;
@@ -47,7 +48,7 @@ pub(super) fn written_unit(text: &str, shape: &Shape) -> Option<Unit> {
 }
 
 /// A number alone with a unit after it; any other text as it is.
-pub(super) fn with_unit(text: String, unit: Option<&Unit>, shape: &Shape) -> String {
+pub fn with_unit(text: String, unit: Option<&Unit>, shape: &Shape) -> String {
     let (Some(unit), Some((own, kind))) =
         (unit, unit.and_then(|unit| asked(shape, &format!("1 {}", unit.text))))
     else {
@@ -76,7 +77,7 @@ fn is_number(text: &str, shape: &Shape) -> bool {
 }
 
 /// The unit that a number alone is taken in; `None` for what has none.
-pub(super) fn own_unit(shape: &Shape) -> Option<Unit> {
+pub fn own_unit(shape: &Shape) -> Option<Unit> {
     asked(shape, "1").map(|(own, _)| own).filter(|own| !own.text.is_empty())
 }
 
@@ -108,7 +109,7 @@ fn same(a: &Unit, b: &Unit) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use dalembert_core::{FieldLimit, Measure};
+    use crate::{FieldLimit, Measure};
 
     use super::*;
 
