@@ -20,8 +20,9 @@ usage: cargo xtask COMMAND
   new-plugin NAME            begin a family of analyses
   words [COMMIT]             carry the translations of sentences reworded since COMMIT (HEAD) over to their new keys
   docs [--check]             write the reference, problem files and units in docs/, or see that they are up to date
-  handbook [--lang L]        the handbook as pages for a browser, in the target directory
-  handbook --check           and its links, problem files, search and widths examined
+  handbook [--lang L]        the handbook as pages for a browser, in the target directory; they solve, where Rust has
+                             the target wasm32-unknown-unknown
+  handbook --check           and its links, problem files, search and widths examined, and every case solved by the pages
   pictures [--check]         draw the pictures in docs/pictures/ from their sessions, or see that they are up to date
   pictures --sheet [--rows R --cols C] [--language L] [NAME]...
                              contact sheets in the target directory: first screen, drawing and plot of every analysis,

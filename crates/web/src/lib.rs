@@ -117,7 +117,7 @@ fn answer(answer: &Answer, locale: &Locale) -> Json {
         "name": answer.name.to_string(),
         "label": answer.label(locale),
         "shown": answer.shown(locale),
-        "example": check::example(answer),
+        "example": if answer.si().is_some() { answer.unit.pretty() } else { check::example(answer) },
     })
 }
 

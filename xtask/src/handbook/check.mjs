@@ -131,47 +131,55 @@ function served(program, language) {
   return { ask, end: () => running.stdin.end() };
 }
 
-/** Numbers of two answers that are not the same, and how far the farthest are apart. */
+/** Numbers of two answers, or inputs, that are not the same, and how far the farthest are apart. */
 function apart(ours, theirs) {
   const numbers = (value) => (Array.isArray(value) ? value.flatMap(numbers) : [value]);
   const [a, b] = [ours, theirs].map(({ si }) => numbers(si));
   const off = a.map((x, n) => (x === b[n] ? 0 : Math.abs(x - b[n]) / Math.max(Math.abs(x), Math.abs(b[n]))));
-  return { count: off.filter((share) => share > 0).length, of: a.length, most: Math.max(0, ...off) };
+  return { count: off.filter((share) => share > 0).length, most: Math.max(0, ...off) };
 }
 
-/** What of a problem the page has otherwise than the program. */
-function compared(ours, theirs) {
-  if (ours === theirs) return { same: true, numbers: 0, off: 0, most: 0, other: [] };
+/** What a reader sees of a result: answers as they are printed but for some, inputs as they are written, and every sentence. */
+function seen({ answers, inputs, refusal, warnings, notes, errors, statement }, left) {
+  const all = (of) => Object.entries(of ?? {}).filter(([name]) => !left.includes(name));
+  const each = (of, see) => all(of).map(([name, one]) => [name, ...see(one)]);
+  return { answers: each(answers, ({ label, shown }) => [label, shown]), inputs: each(inputs, ({ text }) => [text]),
+    refusal, warnings, notes, errors, statement };
+}
+
+/** Result of the page beside that of the program, but for answers that are left out. */
+function compared(ours, theirs, left = []) {
+  const result = { same: ours === theirs, off: 0, most: 0, wrong: [] };
+  if (result.same) return result;
   const [a, b] = [ours, theirs].map((text) => JSON.parse(text));
-  const other = [];
-  let numbers = 0, off = 0, most = 0;
-  for (const key of new Set([...Object.keys(a), ...Object.keys(b)])) {
-    if (key === "answers" || JSON.stringify(a[key]) === JSON.stringify(b[key])) continue;
-    other.push(key);
+  const [page, program] = [seen(a, left), seen(b, left)];
+  for (const key of Object.keys(program)) {
+    const [x, y] = [page[key], program[key]].map((what) => JSON.stringify(what) ?? "nothing");
+    if (x === y) continue;
+    const at = [...x].findIndex((letter, n) => letter !== y[n]);
+    const part = (text) => text.slice(Math.max(0, at - 60), at + 40);
+    result.wrong.push(`${key}: …${part(x)}…, and by the program …${part(y)}…`);
   }
-  const wrong = [];
-  const names = Object.keys(b.answers ?? {});
-  if (JSON.stringify(Object.keys(a.answers ?? {})) !== JSON.stringify(names)) wrong.push("the answers are others");
-  for (const name of names) {
-    const [x, y] = [a.answers?.[name], b.answers[name]];
-    if (x?.shown !== y.shown || x?.label !== y.label) wrong.push(`${name}: ${x?.shown}, and not ${y.shown}`);
-    if (!x) continue;
-    const found = apart(x, y);
-    [numbers, off, most] = [numbers + found.of, off + found.count, Math.max(most, found.most)];
+  for (const key of ["answers", "inputs"]) {
+    for (const [name, one] of Object.entries(b[key] ?? {})) {
+      if (!a[key]?.[name] || left.includes(name)) continue;
+      const { count, most } = apart(a[key][name], one);
+      result.off += count;
+      result.most = Math.max(result.most, most);
+    }
   }
-  for (const key of ["refusal", "warnings", "notes", "inputs", "errors"]) if (other.includes(key)) wrong.push(key);
-  return { same: false, numbers, off, most, other, wrong };
+  return result;
 }
 
 /** Every problem file solved by the page and by the program; what a page says to wrong inputs. */
-async function solver({ browser, program, script, languages, widths }) {
+async function solver({ browser, program, script, languages, rounding, widths }) {
   const sizes = { file: readFileSync(script).length, gzip: gzipSync(readFileSync(script), { level: 9 }).length,
     brotli: brotliCompressSync(readFileSync(script)).length };
   return browsing(browser, async (running) => {
     const found = [];
     for (const { language, files } of languages) {
       const begin = performance.now();
-      const total = { language, count: 0, same: 0, shown: 0, papers: 0, numbers: 0, off: 0, most: 0, where: "", faults: [] };
+      const total = { language, count: 0, same: 0, shown: 0, papers: 0, off: 0, most: 0, where: "", faults: [] };
       await inTabs(running, files, async ({ open, value }) => {
         const { ask } = served(program, language);
         await open(files[0].replace(/toml$/, "html"));
@@ -182,15 +190,16 @@ async function solver({ browser, program, script, languages, widths }) {
           const asked = (call) => value(`solver.ask("${call}", ${given}, "${language}")`);
           try {
             const theirs = await ask({ solve: { problem_file: text } });
-            const result = compared(await asked("solved"), theirs);
+            const left = rounding.filter(([id]) => file.includes(`${id}/`)).map(([, answer]) => answer);
+            const result = compared(await asked("solved"), theirs, left);
             const paper = JSON.parse(await ask({ report: { problem_file: text, format: "html_fragment" } }));
             total.count += 1;
             total.same += Number(result.same);
             total.papers += Number(JSON.parse(await asked("opened")).html === paper);
-            total.shown += Number(!result.wrong?.length);
+            total.shown += Number(!result.wrong.length);
             total.off += result.off;
             if (result.most > total.most) [total.most, total.where] = [result.most, file];
-            total.faults.push(...(result.wrong ?? []).map((what) => `${file}: ${what}`));
+            total.faults.push(...result.wrong.map((what) => `${file}: ${what}`));
           } catch (fault) {
             total.faults.push(`${file}: ${fault.message}`);
           }

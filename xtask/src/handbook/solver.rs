@@ -29,13 +29,26 @@ pub(super) fn build(root: &Path, folder: &Path) -> Result<Result<(), String>> {
     let module = target.join(TARGET).join("web/dalembert_web.wasm");
     fs::create_dir_all(folder).with_context(|| format!("{} cannot be made", folder.display()))?;
     let script = ["run", "--quiet", "--locked", "--package", "xtask", "--features", "solver"];
-    let paths: [PathBuf; 2] = [module, folder.join(SCRIPT)];
+    let paths = [module, folder.join(SCRIPT)].into_iter().chain(cases(root)?);
     run(cargo(root)
         .args(script)
         .args(["--bin", "solver-script", "--"])
         .args(paths)
         .env("CARGO_TARGET_DIR", &target))?;
     Ok(Ok(()))
+}
+
+/// The files of published cases.
+fn cases(root: &Path) -> Result<Vec<PathBuf>> {
+    let mut found = Vec::new();
+    for family in fs::read_dir(root.join("plugins")).context("plugins cannot be read")? {
+        let folder = family?.path().join("cases");
+        // The bundle has none.
+        for file in fs::read_dir(folder).into_iter().flatten() {
+            found.push(file?.path());
+        }
+    }
+    Ok(found)
 }
 
 /// What the machine lacks.

@@ -5,7 +5,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use anyhow::{Result, ensure};
+use anyhow::Result;
 use serde_json::{Value as Json, json};
 
 use super::{WIDTHS, script};
@@ -17,6 +17,14 @@ use crate::{
 
 /// Largest size of the script as it is downloaded, compressed by gzip: 4 MB.
 const LARGEST: u64 = 4_000_000;
+
+/// Answers that are rounding alone, and so have other digits where the last bits of sines are others: problem and answer. The
+/// masses of this exam question are those with which the forces cancel; what is left of the force, and the direction of a
+/// counterweight that has no mass, are rounding.
+const ROUNDING: [[&str; 2]; 2] = [
+    ["exam/counterweights-of-a-four-bar", "balanced.shaking_force"],
+    ["exam/counterweights-of-a-four-bar", "balanced.crank_angle"],
+];
 
 /// Solves the problem file of every case in a browser and by the program, and prints how they compare; the faults.
 ///
@@ -42,6 +50,7 @@ pub(super) fn compared(
         "program": program.path(),
         "script": folder.join(SCRIPT),
         "languages": languages.map(|(language, files)| json!({ "language": language, "files": files })),
+        "rounding": ROUNDING,
         "widths": WIDTHS,
     });
     let reply = script("solver", &[], &request)?;
@@ -76,10 +85,10 @@ pub(super) fn compared(
         );
         faults.extend(array(&found["faults"]).iter().filter_map(Json::as_str).map(str::to_owned));
     }
-    ensure!(
-        faults.len() > cases || solved == cases,
-        "the pages have solved {solved} of {cases} problem files"
-    );
+    println!("solver: {} answers that are rounding alone are left out", ROUNDING.len());
+    if solved < cases {
+        faults.push(format!("the pages have solved {solved} of {cases} problem files"));
+    }
     for shown in array(&reply["shown"]) {
         faults.extend(of_typing(shown));
     }
