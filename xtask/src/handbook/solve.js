@@ -93,6 +93,7 @@ class Page {
     this.solution = document.querySelector("#worked");
     this.typed = {};
     this.open = new Set();
+    this.made = Promise.resolve();
   }
 
   async begin() {
@@ -134,21 +135,26 @@ class Page {
     if (this.reply) this.draw();
   }
 
+  /** Makes a change, after those that are being made. */
   change(change) {
-    return this.show("changed", this.reply.file, JSON.stringify(change));
+    this.made = this.made.then(() => this.show("changed", this.reply.file, JSON.stringify(change)));
+    return this.made;
   }
 
   draw() {
     const { form, html } = this.reply;
-    const focus = document.activeElement?.dataset?.path;
+    const active = document.activeElement;
     const own = form.filter((line) => !line.common), common = form.filter((line) => line.common);
     const lines = (of) => of.map((line) => this.line(line));
-    this.parts.form.replaceChildren(made("h2", { textContent: WORDS.inputs }), ...lines(own),
-      this.details("common", WORDS.common, ...lines(common)));
-    if (focus) [...this.parts.form.querySelectorAll("[data-path]")].find(({ dataset }) => dataset.path === focus)?.focus();
+    // A text that is being typed is a change to come, after which the form is drawn.
+    if (!active?.dataset.path || active.value === active.drawn) {
+      this.parts.form.replaceChildren(made("h2", { textContent: WORDS.inputs }), ...lines(own),
+        this.details("common", WORDS.common, ...lines(common)));
+    }
     this.drawAnswers();
     this.drawCheck();
     this.drawFile();
+    if (active?.id) document.getElementById(active.id)?.focus();
     this.solution.classList.toggle("old", html === null);
     if (html !== null) this.solution.innerHTML = html;
   }
@@ -163,7 +169,8 @@ class Page {
   line(line) {
     const { path, label, symbol, help, error } = line;
     const id = `input-${path}`;
-    const name = made("label", { htmlFor: id, title: help }, label, symbol && made("i", { textContent: ` ${symbol}` }));
+    const properties = line.text === undefined ? { title: help } : { htmlFor: id, title: help };
+    const name = made("htmlFor" in properties ? "label" : "span", properties, label, symbol && made("i", { textContent: ` ${symbol}` }));
     const element = made("div", { className: `line ${line.role}` }, name, ...this.control(line, id));
     element.style.setProperty("--depth", line.depth);
     if (line.takes && line.role !== "rows") element.append(made("small", { textContent: line.takes }));
@@ -176,10 +183,14 @@ class Page {
 
   /** What is typed in or chosen from, and the buttons of a line. */
   control({ path, role, text, alternatives, optional, row, count, most, least, error }, id) {
-    const write = ({ target }) => this.change({ do: role === "choice" ? "choose" : "write", path, text: target.value });
+    const write = ({ target }) => {
+      target.drawn = target.value;
+      this.change({ do: role === "choice" ? "choose" : "write", path, text: target.value });
+    };
     const common = { id, onchange: write, ariaInvalid: error ? "true" : null };
     const mark = (element) => {
       element.dataset.path = path;
+      element.drawn = text ?? "";
       if (error) element.setAttribute("aria-describedby", `${id}-error`);
       return element;
     };
@@ -197,7 +208,7 @@ class Page {
       parts.push(mark(made("input", { ...common, value: text, autocomplete: "off", spellcheck: false })));
     }
     if (role === "rows" && count < (most ?? Infinity)) parts.push(button(WORDS.add, () => this.change({ do: "add", path })));
-    if (row && !list.endsWith("]")) parts.push(button(WORDS.takeOut, () => this.change({ do: "take-out", path: list, row })));
+    if (row) parts.push(button(WORDS.takeOut, () => this.change({ do: "take-out", path: list, row })));
     if (role === "absent") parts.push(button(WORDS.putIn, () => this.change({ do: "put-in", path })));
     else if (optional && role !== "text") parts.push(button(WORDS.leaveOut, () => this.change({ do: "leave-out", path })));
     return parts;
