@@ -16,7 +16,7 @@ pub struct CheckedAnswer {
     pub typed: String,
     /// Verdict on it.
     pub verdict: Verdict,
-    /// What gives the value that was typed, the likeliest first.
+    /// Causes that give the value that was typed, the likeliest first.
     pub causes: Vec<Cause>,
 }
 

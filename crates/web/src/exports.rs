@@ -1,4 +1,4 @@
-//! What JavaScript calls.
+//! Exports: the functions that JavaScript calls.
 
 use wasm_bindgen::prelude::wasm_bindgen;
 

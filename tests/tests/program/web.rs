@@ -1,18 +1,26 @@
 //! The page that solves: text in, JSON out, as `crates/web` gives it to JavaScript.
 
 use dalembert::request::RequestedProblem;
-use dalembert_core::{Language, Locale, cases, catalogue, file, find};
+use dalembert_core::{Entry, Language, Locale, cases, catalogue, file, find};
 use dalembert_plugins as _;
 use dalembert_testkit::on_all_cores;
 use serde_json::{Map, Value as Json, json};
 
 const FAN: &str = "vibration/rotating-unbalance";
 
+/// One problem in so many is taken of all: the handbook compares each of them in a browser.
+const ONE_IN: usize = 5;
+
 /// The problem file of a published case, counted from 1.
 fn published(id: &str, number: usize, locale: &Locale) -> String {
     let entry = find(id).expect("the analysis is there");
     let cases = cases::cases(entry).expect("cases are right");
     file::template(entry, cases.get(number - 1), locale)
+}
+
+/// Some of the problems, of every family and exams among them.
+fn some() -> Vec<&'static Entry> {
+    catalogue().iter().step_by(ONE_IN).copied().collect()
 }
 
 fn fan() -> String {
@@ -43,7 +51,7 @@ fn texts<'p>(all: &'p Json, key: &'p str) -> impl Iterator<Item = &'p str> {
 
 #[test]
 fn a_page_computes_what_another_program_is_given() {
-    on_all_cores(catalogue(), |_, entry| {
+    on_all_cores(&some(), |_, entry| {
         for language in [Language::English, Language::Portuguese] {
             let text = published(entry.about.id, 1, &Locale::of(language));
             let Json::Object(request) = json!({ "problem_file": text }) else { panic!("an object") };
@@ -58,7 +66,7 @@ fn a_page_computes_what_another_program_is_given() {
 
 #[test]
 fn the_form_of_every_problem_writes_the_problem_again() {
-    on_all_cores(catalogue(), |_, entry| {
+    on_all_cores(&some(), |_, entry| {
         let text = published(entry.about.id, 1, &Locale::english());
         let page = opened(&text);
         assert_eq!(page["errors"], json!([]), "{}", entry.about.id);
@@ -91,7 +99,7 @@ fn wrong_inputs_are_named_with_value_and_repair() {
     let (message, _) = wrong("mass", "3 m");
     assert!(message.contains("mass = 3 m"), "{message}");
     let (message, _) = wrong("mass", "-3 kg");
-    assert!(message.contains("above 0"), "{message}");
+    assert!(message.contains("must be above zero; you wrote -3 kg"), "{message}");
     let (message, _) = wrong("speed", "");
     assert!(message.contains("speed") && !message.is_empty(), "{message}");
     let error =
@@ -143,24 +151,20 @@ fn rows_are_added_and_taken_out() {
 
 #[test]
 fn own_answers_are_checked_as_on_the_command_line() {
-    let page = opened(&fan());
-    let answers = page["answers"].as_array().expect("answers");
-    let amplitude = answers.iter().find(|one| one["name"] == "amplitude").expect("an amplitude");
-    let shown = amplitude["shown"].as_str().expect("a text").replace('−', "-");
     let checked = |typed: &str| {
-        let typed: Map<String, Json> = [("amplitude".to_owned(), typed.into())].into_iter().collect();
+        let typed: Map<String, Json> = [("stiffness".to_owned(), typed.into())].into_iter().collect();
         let reply = dalembert_web::checked(&fan(), &Json::Object(typed).to_string(), "en");
         read(&reply)["answers"][0].clone()
     };
-    assert_eq!(checked(&shown)["verdict"], "correct");
-    let (number, unit) = shown.split_once(' ').expect("a number and a unit");
-    let number: f64 = number.parse().expect("a number");
-    let wrong = checked(&format!("{:.5} {unit}", 2.0 * number));
+    // 3 E I/L³ of the cantilever: 200 kN/mm², 1.3·10⁻⁶ m⁴, 1.2 m.
+    assert_eq!(checked("451.39 kN/m")["verdict"], "correct");
+    let wrong = checked("150.46 kN/m");
     assert_eq!(wrong["verdict"], "incorrect");
+    let cause = wrong["causes"][0]["text"].as_str().expect("a cause");
+    assert!(cause.contains("the factor 3 omitted"), "{wrong}");
     let lines: Vec<&str> = wrong["lines"].as_array().into_iter().flatten().filter_map(Json::as_str).collect();
-    let causes = wrong["causes"].as_array().expect("causes");
-    assert!(!causes.is_empty() && lines.len() > 2, "{wrong}");
-    assert!(lines[2].contains(causes[0]["text"].as_str().expect("a cause")), "{lines:?}");
+    assert_eq!(lines[0], "stiffness = 150.46 kN/m: incorrect");
+    assert!(lines[2].trim() == cause, "{lines:?}");
     assert_eq!(checked("far")["verdict"], "unreadable");
 }
 

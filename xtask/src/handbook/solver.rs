@@ -10,7 +10,7 @@ use anyhow::{Context as _, Result};
 
 use crate::cargo::{cargo, installed, output, run, target};
 
-/// What it is compiled for.
+/// Target of the module.
 const TARGET: &str = "wasm32-unknown-unknown";
 /// Name of the script in the handbook.
 pub(super) const SCRIPT: &str = "solver.js";
@@ -51,7 +51,7 @@ fn cases(root: &Path) -> Result<Vec<PathBuf>> {
     Ok(found)
 }
 
-/// What the machine lacks.
+/// The part of the tool chain that the machine lacks, and how to get it.
 fn missing(root: &Path) -> Result<Option<String>> {
     let libraries = output(Command::new("rustc").current_dir(root).args([
         "--print",

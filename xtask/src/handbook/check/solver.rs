@@ -1,4 +1,4 @@
-//! What the pages compute beside what the program computes, and what they say to wrong inputs.
+//! Comparison of what the pages compute with what the program computes, and what they say to wrong inputs.
 
 use std::{
     collections::BTreeMap,
