@@ -165,7 +165,8 @@ function compared(ours, theirs, left = []) {
       if (!a[key]?.[name] || left.includes(name)) continue;
       const { count, most } = apart(a[key][name], one);
       result.off += count;
-      result.most = Math.max(result.most, most);
+      // Of what is printed as zero the last bits say nothing.
+      if (!/^[−-]?0(?![.,\d])/.test(one.shown ?? "")) result.most = Math.max(result.most, most);
     }
   }
   return result;
@@ -179,9 +180,11 @@ async function solver({ browser, program, script, languages, rounding, widths })
     const found = [];
     for (const { language, files } of languages) {
       const begin = performance.now();
+      const ends = [];
       const total = { language, count: 0, same: 0, shown: 0, papers: 0, off: 0, most: 0, where: "", faults: [] };
       await inTabs(running, files, async ({ open, value }) => {
-        const { ask } = served(program, language);
+        const { ask, end } = served(program, language);
+        ends.push(end);
         await open(files[0].replace(/toml$/, "html"));
         await value(`loaded(document.querySelector("#solve").dataset.up + "../solver.js")`);
         return async (file) => {
@@ -193,9 +196,10 @@ async function solver({ browser, program, script, languages, rounding, widths })
             const left = rounding.filter(([id]) => file.includes(`${id}/`)).map(([, answer]) => answer);
             const result = compared(await asked("solved"), theirs, left);
             const paper = JSON.parse(await ask({ report: { problem_file: text, format: "html_fragment" } }));
+            const { html } = JSON.parse(await asked("opened"));
             total.count += 1;
             total.same += Number(result.same);
-            total.papers += Number(JSON.parse(await asked("opened")).html === paper);
+            total.papers += Number(html === paper);
             total.shown += Number(!result.wrong.length);
             total.off += result.off;
             if (result.most > total.most) [total.most, total.where] = [result.most, file];
@@ -205,6 +209,7 @@ async function solver({ browser, program, script, languages, rounding, widths })
           }
         };
       });
+      ends.forEach((end) => end());
       found.push({ ...total, seconds: (performance.now() - begin) / 1000 });
     }
     const pages = languages.map(({ files }) => files[0].replace(/toml$/, "html"));

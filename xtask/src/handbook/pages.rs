@@ -168,7 +168,7 @@ fn solved(shown: &Json, case: &Case<'_>, number: usize, count: usize, solves: bo
     );
     page += &format!(
         "<details><summary>{}</summary>\n<pre id=\"problem-file\">{}</pre>\n</details>\n",
-        words.file,
+        words.file_text,
         escaped(&case.file)
     );
     if solves {
