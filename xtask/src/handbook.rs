@@ -1,5 +1,5 @@
 //! `cargo xtask handbook`: the analyses, their worked solutions, the guide and the theory as pages for a browser, made from
-//! what the built program says of itself. They are files that need no server, and scripts for the search alone.
+//! what the built program says of itself. They are files that need no server, with scripts for the search and for solving alone.
 
 use std::{collections::BTreeMap, fs, path::Path};
 
