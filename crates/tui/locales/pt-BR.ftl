@@ -338,7 +338,9 @@ export-the-worked-solution = exportar a resolução
 worked-solution-written-to-file = resolução gravada em { $file }
 no-solution-to-export-for-these-inputs = não há solução destes dados para exportar
 worked-solution-html-tex-typ-md-txt = Resolução (.html, .tex, .typ, .md, .txt)
+worked-solution-html-tex-typ-md-docx-txt = Resolução (.html, .tex, .typ, .md, .docx, .txt)
 enter-a-name-ending-in-html-tex-typ-md-or-txt = digite um nome que termine em .html, .tex, .typ, .md ou .txt
+enter-a-name-ending-in-html-tex-typ-md-docx-or-txt = digite um nome que termine em .html, .tex, .typ, .md, .docx ou .txt
 write-under-another-name = gravar com outro nome
 
 # Conferir

@@ -53,6 +53,7 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
         Dialog::Prompt { purpose, input, error, names, preview } => {
             let title = match purpose {
                 Purpose::SaveAs => "Save as",
+                Purpose::Export if cfg!(feature = "word") => "Worked solution (.html, .tex, .typ, .md, .docx, .txt)",
                 Purpose::Export => "Worked solution (.html, .tex, .typ, .md, .txt)",
                 Purpose::ExportSeen => "Plot or drawing (.svg; a plot also .csv)",
                 Purpose::Open => "File to open",
