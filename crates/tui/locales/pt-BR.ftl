@@ -454,6 +454,7 @@ a-published-value-disagrees = um valor publicado diverge
 close-without-changes = fechar sem alterar
 import-a-file-into-the-table = importar um arquivo para a tabela
 file-of-the-table-csv-xlsx-uff-wav-mat = Arquivo da tabela (.csv, .xlsx, .uff, .wav, .mat)
+n-1-3-behind-the-name-chooses-columns-skip-2-leaves-lines-out = `#1,3` depois do nome escolhe colunas, `#skip=2` omite linhas
 enter-takes-this-table-1-3-behind-the-name-chooses-columns-skip-2-leaves-lines-out = Enter usa esta tabela; `#1,3` depois do nome escolhe colunas, `#skip=2` omite linhas
 unit-assumed = { $unit } por suposição
 the-table-already-contains-this-file = a tabela já contém este arquivo
