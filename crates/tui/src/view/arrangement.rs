@@ -8,6 +8,7 @@
 use std::{
     cell::RefCell,
     collections::{HashMap, VecDeque},
+    rc::Rc,
 };
 
 use ratatui::layout::Rect;
@@ -17,7 +18,7 @@ use crate::{
     bench::Bench,
     layout::{self, Focus},
     model::Model,
-    pane::{Content, Tab},
+    pane::{Content, Page, Tab},
 };
 
 /// From so many columns on inputs and results stand side by side.
@@ -46,11 +47,16 @@ pub(crate) struct PlacedPane {
     pub(crate) has_tabs: bool,
 }
 
+/// Pages of panes of text, by the place of their tab and the columns inside their frame.
+pub(super) type Pages = HashMap<(usize, u16), Rc<Page>>;
+
 /// The parts of the screen of a problem.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Arrangement {
     pub(crate) form: Option<Rect>,
     pub(crate) panes: Vec<PlacedPane>,
+    /// The pages whose lines were counted: they need not be set once more to be drawn.
+    pub(super) pages: Pages,
 }
 
 /// Arranges form and panes in the body of the screen.
@@ -58,20 +64,19 @@ pub(super) fn arrange(model: &Model, bench: &Bench, focus: Focus, body: Rect) ->
     let screen = Screen { model, bench, pages: RefCell::default(), pictures: RefCell::default() };
     if bench.expanded || model.look.basic {
         return match focus {
-            Focus::Form => Arrangement { form: Some(body), panes: Vec::new() },
-            Focus::Pane => Arrangement { form: None, panes: alone(bench, body) },
+            Focus::Form => Arrangement { form: Some(body), ..Arrangement::default() },
+            Focus::Pane => Arrangement { panes: alone(bench, body), ..Arrangement::default() },
         };
     }
-    if body.width < TWO_COLUMNS {
-        return screen.one_column(focus, body);
-    }
-    // A pane that is seen beside the results is not brought in their place.
-    let usual = screen.columns(Tab::default(), body);
-    if usual.panes.iter().any(|placed| placed.tab == bench.tab) {
-        usual
+    let arrangement = if body.width < TWO_COLUMNS {
+        screen.one_column(focus, body)
     } else {
-        screen.columns(bench.tab, body)
-    }
+        // A pane that is seen beside the results is not brought in their place.
+        let usual = screen.columns(Tab::default(), body);
+        let shows_tab = usual.panes.iter().any(|placed| placed.tab == bench.tab);
+        if shows_tab { usual } else { screen.columns(bench.tab, body) }
+    };
+    Arrangement { pages: screen.pages.into_inner(), ..arrangement }
 }
 
 /// Returns true if the shown pane has a next picture, and a screen of this width room for it beside the one that is shown.
@@ -120,8 +125,8 @@ impl Part {
 struct Screen<'a> {
     model: &'a Model,
     bench: &'a Bench,
-    /// Lines of a page, and those of its head, by tab and width: the ways to arrange it ask for the same ones.
-    pages: RefCell<HashMap<(usize, u16), (usize, usize)>>,
+    /// Pages that were set: the ways to arrange it ask for the same ones.
+    pages: RefCell<Pages>,
     /// Rows of the picture in use of a tab in so many columns, or of the next one, frame included.
     pictures: RefCell<HashMap<(usize, u16, bool), Option<u16>>>,
 }
@@ -296,10 +301,11 @@ impl Screen<'_> {
 
     /// Lines of the page of a pane in so many columns, and those of its head.
     fn lines(&self, tab: Tab, width: u16) -> (usize, usize) {
-        *self.pages.borrow_mut().entry((tab.0, width)).or_insert_with(|| {
-            let page = page(self.model, self.bench, tab, inner(width));
-            (page.lines.len(), page.head)
-        })
+        let width = inner(width);
+        let mut pages = self.pages.borrow_mut();
+        let page =
+            pages.entry((tab.0, width)).or_insert_with(|| Rc::new(page(self.model, self.bench, tab, width)));
+        (page.lines.len(), page.head)
     }
 
     /// Adds panes that wait while more than a third of the rows, or enough for a picture, are left over.
