@@ -119,7 +119,8 @@ fn read(printed: &str) -> Option<Search> {
     let (mut reached, mut last_new, mut executions) = (0, 0, 0);
     for line in printed.lines().filter(|line| line.starts_with('#')) {
         let mut words = line.split_whitespace();
-        let at = words.next().and_then(number)?;
+        // A dictionary that it recommends ends in a line of `#` too.
+        let Some(at) = words.next().and_then(number) else { continue };
         executions = executions.max(at);
         if let Some(edges) =
             line.split_once("cov: ").and_then(|(_, rest)| number(rest.split_whitespace().next()?))
@@ -205,6 +206,7 @@ mod tests {
             #2\tINITED cov: 11 ft: 11 corp: 1/1b exec/s: 0 rss: 27Mb\n\
             #5\tNEW    cov: 12 ft: 12 corp: 2/3b lim: 4 exec/s: 0 rss: 27Mb\n\
             #71\tREDUCE cov: 12 ft: 12 corp: 2/2b\n#200000\tDONE   cov: 12 ft: 12\n\
+            ###### Recommended dictionary. ######\n\"[20!ed\" # Uses: 47\n\
             stat::number_of_executed_units: 200000\n";
         let search = read(printed).unwrap();
         assert_eq!((search.executions, search.edges, search.last_new), (200_000, [12, 169], 5));

@@ -266,7 +266,7 @@ fn prairielearn(place: &Path, folders: &[PathBuf]) -> Outcome {
 
 /// Returns true of Python 3.13 or newer.
 fn is_new_enough(python: &str) -> bool {
-    let version =
-        Command::new(python).args(["-c", "import sys; sys.exit(sys.version_info < (3, 13))"]).status();
-    version.is_ok_and(|status| status.success())
+    let mut asked = Command::new(python);
+    asked.args(["-c", "import sys; sys.exit(sys.version_info < (3, 13))"]).stderr(Stdio::null());
+    asked.status().is_ok_and(|status| status.success())
 }

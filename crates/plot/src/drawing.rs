@@ -10,11 +10,16 @@ use crate::{
     look::Appearance,
     plot::{
         Marker,
-        dots::{Dots, Pen},
+        dots::{self, Dots, Pen},
         labels::Labels,
     },
     wrap,
 };
+
+/// Rows of an area that is higher than any terminal.
+const TALL: u16 = 1000;
+/// Rows for labels above or below what is drawn.
+const LABEL_ROWS: u16 = 1;
 
 /// Places of the words of a drawing.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -52,8 +57,7 @@ pub fn render(
     }
     let all = strokes(drawing);
     let labels = labels(drawing, &locale);
-    let corners = all.iter().flat_map(|stroke| &stroke.points).chain(labels.iter().map(|label| &label.at));
-    let Some(bounds) = Box2::of(corners.copied().chain(extent(drawing))) else {
+    let Some(bounds) = bounds(drawing, &all, &labels) else {
         let words = look.shortened(&Text::new("nothing to draw").render(&locale), area.width.into());
         let x = area.x + (area.width - words.width() as u16) / 2;
         buffer.set_string(x, area.y + area.height / 2, words, look.dim());
@@ -86,6 +90,28 @@ pub fn render(
     }
 }
 
+/// Rows in which a sketch is as large as so many columns let it be.
+pub fn rows(drawing: &Drawing, look: &Appearance, locale: &Locale, width: u16) -> u16 {
+    let locale = locale.ascii(look.ascii);
+    let all = strokes(drawing);
+    let labels = labels(drawing, &locale);
+    let Some(bounds) = bounds(drawing, &all, &labels) else { return 1 };
+    let area = Rect::new(0, 0, width, TALL);
+    let marker = look.marker(Marker::Braille);
+    let dots = bounds.height() * Fit::of(&bounds, &labels, marker, area).scale.1;
+    let sketch = (dots / f64::from(dots::per_cell(marker).1)).ceil() as u16 + LABEL_ROWS;
+    let most = wrap::title_rows(u16::MAX);
+    let title = wrap::title(&drawing.title.render(&locale), width.into(), most, look);
+    wrap::height_with_title(title.len(), sketch)
+}
+
+/// The box around everything that is drawn.
+fn bounds(drawing: &Drawing, strokes: &[Stroke], labels: &[Label]) -> Option<Box2> {
+    let corners =
+        strokes.iter().flat_map(|stroke| &stroke.points).chain(labels.iter().map(|label| &label.at));
+    Box2::of(corners.copied().chain(extent(drawing)))
+}
+
 /// Words and the point that they stand beside.
 #[derive(PartialEq)]
 struct Label {
@@ -116,7 +142,7 @@ impl Sketch<'_> {
         let look = self.look;
         let marker = look.marker(Marker::Braille);
         let mut dots = Dots::new(area, marker);
-        let fit = Fit::of(self.bounds, self.labels, &dots, area);
+        let fit = Fit::of(self.bounds, self.labels, marker, area);
         for stroke in self.strokes {
             draw(stroke, &fit, look, &mut dots);
         }
@@ -330,9 +356,9 @@ struct Fit {
 
 impl Fit {
     /// The largest scale with a cell of margin, and room for the words at the sides.
-    fn of(bounds: &Box2, labels: &[Label], dots: &Dots, area: Rect) -> Self {
-        let bare = Self::within(bounds, dots, (1.0, 1.0));
-        let (across, _) = dots.per_cell();
+    fn of(bounds: &Box2, labels: &[Label], marker: Marker, area: Rect) -> Self {
+        let bare = Self::within(bounds, marker, area, (1.0, 1.0));
+        let (across, _) = dots::per_cell(marker);
         let most = f64::from(area.width) / 4.0;
         let beyond = |cells: &dyn Fn(f64, f64) -> f64| {
             let over = |label: &Label| {
@@ -348,9 +374,9 @@ impl Fit {
         };
         let left = beyond(&|from, _| -from);
         let right = beyond(&|_, to| to + 1.0 - f64::from(area.width));
-        let mut fit = Self::within(bounds, dots, (1.0 + left, 1.0 + right));
+        let mut fit = Self::within(bounds, marker, area, (1.0 + left, 1.0 + right));
         // What there is to spare goes to both sides.
-        let (width, _) = dots.size();
+        let (width, _) = dots::size(marker, area);
         let end = fit.dot((bounds.right, bounds.top)).0 + right * f64::from(across);
         let start = fit.dot((bounds.left, bounds.top)).0 - left * f64::from(across);
         fit.centre.0 += (f64::from(width) - 1.0 - end - start) / 2.0;
@@ -358,14 +384,15 @@ impl Fit {
     }
 
     /// The largest scale that leaves so many cells free at the left and at the right.
-    fn within(bounds: &Box2, dots: &Dots, (left, right): (f64, f64)) -> Self {
-        let (across, down) = dots.per_cell();
+    fn within(bounds: &Box2, marker: Marker, area: Rect, (left, right): (f64, f64)) -> Self {
+        let (across, down) = dots::per_cell(marker);
         let (across, down) = (f64::from(across), f64::from(down));
-        let (width, height) = (f64::from(dots.size().0), f64::from(dots.size().1));
+        let (width, height) = dots::size(marker, area);
+        let (width, height) = (f64::from(width), f64::from(height));
         let room_across = (width - 1.0 - (left + right) * across).max(1.0);
         let room_down = (height - 1.0 - down.min(height / 4.0)).max(1.0);
         // In widths of a cell to a metre.
-        let aspect = dots.aspect();
+        let aspect = dots::aspect(marker);
         let scale = (room_across / across / bounds.width()).min(aspect * room_down / down / bounds.height());
         Self {
             middle: (f64::midpoint(bounds.left, bounds.right), f64::midpoint(bounds.bottom, bounds.top)),

@@ -39,13 +39,18 @@ pub fn title(text: &str, width: usize, most: usize, look: &Appearance) -> Vec<St
     lines
 }
 
+/// The height of a picture from which on its title may take so many rows.
+const TITLE_ROWS: [(u16, usize); 3] = [(16, 3), (11, 2), (0, 1)];
+
 /// Rows that a title may take of a picture of this height.
 pub fn title_rows(height: u16) -> usize {
-    match height {
-        16.. => 3,
-        11.. => 2,
-        _ => 1,
-    }
+    TITLE_ROWS.iter().find(|(least, _)| height >= *least).map_or(1, |(_, rows)| *rows)
+}
+
+/// The height of a picture that has so many rows for the title, and so many below it.
+pub(crate) fn height_with_title(rows: usize, below: u16) -> u16 {
+    let least = TITLE_ROWS.iter().find(|(_, most)| *most <= rows).map_or(0, |(least, _)| *least);
+    below.saturating_add(rows as u16).max(least)
 }
 
 /// A word in pieces of at most `width` cells.

@@ -337,7 +337,9 @@ export-the-worked-solution = exportar a resolução
 worked-solution-written-to-file = resolução gravada em { $file }
 no-solution-to-export-for-these-inputs = não há solução destes dados para exportar
 worked-solution-html-tex-typ-md-txt = Resolução (.html, .tex, .typ, .md, .txt)
+worked-solution-html-tex-typ-md-docx-txt = Resolução (.html, .tex, .typ, .md, .docx, .txt)
 enter-a-name-ending-in-html-tex-typ-md-or-txt = digite um nome que termine em .html, .tex, .typ, .md ou .txt
+enter-a-name-ending-in-html-tex-typ-md-docx-or-txt = digite um nome que termine em .html, .tex, .typ, .md, .docx ou .txt
 write-under-another-name = gravar com outro nome
 
 # Conferir
@@ -451,6 +453,7 @@ a-published-value-disagrees = um valor publicado diverge
 close-without-changes = fechar sem alterar
 import-a-file-into-the-table = importar um arquivo para a tabela
 file-of-the-table-csv-xlsx-uff-wav-mat = Arquivo da tabela (.csv, .xlsx, .uff, .wav, .mat)
+n-1-3-behind-the-name-chooses-columns-skip-2-leaves-lines-out = `#1,3` depois do nome escolhe colunas, `#skip=2` omite linhas
 enter-takes-this-table-1-3-behind-the-name-chooses-columns-skip-2-leaves-lines-out = Enter usa esta tabela; `#1,3` depois do nome escolhe colunas, `#skip=2` omite linhas
 unit-assumed = { $unit } por suposição
 the-table-already-contains-this-file = a tabela já contém este arquivo

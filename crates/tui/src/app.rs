@@ -405,7 +405,7 @@ impl Runtime {
                 }
                 Effect::Export { files, before } => {
                     let files: Vec<_> =
-                        files.into_iter().map(|(path, text)| (files::at_home(path), text)).collect();
+                        files.into_iter().map(|(path, bytes)| (files::at_home(path), bytes)).collect();
                     let (path, result) = files::save_all(&files, before);
                     Msg::Exported { path, result }
                 }

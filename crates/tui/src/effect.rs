@@ -34,8 +34,8 @@ pub enum Effect {
     },
     /// Write files that belong together, the first under this condition; [`Msg::Exported`](crate::Msg).
     Export {
-        /// Paths and texts.
-        files: Vec<(PathBuf, String)>,
+        /// Paths and contents.
+        files: Vec<(PathBuf, Vec<u8>)>,
         /// The condition: what must stand there now.
         before: Before,
     },

@@ -280,6 +280,12 @@ pub trait Pane: Any + Debug {
         Vec::new()
     }
 
+    /// Rows that the picture in use fills in so many columns, or the next one; `None` of a picture that is the better
+    /// for every row.
+    fn rows(&self, _problem: &Problem, _ui: &Ui<'_>, _next: bool, _width: u16) -> Option<u16> {
+        None
+    }
+
     /// The frames of what moves in it, and the time that they take.
     fn frames(&self, _problem: &Problem) -> (usize, f64) {
         (0, 0.0)

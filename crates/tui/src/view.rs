@@ -10,7 +10,7 @@ mod picker;
 mod tabs;
 mod target;
 
-use std::time::Duration;
+use std::{rc::Rc, time::Duration};
 
 use dalembert_core::Text;
 use ratatui::{
@@ -23,7 +23,7 @@ use ratatui::{
 };
 use tui_input::Input;
 
-use self::arrangement::{Arrangement, PlacedPane};
+use self::arrangement::{Arrangement, Pages, PlacedPane};
 pub(crate) use self::{
     arrangement::has_room_for_next,
     help::longest_scroll as longest_scroll_of_help,
@@ -53,6 +53,8 @@ pub(crate) struct Areas {
     pub(crate) form: Option<Rect>,
     /// The panes that are seen.
     pub(crate) panes: Vec<PlacedPane>,
+    /// Pages of panes that are set already.
+    pages: Pages,
     /// The line about the field under the cursor; empty where there is no room.
     pub(crate) help: Rect,
     /// The line of keys.
@@ -117,7 +119,7 @@ fn draw_screen(
             let cursor = areas.form.and_then(|area| form::draw(model, bench, area, buffer));
             let pictures = draw_panes(model, look, bench, &areas, buffer);
             bars::help(model, areas.help, buffer);
-            bars::footer(model, areas.footer, buffer);
+            bars::footer(model, areas.footer, animation_in(bench, &areas).is_some(), buffer);
             (cursor, pictures)
         }
         None => {
@@ -125,7 +127,7 @@ fn draw_screen(
             bars::title(model, title, buffer);
             let cursor = picker::draw(model, body, buffer);
             bars::help(model, help, buffer);
-            bars::footer(model, footer, buffer);
+            bars::footer(model, footer, false, buffer);
             (cursor, Vec::new())
         }
     }
@@ -171,7 +173,10 @@ fn draw_panes(
         if ui.area.is_empty() {
             continue;
         }
-        let page = pane.page(&bench.problem, &ui, ui.area.width);
+        let page = match areas.pages.get(&(tab.0, ui.area.width)) {
+            Some(page) => Rc::clone(page),
+            None => Rc::new(pane.page(&bench.problem, &ui, ui.area.width)),
+        };
         let (lines, height) = (page.lines.len(), usize::from(ui.area.height));
         let first = ui.scroll.min(lines.saturating_sub(height));
         page.draw(first, ui.area, buffer);
@@ -208,8 +213,8 @@ pub(crate) fn areas_of(model: &Model, bench: &Bench, focus: Focus) -> Areas {
 fn areas_in(screen: Rect, model: &Model, bench: &Bench, focus: Focus) -> Areas {
     let has_parts = bench.problem.inputs.form.parts().len() > 1;
     let [title, parts, body, help, footer] = layout::bench(screen, has_parts);
-    let Arrangement { form, panes } = arrangement::arrange(model, bench, focus, body);
-    Areas { title, parts, form, panes, help, footer }
+    let Arrangement { form, panes, pages } = arrangement::arrange(model, bench, focus, body);
+    Areas { title, parts, form, panes, pages, help, footer }
 }
 
 /// The pane at a place of the screen, its inside, and the tab whose name stands just there.
@@ -275,11 +280,16 @@ pub fn tempo(model: &Model) -> Option<Duration> {
 
 /// The animation on the screen: its pane, its frames, and their time.
 pub(crate) fn animation(model: &Model) -> Option<(Tab, usize, f64)> {
-    let bench = model.shown_bench().filter(|bench| !bench.problem.is_stale() && bench.field.is_none())?;
-    let tab = bench.animated()?;
-    let is_seen = areas_of(model, bench, bench.focus).area_of(tab).is_some();
+    let bench = model.shown_bench().filter(|bench| bench.field.is_none())?;
+    bench.animated()?;
+    animation_in(bench, &areas_of(model, bench, bench.focus))
+}
+
+/// The animation in one of these areas.
+fn animation_in(bench: &Bench, areas: &Areas) -> Option<(Tab, usize, f64)> {
+    let tab = bench.animated().filter(|_| !bench.problem.is_stale())?;
     let (frames, period) = bench.pane(tab).frames(&bench.problem);
-    is_seen.then_some((tab, frames, period))
+    areas.area_of(tab).map(|_| (tab, frames, period))
 }
 
 /// Start of the focused item: a screen reader follows the cursor.

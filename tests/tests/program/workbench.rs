@@ -158,6 +158,12 @@ fn the_worked_solution_is_exported_and_exported_anew() {
     pty.expect("worked solution written to");
     let second = fs::read_to_string(&path).expect("the file is there");
     assert!(second.contains("4.5535") && !second.contains("19.456"));
+    // As a document of Word, by the ending of its name.
+    pty.types("X<c-u>fan.docx<enter>");
+    pty.expect("written to fan.docx");
+    let confirmed = crate::program().arg("confirm").arg(folder.path().join("fan.docx")).output();
+    let confirmed = confirmed.expect("the program runs");
+    assert!(confirmed.status.success(), "{}", String::from_utf8_lossy(&confirmed.stderr));
 }
 
 /// A solve of ten seconds ends at a key; what was found before stays, marked as old, and the next change solves.

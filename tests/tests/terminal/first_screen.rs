@@ -1,6 +1,6 @@
 //! First screens of every analysis: nothing is cut, and no pane is left empty.
 
-use dalembert_core::{Entry, registry};
+use dalembert_core::{Entry, exams::exams, registry};
 use dalembert_tests::{person::Person, times};
 use dalembert_tui::{form::Role, pane::Content, seen_panes};
 
@@ -17,9 +17,12 @@ fn before(entry: &Entry, portuguese: bool, columns: u16, rows: u16) -> Person {
 fn no_word_of_a_first_screen_is_cut() {
     let mut cut = Vec::new();
     for entry in registry() {
-        for portuguese in [false, true] {
-            let screen = before(entry, portuguese, 80, 24).sees();
-            cut.extend(cut_lines(&screen).into_iter().map(|line| format!("{}: {line}", entry.about.id)));
+        for (columns, rows) in [(80, 24), (160, 45)] {
+            for portuguese in [false, true] {
+                let lines = cut_lines(&before(entry, portuguese, columns, rows).sees());
+                let line = |line| format!("{} {columns}×{rows}: {line}", entry.about.id);
+                cut.extend(lines.into_iter().map(line));
+            }
         }
     }
     assert!(cut.is_empty(), "{} lines\n{}", cut.len(), cut.join("\n"));
@@ -92,22 +95,24 @@ fn no_line_of_a_tab_is_cut() {
 #[test]
 fn no_pane_of_a_first_screen_is_a_third_blank() {
     let mut blank = Vec::new();
-    for entry in registry() {
+    for entry in registry().iter().chain(exams()) {
         for (columns, rows) in [(80, 24), (120, 36), (160, 45), (200, 60)] {
             let mut person = before(entry, false, columns, rows);
             let lines: Vec<String> = person.sees().lines().map(str::to_owned).collect();
             for (name, content, area) in seen_panes(&person.model) {
-                if content == Content::Picture {
-                    continue;
-                }
                 let inside = area.y + 1..area.bottom() - 1;
                 let is_blank = |y: &u16| {
                     let line = lines.get(usize::from(*y)).map_or("", String::as_str);
                     let cells = line.chars().skip(usize::from(area.x) + 1).take(usize::from(area.width) - 2);
                     cells.clone().all(char::is_whitespace)
                 };
-                // The free lines between parts of a text are no room for anything else: those at its end are.
-                let empty = inside.clone().rev().take_while(is_blank).count();
+                // The free lines between parts of a text are no room for anything else: those at its end are, and those
+                // above and below a drawing.
+                let above = match content {
+                    Content::Picture => inside.clone().skip(1).take_while(is_blank).count(),
+                    Content::Text | Content::Cells => 0,
+                };
+                let empty = above + inside.clone().rev().take_while(is_blank).count();
                 // A row is rounding.
                 if 3 * empty > inside.len() + 1 {
                     blank.push(format!(

@@ -106,15 +106,9 @@ impl Dots {
         per_cell(self.marker)
     }
 
-    /// Heights of a cell to its width.
-    pub(crate) fn aspect(&self) -> f64 {
-        aspect(self.marker)
-    }
-
     /// Dots across the area and down the area.
     pub(crate) fn size(&self) -> (u16, u16) {
-        let (across, down) = self.per_cell();
-        (self.area.width.saturating_mul(across), self.area.height.saturating_mul(down))
+        size(self.marker, self.area)
     }
 
     /// The dot at parts of the area, across and up.
@@ -281,6 +275,12 @@ pub(crate) fn aspect(marker: Marker) -> f64 {
         Marker::Pixels { across, down } => f64::from(down) / f64::from(across.max(1)),
         _ => 2.0,
     }
+}
+
+/// Dots across an area and down it.
+pub(crate) fn size(marker: Marker, area: Rect) -> (u16, u16) {
+    let (across, down) = per_cell(marker);
+    (area.width.saturating_mul(across), area.height.saturating_mul(down))
 }
 
 /// Dots across a cell and down a cell.

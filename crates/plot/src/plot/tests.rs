@@ -202,7 +202,7 @@ fn circles_of_equal_scales_are_round() {
             let per_cell = dots::per_cell(marker);
             let at = |x: f64, y: f64| canvas.dot(&dots, (x, y)).unwrap();
             let across = (at(0.103, 0.002).0 - at(0.097, 0.002).0) / f64::from(per_cell.0);
-            let down = dots.aspect() * (at(0.1, -0.001).1 - at(0.1, 0.005).1) / f64::from(per_cell.1);
+            let down = dots::aspect(marker) * (at(0.1, -0.001).1 - at(0.1, 0.005).1) / f64::from(per_cell.1);
             assert!((across / down - 1.0).abs() < 1e-9, "{across} and {down} at {size:?} with {marker:?}");
             let inside = |place: f64| (-1e-9..=1.0 + 1e-9).contains(&place);
             assert!([0.097, 0.103].into_iter().all(|x| inside(axes.x.of(x).unwrap())), "{size:?}");

@@ -38,10 +38,10 @@ pub fn save(path: &Path, content: impl AsRef<[u8]>, before: Before) -> Result<Fi
 
 /// Saves files that belong together: the first where that is as it must be, then the others over what is there. The
 /// answer names the first, or the one that could not be written.
-pub fn save_all(files: &[(PathBuf, String)], before: Before) -> (PathBuf, Result<(), FileError>) {
+pub fn save_all(files: &[(PathBuf, Vec<u8>)], before: Before) -> (PathBuf, Result<(), FileError>) {
     let mut before = before;
-    for (path, text) in files {
-        if let Err(error) = save(path, text, before) {
+    for (path, content) in files {
+        if let Err(error) = save(path, content, before) {
             return (path.clone(), Err(error));
         }
         before = Before::Whatever;

@@ -153,6 +153,15 @@ impl Pane for Drawing {
         self.at
     }
 
+    /// A scene in space has as many rows from every side, so that the screen keeps its parts while it is rotated.
+    fn rows(&self, problem: &Problem, ui: &Ui<'_>, next: bool, width: u16) -> Option<u16> {
+        let at = if next { turned(self.at, 1, self.pictures(problem)) } else { self.at };
+        let shown = Self { at, ..Self::default() };
+        let (frames, _) = shown.frames(problem);
+        let bar = u16::from(frames > 1 && !next);
+        Some(drawing::rows(&*shown.seen(problem, ui.covered)?, ui.look, ui.locale, width) + bar)
+    }
+
     fn frames(&self, problem: &Problem) -> (usize, f64) {
         self.sketch(problem).map_or((0, 0.0), Exhibit::frames)
     }

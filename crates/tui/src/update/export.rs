@@ -1,9 +1,11 @@
 //! The worked solution as a file, with its figures; and the plot or drawing that is seen.
+//!
+//! A document of Word is written where the feature `word` is on.
 
 use std::path::{Path, PathBuf};
 
 use dalembert_core::{Locale, Text, cases::Case};
-use dalembert_report::{DocumentFormat, NoteSource, Parts, WorkedProblem, document};
+use dalembert_report::{Document, DocumentFormat, NoteSource, Parts, WorkedProblem, document};
 use dalembert_units::Style;
 
 use crate::{
@@ -16,6 +18,13 @@ use crate::{
     pane::Tab,
     problem::{Freshness, Problem},
     view,
+};
+
+/// Reports that a name is none of a worked solution.
+const NOTES: &str = if cfg!(feature = "word") {
+    "enter a name ending in .html, .tex, .typ, .md, .docx or .txt"
+} else {
+    "enter a name ending in .html, .tex, .typ, .md or .txt"
 };
 
 /// Asks for the file of what is exported; its ending says what is written.
@@ -63,22 +72,23 @@ pub(super) fn write(model: &Model, purpose: Purpose, path: PathBuf, before: Befo
             let pane = bench.pane(tab);
             let ending = path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
             let text = ending.and_then(|ending| pane.file(&bench.problem, &ending, &locale));
-            (text.map(|text| vec![(path.clone(), text)]), pane.file_names().1)
+            (text.map(|text| vec![(path.clone(), text.into_bytes())]), pane.file_names().1.into())
         }
-        _ => (
-            DocumentFormat::of(&path).and_then(|paper| files(&bench.problem, paper, &path, &locale)),
-            "enter a name ending in .html, .tex, .typ, .md or .txt",
-        ),
+        _ if is_note(&path) => match files(&bench.problem, &path, &locale) {
+            Ok(files) => (files, NOTES.into()),
+            Err(why) => (None, why),
+        },
+        _ => (None, Text::from(NOTES)),
     };
     match files {
         Some(files) => vec![Intent::Do(Effect::Export { files, before })],
-        None => vec![Intent::Show(Dialog::prompt_again(purpose, path.display().to_string(), why.into()))],
+        None => vec![Intent::Show(Dialog::prompt_again(purpose, path.display().to_string(), why))],
     }
 }
 
 /// Says where it is, or what stands in its way.
 pub(super) fn written(path: &Path, result: Result<(), FileError>) -> Vec<Intent> {
-    let purpose = if DocumentFormat::of(path).is_some() { Purpose::Export } else { Purpose::ExportSeen };
+    let purpose = if is_note(path) { Purpose::Export } else { Purpose::ExportSeen };
     match result {
         Ok(()) => {
             let said = match purpose {
@@ -128,12 +138,32 @@ fn picture(model: &Model) -> Option<Tab> {
     [bench.tab].into_iter().chain(bench.all_tabs().filter(is_seen)).find(has_picture)
 }
 
-fn files(
-    problem: &Problem,
-    paper: DocumentFormat,
-    path: &Path,
-    locale: &Locale,
-) -> Option<Vec<(PathBuf, String)>> {
+/// True for the name of a worked solution, by its ending.
+fn is_note(path: &Path) -> bool {
+    is_word(path) || DocumentFormat::of(path).is_some()
+}
+
+/// True for the name of a document of Word, where one can be written.
+fn is_word(path: &Path) -> bool {
+    cfg!(feature = "word") && path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("docx"))
+}
+
+/// The worked solution as files, the note itself first; `None` without a solution.
+fn files(problem: &Problem, path: &Path, locale: &Locale) -> Result<Option<Vec<(PathBuf, Vec<u8>)>>, Text> {
+    let Some(document) = document_of(problem, locale) else { return Ok(None) };
+    let source = NoteSource::new(problem.as_text(), &[], Parts::Full, locale);
+    #[cfg(feature = "word")]
+    if is_word(path) {
+        let bytes = dalembert_report::docx(&document, &source, locale)?;
+        return Ok(Some(vec![(path.to_owned(), bytes)]));
+    }
+    let files = DocumentFormat::of(path).and_then(|paper| source.files(paper, &document, path, locale));
+    let beside = |(name, text): (String, String)| (path.with_file_name(name), text.into_bytes());
+    Ok(files.map(|files| files.into_iter().map(beside).collect()))
+}
+
+/// The document of the worked solution; `None` without one.
+fn document_of(problem: &Problem, locale: &Locale) -> Option<Document> {
     let record = problem.inputs.form.draft.read(&problem.entry().shape()).ok()?;
     let unchanged =
         |case: &&Case| problem.document.title.is_empty() && case.draft == problem.inputs.form.draft;
@@ -152,8 +182,5 @@ fn files(
         outcome: Ok(problem.found.solution.as_ref()?),
     };
     let document = document(&worked, locale).under(&problem.document.title_block, locale);
-    let document = document.map(&|words| filter_untrusted(words).into_owned());
-    let files =
-        NoteSource::new(problem.as_text(), &[], Parts::Full, locale).files(paper, &document, path, locale)?;
-    Some(files.into_iter().map(|(name, text)| (path.with_file_name(name), text)).collect())
+    Some(document.map(&|words| filter_untrusted(words).into_owned()))
 }

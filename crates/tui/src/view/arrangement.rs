@@ -2,21 +2,23 @@
 //!
 //! One rule for every size. Below [`TWO_COLUMNS`] one column has what the keys act on, and a strip with the main answers;
 //! from there on the form stands beside the shown pane, and from [`THREE_COLUMNS`] on pictures have a column of their
-//! own. The rows that a column leaves over go to panes that would otherwise wait behind their tabs.
+//! own. A drawing has the rows that its shape fills, a plot all that there are; the rows that a column leaves over go to
+//! panes that would otherwise wait behind their tabs.
 
 use std::{
     cell::RefCell,
     collections::{HashMap, VecDeque},
+    rc::Rc,
 };
 
 use ratatui::layout::Rect;
 
-use super::{form, page};
+use super::{form, page, surroundings};
 use crate::{
     bench::Bench,
     layout::{self, Focus},
     model::Model,
-    pane::{Content, Tab},
+    pane::{Content, Page, Tab},
 };
 
 /// From so many columns on inputs and results stand side by side.
@@ -27,7 +29,7 @@ const THREE_COLUMNS: u16 = 160;
 const FORM: (u16, u16) = (40, 66);
 /// Share of the middle one of three columns in what the form leaves: answers with their symbols beside them.
 const MIDDLE: (u16, u16) = (11, 20);
-/// Rows of the lowest picture, frame included, and of the lowest one of two above each other.
+/// Rows of the lowest picture, frame included, and of the lowest plot beside another picture in its column.
 const PICTURE: (u16, u16) = (10, 18);
 /// Rows of the lowest text that is worth a frame of its own.
 const TEXT: u16 = 6;
@@ -45,32 +47,36 @@ pub(crate) struct PlacedPane {
     pub(crate) has_tabs: bool,
 }
 
+/// Pages of panes of text, by the place of their tab and the columns inside their frame.
+pub(super) type Pages = HashMap<(usize, u16), Rc<Page>>;
+
 /// The parts of the screen of a problem.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Arrangement {
     pub(crate) form: Option<Rect>,
     pub(crate) panes: Vec<PlacedPane>,
+    /// The pages whose lines were counted: they need not be set once more to be drawn.
+    pub(super) pages: Pages,
 }
 
 /// Arranges form and panes in the body of the screen.
 pub(super) fn arrange(model: &Model, bench: &Bench, focus: Focus, body: Rect) -> Arrangement {
-    let screen = Screen { model, bench, pages: RefCell::default() };
+    let screen = Screen { model, bench, pages: RefCell::default(), pictures: RefCell::default() };
     if bench.expanded || model.look.basic {
         return match focus {
-            Focus::Form => Arrangement { form: Some(body), panes: Vec::new() },
-            Focus::Pane => Arrangement { form: None, panes: alone(bench, body) },
+            Focus::Form => Arrangement { form: Some(body), ..Arrangement::default() },
+            Focus::Pane => Arrangement { panes: alone(bench, body), ..Arrangement::default() },
         };
     }
-    if body.width < TWO_COLUMNS {
-        return screen.one_column(focus, body);
-    }
-    // A pane that is seen beside the results is not brought in their place.
-    let usual = screen.columns(Tab::default(), body);
-    if usual.panes.iter().any(|placed| placed.tab == bench.tab) {
-        usual
+    let arrangement = if body.width < TWO_COLUMNS {
+        screen.one_column(focus, body)
     } else {
-        screen.columns(bench.tab, body)
-    }
+        // A pane that is seen beside the results is not brought in their place.
+        let usual = screen.columns(Tab::default(), body);
+        let shows_tab = usual.panes.iter().any(|placed| placed.tab == bench.tab);
+        if shows_tab { usual } else { screen.columns(bench.tab, body) }
+    };
+    Arrangement { pages: screen.pages.into_inner(), ..arrangement }
 }
 
 /// Returns true if the shown pane has a next picture, and a screen of this width room for it beside the one that is shown.
@@ -103,9 +109,9 @@ enum Slot {
 struct Part {
     slot: Slot,
     least: u16,
-    /// Rows that show all of it; of a picture, as many as there are.
+    /// Rows that show all of it; of a plot, as many as there are.
     wanted: u16,
-    /// True if it has what it wants before pictures: the form, and the pane that the keys act on.
+    /// True if it has what it wants before plots: a drawing, the form, and the pane that the keys act on.
     is_first: bool,
 }
 
@@ -119,8 +125,10 @@ impl Part {
 struct Screen<'a> {
     model: &'a Model,
     bench: &'a Bench,
-    /// Lines of a page, and those of its head, by tab and width: the ways to arrange it ask for the same ones.
-    pages: RefCell<HashMap<(usize, u16), (usize, usize)>>,
+    /// Pages that were set: the ways to arrange it ask for the same ones.
+    pages: RefCell<Pages>,
+    /// Rows of the picture in use of a tab in so many columns, or of the next one, frame included.
+    pictures: RefCell<HashMap<(usize, u16, bool), Option<u16>>>,
 }
 
 /// Ways to share a wide screen out.
@@ -141,12 +149,12 @@ impl Screen<'_> {
         let mut waiting = self.waiting(shown);
         let first = match focus {
             Focus::Form => self.form(body.width),
-            Focus::Pane => self.pane(shown, body.width),
+            Focus::Pane => self.pane(shown, body),
         };
         let mut parts = vec![first];
         if focus == Focus::Form && self.covers_results(shown) {
             // What is to be found stands where the main answers would.
-            parts.push(self.pane(shown, body.width));
+            parts.push(self.pane(shown, body));
         } else if focus == Focus::Form || (shown != results && !self.covers_results(shown)) {
             // What grows has what the main answers leave.
             let strip = self.strip(body.width);
@@ -196,13 +204,13 @@ impl Screen<'_> {
             if has_three { split(rest, rest.width * MIDDLE.0 / MIDDLE.1) } else { [rest, Rect::ZERO] };
         let mut of_left = vec![self.form(left.width)];
         if sharing == Sharing::PictureBelowForm && waiting.len() > 1 {
-            of_left.extend(waiting.remove(1).map(|tab| self.pane(tab, left.width)));
+            of_left.extend(waiting.remove(1).map(|tab| self.pane(tab, left)));
         }
         let mut of_right = Vec::new();
         if has_three {
             self.fill(&mut of_right, right, &mut waiting);
         }
-        let mut of_middle = vec![self.pane(main, middle.width)];
+        let mut of_middle = vec![self.pane(main, middle)];
         if main != Tab::default() && !self.covers_results(main) {
             of_middle.push(self.strip(middle.width));
         }
@@ -241,14 +249,21 @@ impl Screen<'_> {
         Part { slot: Slot::Form, least: TEXT.min(rows), wanted: rows, is_first: true }
     }
 
-    fn pane(&self, tab: Tab, width: u16) -> Part {
+    fn pane(&self, tab: Tab, area: Rect) -> Part {
         let slot = Slot::Pane(tab);
         let is_first = self.bench.focus == Focus::Pane && self.bench.tab == tab;
         match self.bench.pane(tab).content() {
-            Content::Picture => Part { slot, least: PICTURE.0, wanted: u16::MAX, is_first },
+            Content::Picture => match self.rows(tab, area.width, false) {
+                None => Part { slot, least: PICTURE.0, wanted: u16::MAX, is_first },
+                Some(rows) => {
+                    let next = self.rows_of_next(tab, area.width).filter(|next| rows + next.1 <= area.height);
+                    let wanted = next.map_or(rows, |(next, _)| rows + next).min(area.height);
+                    Part { slot, least: PICTURE.0.min(rows), wanted, is_first: true }
+                }
+            },
             Content::Cells => Part { slot, least: TEXT, wanted: u16::MAX, is_first },
             Content::Text => {
-                let (lines, head) = self.lines(tab, width);
+                let (lines, head) = self.lines(tab, area.width);
                 let rows = framed(lines);
                 Part { slot, least: framed(head).max(TEXT).min(rows), wanted: rows, is_first }
             }
@@ -267,12 +282,30 @@ impl Screen<'_> {
         }
     }
 
+    /// Rows that the picture in use of a pane fills, or the next one, frame included; `None` where it is the better for
+    /// every row.
+    fn rows(&self, tab: Tab, width: u16, next: bool) -> Option<u16> {
+        *self.pictures.borrow_mut().entry((tab.0, width, next)).or_insert_with(|| {
+            let ui = surroundings(self.model, self.bench, tab, Rect::ZERO);
+            let rows = self.bench.pane(tab).rows(&self.bench.problem, &ui, next, inner(width));
+            rows.map(|rows| framed(rows.into()))
+        })
+    }
+
+    /// Rows of the picture behind the one in use, and the least of them; `None` without one.
+    fn rows_of_next(&self, tab: Tab, width: u16) -> Option<(u16, u16)> {
+        let has_next = self.bench.pane(tab).pictures(&self.bench.problem) > 1;
+        let rows = has_next.then(|| self.rows(tab, width, true))??;
+        Some((rows, rows.min(PICTURE.1)))
+    }
+
     /// Lines of the page of a pane in so many columns, and those of its head.
     fn lines(&self, tab: Tab, width: u16) -> (usize, usize) {
-        *self.pages.borrow_mut().entry((tab.0, width)).or_insert_with(|| {
-            let page = page(self.model, self.bench, tab, inner(width));
-            (page.lines.len(), page.head)
-        })
+        let width = inner(width);
+        let mut pages = self.pages.borrow_mut();
+        let page =
+            pages.entry((tab.0, width)).or_insert_with(|| Rc::new(page(self.model, self.bench, tab, width)));
+        (page.lines.len(), page.head)
     }
 
     /// Adds panes that wait while more than a third of the rows, or enough for a picture, are left over.
@@ -283,24 +316,24 @@ impl Screen<'_> {
             if left < TEXT.max(area.height / 4) {
                 break;
             }
-            let fits = |tab: &Tab| self.pane(*tab, area.width).least <= left;
+            let rest = Rect { height: left, ..area };
+            let fits = |tab: &Tab| self.pane(*tab, rest).least <= left;
             let Some(at) = waiting.iter().position(fits) else { break };
-            parts.extend(waiting.remove(at).map(|tab| self.pane(tab, area.width)));
+            parts.extend(waiting.remove(at).map(|tab| self.pane(tab, rest)));
         }
-        // Two pictures share a column that has room for both.
-        let mut pictures = parts.iter().filter(|part| part.grows()).count();
-        while let Some(tab) = waiting.front().filter(|_| pictures > 0 && pictures < 2)
-            && self.bench.pane(*tab).content() == Content::Picture
+        // A plot shares a column that has room for two pictures.
+        let is_picture = |tab: &Tab| self.bench.pane(*tab).content() == Content::Picture;
+        if parts.iter().filter(|part| part.grows()).count() == 1
+            && let Some(tab) = waiting.front().copied().filter(is_picture)
         {
-            let others = parts.iter().filter(|part| !part.grows()).map(|part| part.wanted);
-            let used: u16 = others.fold(0, u16::saturating_add);
-            if area.height.saturating_sub(used) < 2 * PICTURE.1 {
-                break;
+            let rows = parts.iter().map(|part| if part.grows() { PICTURE.1 } else { part.wanted });
+            let used = rows.fold(0, u16::saturating_add);
+            let rest = Rect { height: area.height.saturating_sub(used), ..area };
+            let rows = self.rows(tab, area.width, false).unwrap_or(PICTURE.1);
+            if rows.min(PICTURE.1) <= rest.height {
+                waiting.pop_front();
+                parts.push(self.pane(tab, rest));
             }
-            let part = self.pane(*tab, area.width);
-            waiting.pop_front();
-            parts.push(part);
-            pictures += 1;
         }
     }
 
@@ -313,8 +346,7 @@ impl Screen<'_> {
                 _ if height == 0 => {}
                 Slot::Form => arrangement.form = Some(area),
                 Slot::Pane(tab) => {
-                    let pictures = self.bench.pane(tab).pictures(&self.bench.problem);
-                    let rows = if pictures > 1 && height >= 2 * PICTURE.1 { height / 2 } else { height };
+                    let rows = self.rows_of_first(tab, area);
                     arrangement.panes.push(placed(tab, Rect { height: rows, ..area }, false));
                     if rows < height {
                         let area = Rect { y: area.y + rows, height: height - rows, ..area };
@@ -322,6 +354,18 @@ impl Screen<'_> {
                     }
                 }
             }
+        }
+    }
+
+    /// Rows of the picture in use in the area of its pane: what the next one leaves it where there is room for both.
+    fn rows_of_first(&self, tab: Tab, area: Rect) -> u16 {
+        let pictures = self.bench.pane(tab).pictures(&self.bench.problem);
+        match (self.rows(tab, area.width, false), self.rows_of_next(tab, area.width)) {
+            (Some(first), Some((next, least))) if first + least <= area.height => {
+                first + area.height.saturating_sub(first + next) / 2
+            }
+            (None, _) if pictures > 1 && area.height >= 2 * PICTURE.1 => area.height / 2,
+            _ => area.height,
         }
     }
 }

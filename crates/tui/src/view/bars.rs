@@ -95,7 +95,7 @@ pub(super) fn help(model: &Model, area: Rect, buffer: &mut Buffer) {
 }
 
 /// The most useful keys, and a notice above them; on a low screen in place of them.
-pub(super) fn footer(model: &Model, area: Rect, buffer: &mut Buffer) {
+pub(super) fn footer(model: &Model, area: Rect, has_animation: bool, buffer: &mut Buffer) {
     if area.is_empty() {
         return;
     }
@@ -110,7 +110,7 @@ pub(super) fn footer(model: &Model, area: Rect, buffer: &mut Buffer) {
     }
     let look = &model.look;
     let mut line = Line::default();
-    for hint in hints(model, model.place(), room) {
+    for hint in hints(model, model.place(), room, has_animation) {
         if !line.spans.is_empty() {
             line.push_span(Span::raw(" ".repeat(GAP)));
         }
@@ -131,7 +131,8 @@ pub(super) fn action_at(model: &Model, area: Rect, at: Position) -> Option<Actio
         return None;
     }
     let mut offset = usize::from(at.x).checked_sub(usize::from(area.x) + 1)?;
-    for hint in hints(model, model.place(), usize::from(area.width).saturating_sub(2)) {
+    let room = usize::from(area.width).saturating_sub(2);
+    for hint in hints(model, model.place(), room, animation(model).is_some()) {
         let cells = width(&hint.keys) + 1 + width(&hint.name);
         if offset < cells {
             // Of two keys side by side each does its own.
@@ -177,7 +178,7 @@ fn draw_notice(model: &Model, notice: &Notice, foot: Rect, buffer: &mut Buffer) 
 }
 
 /// As many keys of a place as there is room for; the way on is always among them: the help, or that out of a dialog.
-fn hints(model: &Model, place: KeyContext, room: usize) -> Vec<Hint> {
+fn hints(model: &Model, place: KeyContext, room: usize, has_animation: bool) -> Vec<Hint> {
     let written = |bound: &Bound| {
         let binding = bound.binding;
         let pair = pair(binding.action);
@@ -195,7 +196,6 @@ fn hints(model: &Model, place: KeyContext, room: usize) -> Vec<Hint> {
         Hint { action: binding.action, pair, keys, name: word(hint, model) }
     };
     let cells = |hint: &Hint| width(&hint.keys) + 1 + width(&hint.name);
-    let has_animation = animation(model).is_some();
     let shown = model.shown_bench();
     let in_picture = shown.is_some_and(|bench| bench.shown().content() == Content::Picture);
     let serves = |bound: &&Bound| match bound.binding.action {

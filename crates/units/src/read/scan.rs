@@ -427,8 +427,8 @@ impl Literal<'_> {
         self.digits == 0
     }
 
-    /// One unit in its last place, times `mantissa × 10^ten`.
+    /// One unit in its last place, times `mantissa × 10^ten`; finite for a zero of any exponent.
     pub(crate) fn last_place(self, mantissa: f64, ten: i16) -> f64 {
-        decimal::join(1, mantissa, self.exponent.saturating_add(ten.into()))
+        decimal::join(1, mantissa, self.exponent.saturating_add(ten.into())).min(f64::MAX)
     }
 }

@@ -266,6 +266,7 @@ fn the_last_written_place() {
         ("8.37×10³ N", 10.0),
         ("5 in", 0.0254),
         ("3.0 mm pp", 5e-5),
+        ("0e77003 m", f64::MAX),
     ] {
         let found = any(text).last_place;
         assert!((found / place - 1.0).abs() < 1e-15, "`{text}`: {found}");

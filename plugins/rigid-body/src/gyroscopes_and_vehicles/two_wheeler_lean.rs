@@ -420,10 +420,10 @@ impl TwoWheelerLean {
             })
             .collect();
         // The centre of the turn is drawn as near as it finds room.
-        let (axis, from) = (2.1, if matches!(self.measured, Measured::Track) { (0.0, 0.0) } else { centre });
+        let (axis, from) = (1.3, if matches!(self.measured, Measured::Track) { (0.0, 0.0) } else { centre });
         let mut sketch = Sketch::new("From behind, in a turn to the right (R is not to scale)");
         sketch
-            .ground((-0.8, 0.0), (2.3, 0.0))
+            .ground((-0.8, 0.0), (1.5, 0.0))
             .axis((0.0, 0.0), (0.0, 1.3))
             .axis((axis, 0.0), (axis, 1.3))
             .axis(at(0.0, 0.0), at(1.2, 0.0))
@@ -437,8 +437,8 @@ impl TwoWheelerLean {
             .force("m g", centre, (centre.0, centre.1 - 0.45))
             .force("m Ω² R_G", centre, (centre.0 - pull, centre.1))
             .mass_centre("G", centre)
-            .arc((0.0, 0.0), 0.5, (FRAC_PI_2 - lean.max(0.0), FRAC_PI_2 - lean.min(0.0)), Ink::Faint)
-            .label("θ", (0.5 * (lean / 2.0).sin(), 0.5 * (lean / 2.0).cos()));
+            .arc((0.0, 0.0), 0.75, (FRAC_PI_2 - lean.max(0.0), FRAC_PI_2 - lean.min(0.0)), Ink::Faint)
+            .label("θ", (0.75 * (lean / 2.0).sin(), 0.75 * (lean / 2.0).cos()));
         if self.engine.is_some() {
             let engine = at(f64::midpoint(wheel, height), 0.0);
             sketch.round("I_e", engine, 0.06, Ink::Body);

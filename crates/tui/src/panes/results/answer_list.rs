@@ -207,9 +207,13 @@ impl Columns {
         let room = width.saturating_sub(2 + values.max(16));
         // Labels go on in a second line beside symbols, which give way where that would be many.
         let with_symbols = room.saturating_sub(symbol + 1);
-        let symbol = if with_symbols >= longest.min(NARROWEST_LABELS.0) { symbol } else { 0 };
-        let room = if symbol > 0 { with_symbols } else { room };
-        (room >= longest.min(NARROWEST_LABELS.1)).then(|| Self {
+        let has_symbols = with_symbols >= longest.min(NARROWEST_LABELS.0);
+        let (symbol, room, least) = if has_symbols {
+            (symbol, with_symbols, NARROWEST_LABELS.0)
+        } else {
+            (0, room, NARROWEST_LABELS.1)
+        };
+        (room >= longest.min(least)).then(|| Self {
             label: longest.min(room).min(WIDEST_LABELS.max(width / 2)),
             symbol,
             numbers,

@@ -17,9 +17,11 @@ use crate::{
 pub(super) fn lines(model: &Model, preview: &ImportPreview, room: usize) -> Vec<Line<'static>> {
     let Some((_, table)) = &preview.read else { return to_choose_from(model, &preview.sample, room) };
     let mut lines = understood(model, table, room);
-    let hint = Text::new(
-        "Enter takes this table; `#1,3` behind the name chooses columns, `#skip=2` leaves lines out",
-    );
+    let hint = Text::new(if table.fault.is_some() {
+        "`#1,3` behind the name chooses columns, `#skip=2` leaves lines out"
+    } else {
+        "Enter takes this table; `#1,3` behind the name chooses columns, `#skip=2` leaves lines out"
+    });
     let hint = wrapped(&hint.render(&model.locale), room);
     lines.extend(hint.into_iter().map(|text| Line::styled(text, model.look.dim())));
     lines
