@@ -46,7 +46,7 @@ pub fn opened(problem_file: &str, language: &str) -> String {
     .to_string()
 }
 
-/// The same after a change of the form: `{"do", "path", "text"}`, see [`Change`]. A change that cannot be made is an error,
+/// The same after a change of the form: `{"do", "path", "text"}`, see `change.rs`. A change that cannot be made is an error,
 /// and the problem stays as it is.
 pub fn changed(problem_file: &str, change: &str, language: &str) -> String {
     let locale = locale(language);
