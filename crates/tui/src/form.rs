@@ -263,10 +263,7 @@ impl Form {
         let Ok((draft, shape)) = self.draft.at(&self.shape, path) else { return false };
         let Some(new) = form::alternative(&shape.present(), draft, to) else { return false };
         let old = draft.clone();
-        let new = match self.left.get(&(path.to_owned(), to)) {
-            Some(kept) => kept.clone(),
-            None => new,
-        };
+        let new = self.left.get(&(path.to_owned(), to)).cloned().unwrap_or(new);
         if let Draft::OneOf(from, _) = old {
             self.left.insert((path.to_owned(), from), old);
         }

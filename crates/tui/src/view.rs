@@ -119,7 +119,7 @@ fn draw_screen(
             let cursor = areas.form.and_then(|area| form::draw(model, bench, area, buffer));
             let pictures = draw_panes(model, look, bench, &areas, buffer);
             bars::help(model, areas.help, buffer);
-            bars::footer(model, areas.footer, animation_in(bench, &areas).is_some(), buffer);
+            bars::footer_below(model, areas.footer, animation_in(bench, &areas).is_some(), buffer);
             (cursor, pictures)
         }
         None => {
@@ -127,7 +127,7 @@ fn draw_screen(
             bars::title(model, title, buffer);
             let cursor = picker::draw(model, body, buffer);
             bars::help(model, help, buffer);
-            bars::footer(model, footer, false, buffer);
+            bars::footer(model, footer, buffer);
             (cursor, Vec::new())
         }
     }

@@ -98,9 +98,7 @@ impl Pane for Drawing {
     }
 
     fn draw_next(&self, problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut Buffer) -> Vec<Pixels> {
-        let at = turned(self.at, 1, self.pictures(problem));
-        let next = Self { at, ..Self::default() };
-        let Some(seen) = next.seen(problem, ui.covered) else { return Vec::new() };
+        let Some(seen) = self.next(problem).seen(problem, ui.covered) else { return Vec::new() };
         let placed = drawing::render(&seen, ui.look, ui.locale, room, buffer);
         reasons::dim_stale(problem, ui, room, placed.picture.into_iter().collect(), buffer)
     }
@@ -155,8 +153,7 @@ impl Pane for Drawing {
 
     /// A scene in space has as many rows from every side, so that the screen keeps its parts while it is rotated.
     fn rows(&self, problem: &Problem, ui: &Ui<'_>, next: bool, width: u16) -> Option<u16> {
-        let at = if next { turned(self.at, 1, self.pictures(problem)) } else { self.at };
-        let shown = Self { at, ..Self::default() };
+        let shown = if next { self.next(problem) } else { Self { at: self.at, ..Self::default() } };
         let (frames, _) = shown.frames(problem);
         let bar = u16::from(frames > 1 && !next);
         Some(drawing::rows(&*shown.seen(problem, ui.covered)?, ui.look, ui.locale, width) + bar)
@@ -184,6 +181,11 @@ impl Drawing {
     /// From where a scene in space is seen, where it was turned.
     pub fn view(&self) -> Option<Viewpoint3> {
         self.view
+    }
+
+    /// The next drawing, as it is at first.
+    fn next(&self, problem: &Problem) -> Self {
+        Self { at: turned(self.at, 1, self.pictures(problem)), ..Self::default() }
     }
 
     /// The drawing, animation or scene that is shown.

@@ -74,11 +74,10 @@ pub(super) fn write(model: &Model, purpose: Purpose, path: PathBuf, before: Befo
             let text = ending.and_then(|ending| pane.file(&bench.problem, &ending, &locale));
             (text.map(|text| vec![(path.clone(), text.into_bytes())]), pane.file_names().1.into())
         }
-        _ if is_note(&path) => match files(&bench.problem, &path, &locale) {
+        _ => match files(&bench.problem, &path, &locale) {
             Ok(files) => (files, NOTES.into()),
             Err(why) => (None, why),
         },
-        _ => (None, Text::from(NOTES)),
     };
     match files {
         Some(files) => vec![Intent::Do(Effect::Export { files, before })],
@@ -148,7 +147,7 @@ fn is_word(path: &Path) -> bool {
     cfg!(feature = "word") && path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("docx"))
 }
 
-/// The worked solution as files, the note itself first; `None` without a solution.
+/// The worked solution as files, the note itself first; `None` without a solution, and of a name that is none of a note.
 fn files(problem: &Problem, path: &Path, locale: &Locale) -> Result<Option<Vec<(PathBuf, Vec<u8>)>>, Text> {
     let Some(document) = document_of(problem, locale) else { return Ok(None) };
     let source = NoteSource::new(problem.as_text(), &[], Parts::Full, locale);

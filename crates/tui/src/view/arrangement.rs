@@ -394,7 +394,7 @@ fn name_tabs(panes: &mut [PlacedPane]) {
 }
 
 /// The rows of each part: the least of each, the first ones before later ones, then what each wants in their order, at
-/// most half of what is left to a text above a picture; the rest to pictures, and without one to the last part.
+/// most half of what is left to a text above a plot; the rest to plots, and without one to all parts by their height.
 fn heights(parts: &[Part], height: u16) -> Vec<u16> {
     let mut left = height;
     let mut heights: Vec<u16> = vec![0; parts.len()];

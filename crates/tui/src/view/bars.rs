@@ -95,7 +95,12 @@ pub(super) fn help(model: &Model, area: Rect, buffer: &mut Buffer) {
 }
 
 /// The most useful keys, and a notice above them; on a low screen in place of them.
-pub(super) fn footer(model: &Model, area: Rect, has_animation: bool, buffer: &mut Buffer) {
+pub(super) fn footer(model: &Model, area: Rect, buffer: &mut Buffer) {
+    footer_below(model, area, false, buffer);
+}
+
+/// The same below panes, one of which may have an animation.
+pub(super) fn footer_below(model: &Model, area: Rect, has_animation: bool, buffer: &mut Buffer) {
     if area.is_empty() {
         return;
     }

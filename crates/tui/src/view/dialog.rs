@@ -40,14 +40,14 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
     let [_, _, _, footer] = layout::frame(screen);
     match dialog {
         Dialog::Help { search, scroll } => {
-            bars::footer(model, footer, false, buffer);
+            bars::footer(model, footer, buffer);
             help::draw(model, search, *scroll, screen, buffer)
         }
         Dialog::Palette { input, chosen } => draw_palette(model, input, *chosen, screen, footer, buffer),
         Dialog::Choice { options, chosen, .. } => {
             let laid = lay_choice(model, options, *chosen, screen);
             laid.draw(model, &word("Choose one", model), buffer);
-            bars::footer(model, footer, false, buffer);
+            bars::footer(model, footer, buffer);
             None
         }
         Dialog::Prompt { purpose, input, error, names, preview } => {
@@ -95,14 +95,14 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
                 Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner },
                 buffer,
             );
-            bars::footer(model, footer, false, buffer);
+            bars::footer(model, footer, buffer);
             let style = if input.is_selected() { model.look.focus() } else { Style::new() };
             draw_input(model, input.input(), "", style, Rect { height: inner.height.min(1), ..inner }, buffer)
         }
         Dialog::Ask { question, answers, chosen } => {
             let laid = lay_question(model, &question.render(&model.locale), answers, *chosen, screen);
             laid.draw(model, "", buffer);
-            bars::footer(model, footer, false, buffer);
+            bars::footer(model, footer, buffer);
             None
         }
         Dialog::Message { title, lines } => {
@@ -113,14 +113,14 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
                 .collect();
             shown.extend(lines.iter().flat_map(|line| wrapped(line, room)).map(Line::from));
             draw_box(model, "", &shown, screen, buffer);
-            bars::footer(model, footer, false, buffer);
+            bars::footer(model, footer, buffer);
             None
         }
         Dialog::Sheet(sheet) => {
             Clear.render(screen, buffer);
             let cursor =
                 draw_sheet(model, sheet, Rect { height: screen.height.saturating_sub(1), ..screen }, buffer);
-            bars::footer(model, footer, false, buffer);
+            bars::footer(model, footer, buffer);
             Some(cursor)
         }
     }

@@ -69,7 +69,7 @@ pub(super) fn draw(model: &Model, bench: &Bench, area: Rect, buffer: &mut Buffer
     });
     draw_faces(model, &faces, picture, buffer);
     draw_help(model, bench, field, help, buffer);
-    bars::footer(model, footer, false, buffer);
+    bars::footer(model, footer, buffer);
     page.cursor.and_then(|column| {
         let y = text.y + u16::try_from(page.focus.checked_sub(first)?).ok()?;
         Some(Position::new(text.x + column as u16, y)).filter(|at| text.contains(*at))
