@@ -70,6 +70,8 @@ pub struct Tally {
     pub right: usize,
     /// Those of them that came with other mistakes that give the very same number.
     pub shared: usize,
+    /// Those of them that were named.
+    pub named: usize,
     /// Right causes among those listed, but not the first.
     pub listed: usize,
     /// Wrong causes that came first.
@@ -310,6 +312,11 @@ impl<'p> Solved<'p> {
         if mistake.place == Place::Answer && is_unit(operation) && is_unit(does) {
             return self.is_place(mistake, at, with);
         }
+        // Another unit of a given value is a factor of it.
+        let is_given = matches!(mistake.place, Place::Input(..));
+        if is_given && [(operation, does), (does, operation)].contains(&("unit", "factor")) {
+            return self.is_place(mistake, at, with);
+        }
         let is_two = |operation: &str| operation != "left-out" || self.is_about_a_number(mistake);
         let is_alike = |group: &&[&str]| {
             group.contains(&operation) && group.contains(&does) && is_two(operation) && is_two(does)
@@ -443,6 +450,7 @@ pub fn tally(
                 Some(first) if is_right(first) => {
                     tally.right += 1;
                     tally.shared += usize::from(!first.equivalents.is_empty());
+                    tally.named += usize::from(first.is_named);
                     continue;
                 }
                 Some(first) => {

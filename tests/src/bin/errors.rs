@@ -22,7 +22,9 @@ fn main() {
         }
         let problems = corpus(&folder);
         println!("{name}: {} problems", problems.len());
-        println!("digits  data    kind     made  right first (with equals)  wrong first (named)  listed");
+        println!(
+            "digits  data    kind     made  right first (with equals, named)  wrong first (named)  listed"
+        );
         for digits in &digits {
             let all: [(&str, &dyn Fn(usize) -> f64); 2] = [("given", &|_| 1.0), ("varied", &varied)];
             for (data, factor) in all {
@@ -37,7 +39,7 @@ fn main() {
             }
         }
         if !words.iter().any(|word| word == "--no-random") {
-            for digits in [3, 4, 5, 6] {
+            for digits in digits.iter().copied() {
                 let (named, tried) = random(&problems, digits);
                 let share = 100.0 * named as f64 / tried as f64;
                 println!("random numbers, {digits} digits: {named} of {tried} named, {share:.2} %");
@@ -47,10 +49,10 @@ fn main() {
 }
 
 fn row(digits: u8, data: &str, kind: &str, found: &Tally) {
-    let Tally { made, right, shared, wrong, named_wrong, listed } = found;
+    let Tally { made, right, shared, named, wrong, named_wrong, listed } = found;
     let (share, bad) = (found.right_share(), found.wrong_share());
     println!(
-        "{digits:>6}  {data:7} {kind:8} {made:>4}  {right:>4} {share:5.1} % ({shared:>3})  {wrong:>4} {bad:5.1} % ({named_wrong})  {listed:>4}"
+        "{digits:>6}  {data:7} {kind:8} {made:>4}  {right:>4} {share:5.1} % ({shared:>3}, {named:>3})  {wrong:>4} {bad:5.1} % ({named_wrong})  {listed:>4}"
     );
 }
 

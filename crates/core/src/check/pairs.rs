@@ -64,7 +64,7 @@ pub(super) fn pairs(
     let hit = |first: &Candidate, second: &Candidate, value: f64, accidents: f64| {
         let mistakes = vec![first.mistake.clone(), second.mistake.clone()];
         let prior = PAIR * first.prior * second.prior;
-        let unknown = UNKNOWN * one.accident(value);
+        let unknown = UNKNOWN * one.by_unknown(value);
         Hit { cause: Cause::new(mistakes, accidents <= NAMED), others: 0, prior, value, unknown }
     };
     let mut hits: Vec<Hit> = Vec::new();

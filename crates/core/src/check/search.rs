@@ -114,7 +114,7 @@ fn singles(at: usize, wrong: &[Wrong<'_>], candidates: &[Candidate], solution: &
         }
         let (others, chance) = together(candidate, at, wrong, tried.accidents);
         if chance <= POSSIBLE {
-            let unknown = UNKNOWN * one.accident(value);
+            let unknown = UNKNOWN * one.by_unknown(value);
             hits.push(Hit { cause: cause(chance <= NAMED), others, prior: candidate.prior, value, unknown });
         }
     }

@@ -21,6 +21,13 @@ pub(super) enum Digits {
     Sure,
 }
 
+/// Share of the mistakes that we do not know which change a number in a simple ratio: half of it, two thirds, three times.
+const SHARE_SIMPLE: f64 = 0.3;
+/// Ratios of whole numbers up to here are simple.
+const SIMPLE: u32 = 12;
+/// Sum over all fractions p/q in lowest terms of (p q)^−3/2, ζ(3/2)²/ζ(3).
+const SUM_OF_SIMPLE: f64 = 5.68;
+
 /// A wrong answer.
 pub(super) struct Wrong<'s> {
     pub(super) name: &'s str,
@@ -79,6 +86,16 @@ impl<'s> Wrong<'s> {
         let far = (1.0 - SHARE_NEAR) / (2.0 * FACTOR.ln())
             * if ratio.ln().abs() <= FACTOR.ln() { 1.0 } else { 0.2 };
         (width * (near + far)).min(1.0)
+    }
+
+    /// Probability that a mistake we do not know leads to a value: data are round numbers, so that many of the wrong ones are
+    /// in a simple ratio p/q to ours, the less often the larger p q is.
+    pub(super) fn by_unknown(&self, value: f64) -> f64 {
+        let ratio = (value / self.computed).abs();
+        let is_it = |p: u32, q: u32| (ratio * f64::from(q) - f64::from(p)).abs() <= 1e-9 * f64::from(p);
+        let simple = (1..=SIMPLE).find_map(|q| (1..=SIMPLE).find(|p| is_it(*p, q)).map(|p| p * q));
+        let simple = simple.map_or(0.0, |pq| SHARE_SIMPLE / SUM_OF_SIMPLE * f64::from(pq).powf(-1.5));
+        self.accident(value).max(simple)
     }
 }
 
