@@ -8,7 +8,10 @@ use std::{
 
 use dalembert_core::{Language, Locale, Text, ascii};
 use dalembert_report::{Document, json_text, text};
-use dalembert_tui::glyphs::{Capabilities, Colors, Environment, Glyphs, filter_untrusted};
+use dalembert_tui::{
+    glyphs::{Capabilities, Colors, Environment, Glyphs, filter_untrusted},
+    terminal,
+};
 
 use crate::failure::Failure;
 
@@ -41,10 +44,7 @@ impl Console {
         let stdout = io::stdout();
         let mut locale = Locale::of(language);
         locale.style.ascii = only_ascii || (stdout.is_terminal() && capabilities.glyphs == Glyphs::Ascii);
-        let width = match rustix::termios::tcgetwinsize(&stdout) {
-            Ok(size) if size.ws_col > 0 => usize::from(size.ws_col).min(WIDEST),
-            _ => USUAL,
-        };
+        let width = terminal::columns().map_or(USUAL, |columns| usize::from(columns).min(WIDEST));
         Self {
             locale,
             width,

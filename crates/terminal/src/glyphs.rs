@@ -11,6 +11,8 @@ use std::borrow::Cow;
 
 use ratatui::buffer::Buffer;
 
+use crate::system;
+
 pub use ascii::ascii_sweep;
 #[cfg(feature = "pixels")]
 pub(crate) use colors::{index_of, rgb};
@@ -37,8 +39,8 @@ impl Environment {
     /// That of this process.
     pub fn of_process() -> Self {
         let get = |name| {
-            let value = std::env::var_os(name)?.to_string_lossy().into_owned();
-            (!value.is_empty()).then_some(value)
+            let value = std::env::var_os(name).map(|value| value.to_string_lossy().into_owned());
+            value.filter(|value| !value.is_empty()).or_else(|| system::usual(name).map(str::to_owned))
         };
         Self {
             term: get("TERM"),

@@ -1,30 +1,16 @@
-//! Waiting for bytes of the terminal, and for a word from another thread.
+//! Standard input as keys, mouse reports and pastes.
 
 use std::{
-    io::{self, Read, Write},
-    os::unix::net::UnixStream,
-    sync::Arc,
+    io,
     time::{Duration, Instant},
 };
 
-use rustix::event::{PollFd, PollFlags, Timespec, poll};
-
-use super::decode::{Decoder, TerminalInput};
 #[cfg(feature = "pixels")]
 use super::pixels::Answers;
-
-/// Ends a wait of [`Session::next_events`](super::Session::next_events) from another thread: a solver calls it after
-/// it has left its result where the drawing thread looks.
-#[derive(Clone, Debug)]
-pub struct Waker(Arc<UnixStream>);
-
-impl Waker {
-    /// Ends the present wait, or the next one if nobody waits. Never blocks.
-    pub fn wake(&self) {
-        // A full pipe already wakes.
-        let _ = (&*self.0).write(&[0]);
-    }
-}
+use super::{
+    decode::{Decoder, TerminalInput},
+    system::{Input, Ready, Waker},
+};
 
 /// Standard input, decoded.
 #[derive(Debug)]
@@ -32,7 +18,7 @@ pub(super) struct Reader {
     decoder: Decoder,
     /// Time at which the sequence under way stops waiting for its end.
     deadline: Option<Instant>,
-    wakes: UnixStream,
+    input: Input,
     buffer: Box<[u8]>,
     /// Question whether the terminal shows pictures, while an answer is waited for.
     #[cfg(feature = "pixels")]
@@ -78,18 +64,16 @@ const BURST: Duration = Duration::from_millis(30);
 
 impl Reader {
     pub(super) fn new() -> io::Result<(Self, Waker)> {
-        let (near, far) = UnixStream::pair()?;
-        near.set_nonblocking(true)?;
-        far.set_nonblocking(true)?;
+        let (input, waker) = Input::new()?;
         let reader = Self {
             decoder: Decoder::default(),
             deadline: None,
-            wakes: near,
+            input,
             buffer: vec![0; 64 * 1024].into_boxed_slice(),
             #[cfg(feature = "pixels")]
             asked: None,
         };
-        Ok((reader, Waker(Arc::new(far))))
+        Ok((reader, waker))
     }
 
     /// Waits until something happens or `timeout` is over, then takes everything that is already there.
@@ -116,14 +100,9 @@ impl Reader {
             } else {
                 Duration::ZERO
             };
-            let (readable, woken, gone) = self.poll(wait)?;
+            let Ready { readable, woken, gone } = self.input.wait(wait)?;
             if readable {
-                let count = match rustix::io::read(rustix::stdio::stdin(), &mut self.buffer[..]) {
-                    Ok(0) | Err(rustix::io::Errno::IO) => return Ok(WaitResult::HungUp),
-                    Ok(count) => count,
-                    Err(rustix::io::Errno::INTR | rustix::io::Errno::AGAIN) => 0,
-                    Err(error) => return Err(error.into()),
-                };
+                let Some(count) = self.input.read(&mut self.buffer)? else { return Ok(WaitResult::HungUp) };
                 // To the decoder, answers are nothing.
                 self.decoder.feed(&self.buffer[..count], inputs);
                 self.deadline = self.decoder.patience().map(|patience| Instant::now() + patience);
@@ -162,25 +141,5 @@ impl Reader {
         let answers = self.asked.as_ref()?.answers.clone()?;
         self.asked = None;
         Some(answers)
-    }
-
-    /// Polls: standard input can be read, another thread woke us, the terminal is gone.
-    fn poll(&mut self, timeout: Duration) -> io::Result<(bool, bool, bool)> {
-        let stdin = rustix::stdio::stdin();
-        let mut fds = [PollFd::new(&stdin, PollFlags::IN), PollFd::new(&self.wakes, PollFlags::IN)];
-        let timeout = Timespec { tv_sec: timeout.as_secs() as i64, tv_nsec: timeout.subsec_nanos().into() };
-        match poll(&mut fds, Some(&timeout)) {
-            Ok(_) => {}
-            // A signal; its thread has woken us, or will.
-            Err(rustix::io::Errno::INTR) => return Ok((false, false, false)),
-            Err(error) => return Err(error.into()),
-        }
-        let (input, wake) = (fds[0].revents(), fds[1].revents());
-        let woken = wake.contains(PollFlags::IN);
-        if woken {
-            while self.wakes.read(&mut [0; 64]).is_ok_and(|count| count > 0) {}
-        }
-        let gone = input.intersects(PollFlags::HUP | PollFlags::ERR | PollFlags::NVAL);
-        Ok((input.contains(PollFlags::IN), woken, gone))
     }
 }

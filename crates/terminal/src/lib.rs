@@ -63,35 +63,28 @@
 //! keeps a panic from the screen; [`Fault`] breaks a program on demand, to test all of this.
 //!
 //! Input bytes are decoded here and not by crossterm, whose reader loses the rest of a burst, never leaves an open
-//! paste, and panics on some mouse reports. Nothing here knows the program: what it is called and what it advises come
+//! paste, and panics on some mouse reports. What differs between Unix and Windows stands in `system`; on Windows there is no
+//! guard, and nothing is suspended. Nothing here knows the program: what it is called and what it advises come
 //! in as parameters, and errors report the cause alone.
 
 mod backend;
 pub mod decode;
 mod fault;
 pub mod glyphs;
-mod guard;
 mod input;
 mod panics;
 pub mod pixels;
 mod session;
 mod shared;
-mod signals;
+mod system;
 
-use std::{
-    io::{self, IsTerminal},
-    sync::Arc,
-};
-
-use rustix::termios::tcgetattr;
-use signal_hook::{consts::SIGXFSZ, flag};
+use std::io::{self, IsTerminal};
 
 pub use decode::TerminalInput;
 pub use fault::{Fault, fault};
-pub use guard::{GUARDED, Guarded, run_guarded};
-pub use input::Waker;
 pub use panics::catch_panic;
 pub use session::{Options, Session};
+pub use system::{GUARDED, Guarded, Waker, columns, line_rate, report_file_size_limit, run_guarded};
 
 /// A terminal that cannot be had, with the cause.
 #[derive(Debug, thiserror::Error)]
@@ -108,6 +101,9 @@ pub enum TerminalError {
         if .0.is_empty() { "not set".to_owned() } else { format!("`{}`", .0.escape_debug()) }
     )]
     Dumb(String),
+    /// A console of Windows that takes no escape sequences.
+    #[error("the console takes no escape sequences; that of Windows 10 and later does")]
+    NoSequences,
     /// A call to the terminal failed.
     #[error("the terminal did not {action}: {source}")]
     Failed {
@@ -128,27 +124,7 @@ pub fn usable() -> Result<(), TerminalError> {
     if !io::stdout().is_terminal() {
         return Err(TerminalError::OutputNotATerminal);
     }
-    let term = std::env::var_os("TERM").unwrap_or_default().to_string_lossy().into_owned();
-    if term.is_empty() || term == "dumb" {
-        return Err(TerminalError::Dumb(term));
-    }
-    Ok(())
-}
-
-/// Makes a write beyond the largest size of a file (`ulimit -f`) an error of that write, where it would end the process.
-pub fn report_file_size_limit() -> io::Result<()> {
-    // What is raised need not be known: the write fails with EFBIG.
-    flag::register(SIGXFSZ, Arc::default()).map(drop)
-}
-
-/// The bytes that the line to the terminal carries in a second, where it reports it. What says 38400 baud or more is a
-/// pseudo-terminal that nobody reported, or a line so fast that nothing needs to be spared.
-pub fn line_rate() -> Option<f64> {
-    const UNKNOWN_RATE: u32 = 38_400;
-    /// Eight bits, a start and a stop.
-    const BITS: f64 = 10.0;
-    let baud = tcgetattr(rustix::stdio::stdout()).ok()?.output_speed();
-    (1..UNKNOWN_RATE).contains(&baud).then(|| f64::from(baud) / BITS)
+    system::unusable().map_or(Ok(()), Err)
 }
 
 /// Converter of an error for `map_err(failed("draw a frame"))`.

@@ -16,12 +16,11 @@ use crate::{
     backend::MinimalBackend,
     failed,
     glyphs::{Capabilities, sweep},
-    guard,
     input::{Reader, WaitResult},
     panics,
     pixels::{Graphics, Picture},
     shared::{Autosave, Shared},
-    signals, usable,
+    system, usable,
 };
 #[cfg(feature = "pixels")]
 use crate::{
@@ -76,7 +75,7 @@ impl Session {
         let bytes = FrameBytes::default();
         let terminal = Terminal::new(MinimalBackend::new(bytes.clone())).map_err(failed("tell its size"))?;
         panics::watch(&shared);
-        signals::watch(&shared, guard::parent()).map_err(failed("let its signals be watched"))?;
+        system::watch(&shared).map_err(failed("let its signals be watched"))?;
         shared.take().map_err(failed("switch to raw mode"))?;
         #[cfg(not(feature = "pixels"))]
         let _ = pictures;
@@ -152,8 +151,8 @@ impl Session {
         if self.shared.is_active() {
             if let Err(error) = self.bytes.write_to(&mut io::stdout().lock(), self.plain) {
                 drop(frame);
-                if signals::terminal_is_lost() {
-                    self.shared.end(signal_hook::consts::SIGHUP);
+                if system::terminal_is_lost() {
+                    self.shared.end(system::HANG_UP);
                 }
                 return Err(failed("take a frame")(error));
             }
@@ -184,7 +183,7 @@ impl Session {
         let lost = self.shared.is_active() && self.shared.repaint.load(SeqCst);
         let timeout = if lost { Duration::ZERO } else { timeout };
         if self.reader.wait(timeout, &mut inputs).map_err(failed("read keys"))? == WaitResult::HungUp {
-            self.shared.end(signal_hook::consts::SIGHUP);
+            self.shared.end(system::HANG_UP);
         }
         if self.shared.resized.swap(false, SeqCst) {
             let size = self.terminal.size().map_err(failed("tell its size"))?;
@@ -206,7 +205,7 @@ impl Session {
     /// Gives the terminal to the shell, as Ctrl-Z is expected to; `fg` takes it back and reports [`TerminalInput::Redraw`].
     /// Where there is no shell to return to, nothing happens and an [`TerminalInput::Notice`] reports it.
     pub fn suspend(&self) {
-        if !signals::suspend(&self.shared) {
+        if !system::suspend(&self.shared) {
             self.shared.notify("there is no shell to return to: the program goes on".to_owned());
         }
     }
@@ -295,9 +294,7 @@ impl Drop for Session {
 /// Pixels across a cell and down a cell, where the system knows them.
 #[cfg(feature = "pixels")]
 fn cell_of_window() -> Option<(u16, u16)> {
-    let window = rustix::termios::tcgetwinsize(rustix::stdio::stdout()).ok()?;
-    let cell = (window.ws_xpixel.checked_div(window.ws_col)?, window.ws_ypixel.checked_div(window.ws_row)?);
-    is_sane(cell).then_some(cell)
+    system::cell().filter(|cell| is_sane(*cell))
 }
 
 /// Collects the bytes of a frame; [`Session::draw`] writes them when it is whole.

@@ -11,9 +11,13 @@ use std::{
     time::{Duration, Instant},
 };
 
-use ratatui::crossterm::terminal::{disable_raw_mode, enable_raw_mode};
+use crossterm::terminal::disable_raw_mode;
 
-use super::{catch_panic, input::Waker, pixels::FORGET};
+use super::{
+    catch_panic,
+    pixels::FORGET,
+    system::{Waker, enable_raw_mode},
+};
 
 /// Alternate screen, bracketed paste, no cursor.
 const ENTER: &str = "\x1b[?1049h\x1b[?2004h\x1b[?25l";

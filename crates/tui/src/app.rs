@@ -94,7 +94,7 @@ pub fn run(options: Options) -> ExitCode {
 /// Advice after an error of the terminal: what to use instead.
 fn advice(error: &TerminalError) -> &'static str {
     match error {
-        TerminalError::InputNotATerminal | TerminalError::OutputNotATerminal => {
+        TerminalError::InputNotATerminal | TerminalError::OutputNotATerminal | TerminalError::NoSequences => {
             ": write `dalembert solve FILE` for plain output"
         }
         TerminalError::Dumb(_) => {

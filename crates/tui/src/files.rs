@@ -6,18 +6,18 @@
 
 mod autosave;
 mod memory;
-mod process;
 mod save;
+mod system;
 mod table;
 
 #[cfg(test)]
+#[cfg(unix)]
 mod tests;
 
 use std::{
-    fs::{self, File, FileType},
+    fs::{self, FileType},
     hash::{DefaultHasher, Hash, Hasher},
     io::{self, Read},
-    os::unix::fs::{FileTypeExt, OpenOptionsExt},
     path::{Component, Path, PathBuf},
 };
 
@@ -328,12 +328,7 @@ pub fn list(folder: &Path) -> Vec<String> {
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>, FileError> {
     // Before it is opened: opening alone can have an effect on a device.
     ordinary(path, fs::metadata(path).map_err(failed("read", path))?.file_type())?;
-    let file = File::options()
-        .read(true)
-        // What is a pipe by now must not be waited for.
-        .custom_flags((rustix::fs::OFlags::NONBLOCK | rustix::fs::OFlags::NOCTTY).bits() as i32)
-        .open(path)
-        .map_err(failed("open", path))?;
+    let file = system::open(path).map_err(failed("open", path))?;
     let metadata = file.metadata().map_err(failed("read", path))?;
     ordinary(path, metadata.file_type())?;
     let mut bytes = Vec::new();
@@ -352,9 +347,7 @@ fn ordinary(path: &Path, kind: FileType) -> Result<(), FileError> {
     let kind = match kind {
         kind if kind.is_file() => return Ok(()),
         kind if kind.is_dir() => return Err(FileError::Folder(path)),
-        kind if kind.is_fifo() => "pipe",
-        kind if kind.is_socket() => "socket",
-        _ => "device",
+        kind => system::kind(kind),
     };
     Err(FileError::NotOrdinary { path, kind })
 }

@@ -5,11 +5,7 @@
 
 use std::{
     collections::BTreeMap,
-    fs::{self, DirBuilder},
-    os::unix::{
-        ffi::{OsStrExt, OsStringExt},
-        fs::{DirBuilderExt, MetadataExt, PermissionsExt},
-    },
+    fs,
     path::{Path, PathBuf},
     process,
     sync::{Mutex, MutexGuard, PoisonError},
@@ -19,10 +15,9 @@ use std::{
 use etcetera::{BaseStrategy, choose_base_strategy};
 
 use super::{
-    Before, FileError, LinkedTexts, failed,
-    process::{began, runs},
-    read,
+    Before, FileError, LinkedTexts, failed, read,
     save::{remove_leftovers, save},
+    system::{self, began, host, runs},
 };
 
 /// The unsaved work of this session, by the numbers of its problems.
@@ -79,7 +74,7 @@ impl Autosave {
 
     /// The autosave in a folder of the user's own, which is created if it is not there.
     pub fn in_folder(folder: PathBuf) -> Result<Self, FileError> {
-        private_folder(&folder)?;
+        system::private_folder(&folder)?;
         remove_leftovers(&folder);
         Ok(Self { folder: Some(folder), work: Mutex::default() })
     }
@@ -146,27 +141,6 @@ impl Crashed {
     }
 }
 
-/// Makes the folder, for its owner alone, and refuses one that is another's.
-fn private_folder(folder: &Path) -> Result<(), FileError> {
-    DirBuilder::new()
-        .recursive(true)
-        .mode(0o700)
-        .create(folder)
-        .map_err(failed("make the folder", folder))?;
-    let metadata = fs::metadata(folder).map_err(failed("open the folder", folder))?;
-    if metadata.uid() != rustix::process::geteuid().as_raw() {
-        return Err(FileError::NoAutosave(format!(
-            "the folder `{}` belongs to another user",
-            super::shown(folder)
-        )));
-    }
-    if metadata.permissions().mode() & 0o077 != 0 {
-        fs::set_permissions(folder, fs::Permissions::from_mode(0o700))
-            .map_err(failed("close the folder", folder))?;
-    }
-    Ok(())
-}
-
 /// A file of a name that nobody can have guessed, created exclusively.
 fn new_name(folder: &Path) -> Result<PathBuf, FileError> {
     let file = tempfile::Builder::new()
@@ -186,10 +160,8 @@ const FORGOTTEN: Duration = Duration::from_hours(24);
 /// The first line of an autosave: a comment to every reader of TOML.
 fn header(original: Option<&Path>) -> String {
     let path = original.map_or_else(String::new, |path| {
-        format!(
-            " path={}",
-            escape(std::path::absolute(path).as_deref().unwrap_or(path).as_os_str().as_bytes())
-        )
+        let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+        format!(" path={}", escape(&system::bytes_of(&path)))
     });
     let began = began("self").map_or_else(String::new, |began| format!(" began={began}"));
     format!("{MARK} pid={}{began} host={}{path}", process::id(), escape(host().as_bytes()))
@@ -214,18 +186,11 @@ fn crashed(file: PathBuf) -> Option<Crashed> {
         }
         _ => kept.elapsed().is_ok_and(|past| past > FORGOTTEN),
     };
-    let original = field("path=").map(|path| PathBuf::from(std::ffi::OsString::from_vec(unescape(path))));
+    let original = field("path=").map(|path| system::path_of(unescape(path)));
     ended.then(|| {
         let linked = LinkedTexts::of(original.as_deref().unwrap_or(Path::new("")), text);
         Crashed { original, text: text.to_owned(), kept, linked, file }
     })
-}
-
-/// The name of this machine: homes of a laboratory are shared, process numbers are not.
-fn host() -> String {
-    let named =
-        fs::read_to_string("/proc/sys/kernel/hostname").or_else(|_| fs::read_to_string("/etc/hostname"));
-    named.unwrap_or_default().trim().to_owned()
 }
 
 /// Printable ASCII without space and `%`; every other byte as `%` and two digits.

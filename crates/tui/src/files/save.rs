@@ -4,18 +4,16 @@
 //! the folder is made durable. A crash, a kill or a full disk at any moment leaves the old file or the new one, whole.
 
 use std::{
-    fs::{self, File, Metadata, Permissions, TryLockError},
+    fs::{self, File, Metadata, TryLockError},
     io::{self, Write},
-    os::unix::fs::{MetadataExt, PermissionsExt},
     path::{Path, PathBuf},
     thread,
     time::{Duration, Instant, SystemTime},
 };
 
-use rustix::fs::{Gid, Uid, fchown};
 use tempfile::NamedTempFile;
 
-use super::{FileError, Fingerprint, failed, ordinary, process::runs, read_bytes};
+use super::{FileError, Fingerprint, failed, ordinary, read_bytes, system};
 
 /// Precondition of a save: the state of the file on disk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,20 +87,20 @@ pub(super) fn save_with(
         }
         _ => {}
     }
-    if old.is_some() && rustix::fs::access(&target, rustix::fs::Access::WRITE_OK).is_err() {
+    if old.is_some() && !system::is_writable(&target) {
         return Err(FileError::ReadOnly(path.to_owned()));
     }
 
     // Dropped on any error below, which removes it.
     let mut file = step(Step::Create)
-        .and_then(|()| temporary(folder, if old.is_some() { 0o600 } else { 0o666 }))
+        .and_then(|()| temporary(folder, old.is_some()))
         .map_err(failed("write in the folder of", path))?;
     for part in content.chunks(64 * 1024) {
         step(Step::Write).and_then(|()| file.write_all(part)).map_err(failed("write", path))?;
     }
     if let Some(old) = old {
         step(Step::Permit)
-            .and_then(|()| permit(file.as_file(), &old))
+            .and_then(|()| system::permit(file.as_file(), &old))
             .map_err(failed("keep the permissions of", path))?;
     }
     step(Step::Sync).and_then(|()| file.as_file().sync_all()).map_err(failed("write", path))?;
@@ -116,7 +114,9 @@ pub(super) fn save_with(
             _ => failed("replace", path)(error),
         })?;
     remove_leftovers(folder);
-    step(Step::SyncFolder).and_then(|()| sync_folder(folder)).map_err(failed("make sure of", path))?;
+    step(Step::SyncFolder)
+        .and_then(|()| system::sync_folder(folder))
+        .map_err(failed("make sure of", path))?;
     Ok(Fingerprint::of(content))
 }
 
@@ -134,7 +134,7 @@ pub(super) fn remove_leftovers_older(folder: &Path, age: Duration) -> usize {
             let Ok(metadata) = entry.path().symlink_metadata() else { return false };
             let written = metadata.modified().unwrap_or_else(|_| SystemTime::now());
             metadata.is_file()
-                && !runs(owner)
+                && !system::runs(owner)
                 && written.elapsed().is_ok_and(|past| past >= age)
                 && fs::remove_file(entry.path()).is_ok()
         })
@@ -143,30 +143,16 @@ pub(super) fn remove_leftovers_older(folder: &Path, age: Duration) -> usize {
 
 /// A new file beside the target that nobody else has: random name, created exclusively, with the process in its name.
 /// One that takes the place of another is its owner's alone until it has the permissions of that one.
-fn temporary(folder: &Path, mode: u32) -> io::Result<NamedTempFile> {
-    tempfile::Builder::new()
-        .prefix(&format!("{PREFIX}{}-", std::process::id()))
-        .suffix(SUFFIX)
-        // The system takes the umask away.
-        .permissions(Permissions::from_mode(mode))
-        .tempfile_in(folder)
+fn temporary(folder: &Path, is_private: bool) -> io::Result<NamedTempFile> {
+    let prefix = format!("{PREFIX}{}-", std::process::id());
+    let mut file = tempfile::Builder::new();
+    file.prefix(&prefix).suffix(SUFFIX);
+    system::begin(&mut file, is_private);
+    file.tempfile_in(folder)
 }
 
 const PREFIX: &str = ".dalembert-";
 const SUFFIX: &str = ".tmp";
-
-/// Gives a new file the owner, the group and the permissions of the old one. Where the system refuses the group, the group
-/// that the file has instead may do no more than everybody.
-fn permit(file: &File, old: &Metadata) -> io::Result<()> {
-    let (owner, group) = (Uid::from_raw(old.uid()), Gid::from_raw(old.gid()));
-    let kept = fchown(file, Some(owner), Some(group)).or_else(|_| fchown(file, None, Some(group)));
-    let mut mode = old.mode();
-    if kept.is_err() && file.metadata()?.gid() != old.gid() {
-        mode &= !0o070 | ((mode & 0o007) << 3);
-    }
-    // After the owner: a change of that takes permissions away.
-    file.set_permissions(Permissions::from_mode(mode))
-}
 
 /// The file itself, behind all links, and its metadata if it exists.
 fn resolve(path: &Path) -> Result<(PathBuf, Option<Metadata>), FileError> {
@@ -210,15 +196,5 @@ fn lock(folder: &Path) -> Option<File> {
             }
             Err(_) => return None,
         }
-    }
-}
-
-fn sync_folder(folder: &Path) -> io::Result<()> {
-    match File::open(folder)?.sync_all() {
-        // Some file systems cannot; they have their own way.
-        Err(error) if matches!(error.kind(), io::ErrorKind::InvalidInput | io::ErrorKind::Unsupported) => {
-            Ok(())
-        }
-        result => result,
     }
 }

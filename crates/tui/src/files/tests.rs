@@ -1,5 +1,5 @@
 use std::{
-    fs::{self, Permissions},
+    fs::{self, File, Permissions},
     io::{BufRead, BufReader, Read},
     os::unix::fs::{FileTypeExt, MetadataExt, PermissionsExt, symlink},
     path::{Path, PathBuf},
@@ -9,11 +9,11 @@ use std::{
 };
 
 use super::{
-    process::began,
     save::{
         Step::{Create, Permit, Rename, Sync, SyncFolder, Write},
         remove_leftovers_older, save_with,
     },
+    system::began,
     *,
 };
 

@@ -10,21 +10,23 @@ use std::{
 
 use rustix::{
     event::{PollFd, PollFlags, Timespec, poll},
-    process::{Pid, Signal, getpgrp, getppid, getsid, kill_current_process_group},
+    process::{Signal, getpgrp, getppid, getsid, kill_current_process_group},
 };
 use signal_hook::{
     consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGWINCH},
     iterator::Signals,
 };
 
-use super::shared::Shared;
+use super::guard;
+use crate::shared::Shared;
 
 /// Two signals sent one right after the other come no later than this.
 const SOON_AFTER: Duration = Duration::from_millis(20);
 
 /// Starts both threads. They live as long as the process: once a handler is installed, the default action of its
 /// signal is gone, so a signal after the session still has to end the process here.
-pub(super) fn watch(shared: &Arc<Shared>, guard: Option<Pid>) -> io::Result<()> {
+pub(crate) fn watch(shared: &Arc<Shared>) -> io::Result<()> {
+    let guard = guard::parent();
     let mut signals = Signals::new([SIGTERM, SIGHUP, SIGINT, SIGQUIT, SIGTSTP, SIGCONT, SIGWINCH])?;
     let (for_signals, for_terminal) = (shared.clone(), shared.clone());
     thread::Builder::new().name("signals".into()).spawn(move || {
@@ -83,7 +85,7 @@ pub(super) fn watch(shared: &Arc<Shared>, guard: Option<Pid>) -> io::Result<()> 
 /// a parent in that group. Returns false, and does nothing, where no shell would ever continue it.
 ///
 /// Nothing is taken again here: this thread may run on for a moment after the call. `SIGCONT` does it.
-pub(super) fn suspend(shared: &Shared) -> bool {
+pub(crate) fn suspend(shared: &Shared) -> bool {
     if !under_job_control() {
         return false;
     }
@@ -105,7 +107,7 @@ fn under_job_control() -> bool {
 
 /// The window is closed, or the line is cut. `SIGHUP` reports it too, but it can be ignored by inheritance (`nohup`,
 /// `sudo`, a multiplexer that was killed).
-pub(super) fn terminal_is_lost() -> bool {
+pub(crate) fn terminal_is_lost() -> bool {
     let stdin = rustix::stdio::stdin();
     let mut fds = [PollFd::new(&stdin, PollFlags::empty())];
     let now = Timespec { tv_sec: 0, tv_nsec: 0 };

@@ -17,23 +17,12 @@ use signal_hook::{
     iterator::Signals,
 };
 
-use super::{
+use crate::{
     glyphs::{Capabilities, Environment, Glyphs},
     pixels::FORGET,
     shared::LEAVE,
+    system::{GUARDED, Guarded},
 };
-
-/// Environment variable of the child: the process number of its guard.
-pub const GUARDED: &str = "DALEMBERT_GUARDED";
-
-/// The words of the guard's message when the program was ended by a signal.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Guarded {
-    /// Name of the program.
-    pub name: &'static str,
-    /// Clause after "the terminal was restored", such as "work kept is offered at the next start".
-    pub advice: Option<&'static str>,
-}
 
 /// Runs `program` in a child process, and repairs the terminal if the child dies by a signal.
 ///

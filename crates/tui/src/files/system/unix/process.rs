@@ -3,7 +3,7 @@
 use std::fs;
 
 /// Returns true if a process with this number runs and is, as far as can be determined, one of this program.
-pub(super) fn runs(process: i32) -> bool {
+pub(in crate::files) fn runs(process: i32) -> bool {
     let Some(pid) = rustix::process::Pid::from_raw(process) else { return false };
     if matches!(rustix::process::test_kill_process(pid), Err(rustix::io::Errno::SRCH)) {
         return false;
@@ -22,7 +22,7 @@ pub(super) fn runs(process: i32) -> bool {
 }
 
 /// Start time of a process, or of `self`, in clock ticks since boot; `None` where the system does not report it.
-pub(super) fn began(process: &str) -> Option<String> {
+pub(in crate::files) fn began(process: &str) -> Option<String> {
     stat(process, BEGAN)
 }
 
