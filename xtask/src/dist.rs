@@ -5,6 +5,7 @@
 //! | `dalembert-VERSION-ARCH-linux.tar.xz` | static program, manual pages, completions, licences |
 //! | `dalembert_VERSION_ARCH.deb` | the same as a Debian package |
 //! | `dalembert-VERSION-….whl` | the Python module, with the program as its script |
+//! | `dalembert-VERSION-x86_64-windows.zip` | with `--windows`: the program for Windows |
 //! | `dalembert-VERSION.cdx.json` | bill of materials in CycloneDX 1.5: the crates in the program |
 //! | `SHA256SUMS` | checksums of these |
 //!
@@ -14,6 +15,7 @@
 mod materials;
 mod prove;
 mod wheel;
+mod windows;
 
 use std::{
     env, fs,
@@ -37,10 +39,10 @@ struct Release {
 }
 
 /// Options of `cargo xtask dist`.
-const OPTIONS: [&str; 4] = ["--without-wheel", "--prove", "--reproduce", "--packages"];
+const OPTIONS: [&str; 5] = ["--without-wheel", "--windows", "--prove", "--reproduce", "--packages"];
 
-/// Builds the files that are handed out; `--prove` installs and runs them in an empty root and in an old Debian,
-/// `--reproduce` builds the program once more from another folder and compares the bytes, `--packages` packs every crate for a
+/// Builds the files that are handed out, `--windows` the program for Windows too; `--prove` installs and runs them in an
+/// empty root, in an old Debian and under Wine, `--reproduce` builds the program once more from another folder and compares the bytes, `--packages` packs every crate for a
 /// registry and builds it from its package.
 ///
 /// # Errors
@@ -54,7 +56,7 @@ pub fn run(root: &Path, words: &[&str]) -> Result<()> {
     let folder = target(root).join("artifacts");
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder)?;
-    let program = program(root, &target(root))?;
+    let program = built(root, &target(root), &triple())?;
     let version = output(Command::new(&program).arg("--version"))?;
     let version =
         version.split_whitespace().nth(1).context("the program does not say its version")?.to_owned();
@@ -66,9 +68,13 @@ pub fn run(root: &Path, words: &[&str]) -> Result<()> {
     if !words.contains(&"--without-wheel") {
         wheel::write(&release)?;
     }
+    let for_windows = words.contains(&"--windows").then(|| windows::write(&release)).transpose()?;
     release.checksums()?;
     if words.contains(&"--prove") {
         prove::everywhere(&release)?;
+        if let Some(program) = &for_windows {
+            windows::prove(&release, program)?;
+        }
     }
     if words.contains(&"--reproduce") {
         release.reproduce()?;
@@ -99,11 +105,10 @@ fn triple() -> String {
     format!("{}-unknown-linux-musl", env::consts::ARCH)
 }
 
-/// Builds the static program from the tree in `root`.
-fn program(root: &Path, target: &Path) -> Result<PathBuf> {
-    let triple = triple();
+/// Builds the program for a target from the tree in `root`.
+fn built(root: &Path, target: &Path, triple: &str) -> Result<PathBuf> {
     // Where there is no rustup, the target comes with the toolchain or the build says that it is missing.
-    let _ = Command::new("rustup").current_dir(root).args(["target", "add", &triple]).status();
+    let _ = Command::new("rustup").current_dir(root).args(["target", "add", triple]).status();
     let home = env::var_os("CARGO_HOME").map(PathBuf::from);
     let home = home.or_else(|| Some(PathBuf::from(env::var_os("HOME")?).join(".cargo")));
     let home = home.context("neither CARGO_HOME nor HOME is set")?;
@@ -113,7 +118,7 @@ fn program(root: &Path, target: &Path) -> Result<PathBuf> {
         cargo(root)
             .env("CARGO_TARGET_DIR", target)
             .env("CARGO_ENCODED_RUSTFLAGS", flags.join("\x1f"))
-            .args(["build", "--locked", "--profile", "dist", "--package", "dalembert", "--target", &triple]),
+            .args(["build", "--locked", "--profile", "dist", "--package", "dalembert", "--target", triple]),
     )?;
     Ok(target.join(triple).join("dist").join("dalembert"))
 }
@@ -216,7 +221,7 @@ impl Release {
         ensure!(state.trim().is_empty(), "the tree has changes that a clone has not: commit them first");
         let clone = self.folder.join("elsewhere");
         git(&self.root, &["clone", "--quiet", ".", &clone.display().to_string()])?;
-        let other = program(&clone, &clone.join("target"))?;
+        let other = built(&clone, &clone.join("target"), &triple())?;
         ensure!(
             fs::read(&other)? == fs::read(&self.program)?,
             "{} and {} differ",

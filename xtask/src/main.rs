@@ -36,7 +36,8 @@ usage: cargo xtask COMMAND
   soak perturb --draws N     every case N times with its numbers changed at random: answered or refused with reason?
   soak nets --times N        N times the points of each plot, every extreme value: path independence and invariance
   dist [--without-wheel]     the static program as archive, Debian package and wheel, with checksums and bill of materials
-  dist --prove               and run in an empty root, installed in an old Debian; needs root and debootstrap
+  dist --windows             and the program for Windows, cross-built with mingw-w64
+  dist --prove               and run in an empty root, installed in an old Debian, and under Wine; needs root and debootstrap
   dist --reproduce           and built once more in another folder: the same bytes?
   dist --packages            and every crate packed for a registry, and built from its package
   python                     the wheel of the Python module, built and installed, its tests, notebook and Dask example

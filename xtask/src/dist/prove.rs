@@ -16,7 +16,7 @@ use crate::cargo::{output, run as run_command};
 const DEBIAN: &str = "bullseye";
 const MIRROR: &str = "http://deb.debian.org/debian";
 /// Problems of the course, and an answer of each as it is printed.
-const PROBLEMS: [(&str, &str); 5] = [
+pub(super) const PROBLEMS: [(&str, &str); 5] = [
     ("vibration/rotating-unbalance", "19.456 mm"),
     ("vibration/shaft-clearance", "every value"),
     ("vibration/beam-and-springs", "474.17 kg"),
