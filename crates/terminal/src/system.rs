@@ -3,6 +3,7 @@
 #[cfg(unix)]
 mod unix;
 #[cfg(windows)]
+#[expect(clippy::unnecessary_wraps, reason = "on Unix these functions can fail")]
 mod windows;
 
 #[cfg(unix)]

@@ -50,7 +50,9 @@ pub(in crate::files) fn bytes_of(path: &Path) -> Vec<u8> {
 
 /// The path of bytes that [`bytes_of`] gave.
 pub(in crate::files) fn path_of(bytes: Vec<u8>) -> PathBuf {
-    PathBuf::from(String::from_utf8_lossy(&bytes).into_owned())
+    let text = String::from_utf8(bytes);
+    let text = text.unwrap_or_else(|err| String::from_utf8_lossy(err.as_bytes()).into_owned());
+    PathBuf::from(text)
 }
 
 /// The name of this machine.
