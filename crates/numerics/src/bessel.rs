@@ -2,6 +2,17 @@
 //!
 //! Miller's recurrence from high orders down, with the sums that are one and `eˣ` (Abramowitz & Stegun, *Handbook of
 //! Mathematical Functions*, §9.12 and 9.6.37).
+//!
+//! ```
+//! use dalembert_numerics::bessel::{j, j_zeros};
+//!
+//! // A circular membrane of radius a and wave speed c vibrates at ω = 2.4048 c/a and 5.5201 c/a: the zeros of J₀.
+//! let zeros = j_zeros(0, 2);
+//! assert!((zeros[0] - 2.404_825_557_695_773).abs() < 1e-12);
+//! assert!((zeros[1] - 5.520_078_110_286_311).abs() < 1e-12);
+//! // J₀ has its extremes where J₁ is zero, the first one at 3.8317.
+//! assert!((j(0, j_zeros(1, 1)[0]) + 0.402_759_395_702_553).abs() < 1e-14);
+//! ```
 
 use std::ops::ControlFlow;
 

@@ -1,5 +1,22 @@
 //! The least and the largest value of a number that changes with time, from the motion itself: every stretch in which it
 //! turns is bracketed, and the turn found to rounding.
+//!
+//! ```
+//! use std::f64::consts::{FRAC_PI_4, SQRT_2};
+//!
+//! use dalembert_numerics::extremes::{Extremes, Sampling};
+//!
+//! // Motion after a blow, x = e⁻ᵗ sin t: it turns where tan t = 1, at π/4 for the first time.
+//! let mut motion = |t: f64| Sampling::of((-t).exp() * t.sin(), (-t).exp() * (t.cos() - t.sin()));
+//! let mut extremes = Extremes::at(0.0, 0.0);
+//! for step in 0..10 {
+//!     let from = 0.5 * f64::from(step);
+//!     extremes.follow(&mut motion, [from, from + 0.5]);
+//! }
+//! assert!((extremes.largest.time - FRAC_PI_4).abs() < 1e-12);
+//! assert!((extremes.largest.value - (-FRAC_PI_4).exp() / SQRT_2).abs() < 1e-15);
+//! assert!((extremes.least.time - 5.0 * FRAC_PI_4).abs() < 1e-12);
+//! ```
 
 use std::ops::ControlFlow;
 

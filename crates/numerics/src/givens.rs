@@ -1,5 +1,20 @@
 //! QR factorisation by plane rotations of a sparse matrix with a known pattern: factored without any branch, so that
 //! several matrices can be taken in the lanes of a SIMD vector.
+//!
+//! ```
+//! use dalembert_numerics::givens::GivensQr;
+//!
+//! // 2 x₂ = 4 and 3 x₁ + x₂ = 5. The entries stand in an array; each row has places in it and columns.
+//! let entries = [2.0, 3.0, 1.0];
+//! let rows = [vec![(0, 1)], vec![(1, 0), (2, 1)]];
+//! let mut factors = GivensQr::new(&rows);
+//! factors.factor(|place| entries[place]);
+//! let mut x = [4.0, 5.0];
+//! factors.solve(&mut x);
+//! assert!((x[0] - 1.0).abs() < 1e-14 && (x[1] - 2.0).abs() < 1e-14);
+//! // The determinant is −6: only its sign is kept.
+//! assert!(factors.determinant()[0] < 0.0);
+//! ```
 
 use std::collections::BTreeSet;
 

@@ -4,6 +4,22 @@
 //! permutation matrix, and a nearly singular system is solved without a word. Here every matrix is checked to be
 //! finite and scaled, every iteration has a limit, every result is held against its own equation, and what has no
 //! answer is refused by name. Everywhere else clippy bans the raw calls.
+//!
+//! ```
+//! use dalembert_numerics::linalg::{LinalgError, solve, symmetric_eigen};
+//! use nalgebra::{DMatrix, DVector};
+//!
+//! // Principal stresses of σx = 50, σy = −30 and τxy = 30 MPa: 10 ± √(40² + 30²), the larger one along (3, 1)/√10.
+//! let stress = DMatrix::from_row_slice(2, 2, &[50.0, 30.0, 30.0, -30.0]);
+//! let principal = symmetric_eigen(&stress)?;
+//! assert!((principal.values[0] + 40.0).abs() < 1e-12 && (principal.values[1] - 60.0).abs() < 1e-12);
+//! assert!((principal.vectors[(0, 1)] / principal.vectors[(1, 1)] - 3.0).abs() < 1e-12);
+//! // Two equations that say the same are refused.
+//! let dependent = DMatrix::from_row_slice(2, 2, &[1.0, 2.0, 2.0, 4.0]);
+//! let refused = solve(&dependent, &DVector::from_vec(vec![3.0, 6.0]));
+//! assert!(matches!(refused, Err(LinalgError::Singular { .. })));
+//! # Ok::<(), LinalgError>(())
+//! ```
 
 mod band;
 mod complex;

@@ -1,4 +1,14 @@
 //! Systems of nonlinear equations and nonlinear least squares over the unit cube.
+//!
+//! ```
+//! use dalembert_numerics::nonlinear::levenberg_marquardt;
+//!
+//! // A circle of radius 1 about the origin and the line y = 2x meet at (1, 2)/√5.
+//! let residuals = |x: &[f64]| Some(vec![x[0] * x[0] + x[1] * x[1] - 1.0, x[1] - 2.0 * x[0]]);
+//! let found = levenberg_marquardt(residuals, &[0.5, 0.5]).expect("the residuals have values everywhere");
+//! assert!((found.x[0] - 1.0 / 5_f64.sqrt()).abs() < 1e-12);
+//! assert!((found.x[1] - 2.0 / 5_f64.sqrt()).abs() < 1e-12);
+//! ```
 
 use nalgebra::{DMatrix, DVector};
 
