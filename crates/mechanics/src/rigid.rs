@@ -75,8 +75,8 @@ pub fn moment_by_gyration<S: Real>(mass: S, radius: S) -> S {
     mass * radius.powi(2)
 }
 
-/// Angular momentum about G, `H_G = I_x ω_x i + I_y ω_y j + I_z ω_z k`, from the principal moments of inertia and
-/// the angular velocity of the body in the same axes. Eqs. 45–46.
+/// Angular momentum about G, `H_G = I_x ω_x i + I_y ω_y j + I_z ω_z k`, from the principal moments of inertia
+/// `[I_x, I_y, I_z]` and the angular velocity of the body in the same axes. Eqs. 45–46.
 #[inline]
 pub fn angular_momentum<V: Vector>(inertia: [V::Scalar; 3], angular_velocity: V) -> V {
     let [inertia_x, inertia_y, inertia_z] = inertia;

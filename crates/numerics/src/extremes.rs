@@ -123,15 +123,15 @@ const DEEP: u32 = 6;
 /// Rounding error of the difference of two neighbouring values, relative to their magnitude.
 const ROUNDING: f64 = 1e-13;
 
-/// The largest value of a smooth number, and where it is, from places that are a share of its shortest period apart: about
-/// each place that is higher than its neighbours, and may belong to the highest top, the top is found by parabolas held
-/// by golden sections (R. P. Brent, *Algorithms for Minimization without Derivatives* (1973), ch. 5).
+/// The largest value of a smooth number, and where it is, from ascending places that are a share of its shortest period
+/// apart: about each place that is higher than its neighbours, and may belong to the highest top, the top is found by
+/// parabolas held by golden sections (R. P. Brent, *Algorithms for Minimization without Derivatives* (1973), ch. 5).
 pub fn largest(mut number: impl FnMut(f64) -> f64, places: &[f64]) -> Option<Extreme> {
     let values: Vec<f64> = places.iter().map(|place| number(*place)).collect();
     largest_about(number, places, &values)
 }
 
-/// The same where the values at the places are known.
+/// The same where the values at the places are known, one for each place in their order.
 pub fn largest_about(mut number: impl FnMut(f64) -> f64, places: &[f64], values: &[f64]) -> Option<Extreme> {
     let all = places.iter().zip(values).map(|(time, value)| Extreme { time: *time, value: *value });
     let mut best = all.reduce(|best, next| if next.value > best.value { next } else { best })?;

@@ -43,7 +43,8 @@ pub fn cosine_and_sine(count: usize, n: usize, j: usize) -> (f64, f64) {
     }
 }
 
-/// The coefficients `(aₙ, bₙ)` of a harmonic, by their sums.
+/// The coefficients `(aₙ, bₙ)` of a harmonic, by their sums, from `N` ordinates over one period, the first at `θ = 0`,
+/// for `n ≤ N/2`.
 pub fn harmonic(ordinates: &[f64], n: usize) -> (f64, f64) {
     let count = ordinates.len();
     let (mut a, mut b) = (0.0, 0.0);

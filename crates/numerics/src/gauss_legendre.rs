@@ -28,7 +28,7 @@ pub fn integral(panels: usize, f: impl Fn(f64) -> f64) -> f64 {
     points(panels).map(|(xi, weight)| weight * f(xi)).sum()
 }
 
-/// The points of [`integral`] and their weights, which add up to one.
+/// The points of [`integral`] and their weights, which add up to one: pairs `(ξ, weight)`.
 pub fn points(panels: usize) -> impl Iterator<Item = (f64, f64)> {
     let half = 0.5 / panels.max(1) as f64;
     (0..panels.max(1)).flat_map(move |panel| {
@@ -38,8 +38,8 @@ pub fn points(panels: usize) -> impl Iterator<Item = (f64, f64)> {
     })
 }
 
-/// Points and weights, which add up to one, of the Gauss–Legendre rule with that many points on the unit interval:
-/// exact to the degree `2 points − 1`.
+/// Pairs of points and weights, which add up to one, of the Gauss–Legendre rule with that many points on the unit
+/// interval: exact to the degree `2 points − 1`.
 pub fn legendre(points: usize) -> Vec<(f64, f64)> {
     let n = points as f64;
     let place = |k: usize| {

@@ -79,7 +79,7 @@ pub enum LinalgError {
     NotSymmetric {
         /// The row of the largest difference, counted from 1.
         row: usize,
-        /// Column of that entry, from 0.
+        /// Column of that entry, counted from 1.
         column: usize,
         /// The largest difference across the diagonal over the largest entry.
         difference: f64,
@@ -167,7 +167,7 @@ pub fn solve(a: &DMatrix<f64>, b: &DVector<f64>) -> Result<Solved, LinalgError> 
     Ok(Solved { x, condition })
 }
 
-/// The `x` that makes `|A x − b|` least, for `A` with at least as many rows as columns and independent columns.
+/// The `x` that makes `|A x − b|` least, for `A` m by n with `m ≥ n` and independent columns, and `b` with m entries.
 ///
 /// Columns are scaled; rows are not, since that would weight the observations.
 ///
@@ -194,10 +194,10 @@ pub fn least_squares(a: &DMatrix<f64>, b: &DVector<f64>) -> Result<Solved, Linal
     Ok(Solved { x, condition })
 }
 
-/// Eigenvalues, ascending, and unit eigenvectors of a symmetric matrix.
+/// Eigenvalues, ascending, and unit eigenvectors of a symmetric matrix, both halves of which are read.
 ///
 /// # Errors
-/// `Shape`; `NotFinite`; `NotSymmetric` beyond rounding; `NotConverged`.
+/// `Shape` unless A is n by n, n ≥ 1; `NotFinite`; `NotSymmetric` beyond rounding; `NotConverged`.
 pub fn symmetric_eigen(a: &DMatrix<f64>) -> Result<SymmetricEigen, LinalgError> {
     square(a)?;
     finite(a.iter())?;

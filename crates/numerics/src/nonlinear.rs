@@ -40,8 +40,11 @@ const PATIENCE: usize = 8;
 ///
 /// D. W. Marquardt, *J. SIAM* 11 (1963) 431: the step solves `(JᵀJ + λ diag JᵀJ) δ = −Jᵀr`; λ falls by ten where the sum
 /// gets smaller and grows by ten where it does not, or where the function has no value (`None`). The Jacobian is that of
-/// one-sided differences, and of central ones where these lead no further. A square system whose residuals do not halve in
-/// eight iterations is left: it nears a minimum that is no root. `None` where the start, or its surroundings, have no value.
+/// one-sided differences, and of central ones where these lead no further. A square system whose residuals do not halve
+/// in eight iterations is left: it nears a minimum that is no root. `None` where the start, or its surroundings, have
+/// no value.
+///
+/// The start has a number from 0 to 1 for each unknown; the residuals are of one number and one order at every point.
 pub fn levenberg_marquardt(
     mut residuals: impl FnMut(&[f64]) -> Option<Vec<f64>>,
     start: &[f64],
@@ -118,8 +121,9 @@ fn one_sided(
     Some(jacobian)
 }
 
-/// Jacobian `∂rᵢ/∂xⱼ` by central differences within the unit cube, one-sided at its faces and beside points without a
-/// value; `r` are the residuals at `x`. `None` where neither side has a value.
+/// Jacobian `∂rᵢ/∂xⱼ`, a row for each residual and a column for each unknown, by central differences within the unit
+/// cube, one-sided at its faces and beside points without a value; `r` are the residuals at `x`. `None` where neither
+/// side has a value.
 pub fn jacobian(
     residuals: &mut impl FnMut(&[f64]) -> Option<Vec<f64>>,
     x: &[f64],

@@ -147,7 +147,8 @@ pub enum OdeError {
     Stopped,
 }
 
-/// The states at the given times, the first of which is the start.
+/// The states at the given times, ascending, the first of which is that of `start`: one state for each time, its numbers
+/// in the order of `start`.
 ///
 /// # Errors
 /// All of [`OdeError`].

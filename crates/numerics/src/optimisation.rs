@@ -79,7 +79,8 @@ pub struct Minimum {
     pub scale: f64,
 }
 
-/// Minimises the largest of the first `objectives` values over the unit cube, from given starts and others.
+/// Minimises the largest of the first `objectives` values over the unit cube, from given starts, a number from 0 to 1
+/// for each dimension, and others. Without optima where no point that was tried has values.
 pub fn minimise(
     values: &mut Values<'_>,
     dimensions: usize,
