@@ -14,14 +14,14 @@
 //!
 //! ```
 //! use dalembert_mechanics::rotor::{
-//!     Assembled, BearingSupport, RigidDisc, Rotor, RotorError, SupportType, critical,
+//!     critical,
 //!     element::{BeamTheory, Material, ShaftElement},
 //!     modes::ReducedRotor,
+//!     *,
 //! };
 //!
 //! // A disc of 10 kg in the middle of a shaft of 30 mm and 1 m, whose own mass is next to nothing, on two rigid bearings.
-//! let material =
-//!     Material { young: 200e9, shear: 77e9, density: 1e-6, viscous_damping: 0.0, loss_factor: 0.0 };
+//! let material = Material { young: 200e9, shear: 77e9, density: 1e-6, viscous_damping: 0.0, loss_factor: 0.0 };
 //! let element = ShaftElement { length: 0.5, outer: [0.03; 2], inner: [0.0; 2], material };
 //! let rotor = Rotor {
 //!     elements: vec![element; 2],
@@ -31,11 +31,9 @@
 //!     supports: [0, 2].map(|node| BearingSupport { node, hold: SupportType::Pinned }).to_vec(),
 //! };
 //! let assembled = Assembled::new(&rotor)?;
-//! let reduced = ReducedRotor::new(&assembled, 2, &[0.0])?;
-//! let criticals = critical::direct(&reduced, 1.0, 1000.0)?;
-//! // The critical speed is √(48 E I/(m L³)).
-//! let second_moment = std::f64::consts::PI * 0.03_f64.powi(4) / 64.0;
-//! let jeffcott = (48.0 * 200e9 * second_moment / 10.0).sqrt();
+//! let criticals = critical::direct(&ReducedRotor::new(&assembled, 2, &[0.0])?, 1.0, 1000.0)?;
+//! // The critical speed is √(48 E I/(m L³)) with I = π d⁴/64.
+//! let jeffcott = (48.0 * 200e9 * (std::f64::consts::PI * 0.03_f64.powi(4) / 64.0) / 10.0).sqrt();
 //! assert!((criticals.found[0].speed / jeffcott - 1.0).abs() < 1e-9);
 //! # Ok::<(), RotorError>(())
 //! ```
