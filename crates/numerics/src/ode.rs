@@ -7,7 +7,7 @@
 //! ```
 //! use dalembert_numerics::ode::{OdeError, OdeFunction, states};
 //!
-//! // A mass on a spring, ẍ = −4 x, let go at x = 1: x = cos 2t and ẋ = −2 sin 2t.
+//! // A mass on a spring, ẍ = −4 x, released from rest at x = 1: x = cos 2t and ẋ = −2 sin 2t.
 //! let mut oscillator = OdeFunction {
 //!     rates: |_: f64, state: &[f64], rates: &mut [f64]| {
 //!         rates[0] = state[1];
