@@ -8,6 +8,7 @@ use anyhow::{Context, Result, bail};
 
 mod analyses;
 mod comments;
+mod examples;
 mod layers;
 mod loops;
 mod pairs;
@@ -47,6 +48,8 @@ pub fn faults(tree: &Tree) -> Vec<String> {
         analyses::every_plugin_is_in_the_bundle,
         analyses::a_plugin_is_tested_from_outside,
         comments::doc_comments_begin_with_a_noun_or_a_verb,
+        examples::a_public_module_has_a_topic,
+        examples::a_public_module_has_an_example_that_runs,
         layers::a_plugin_is_named_only_by_the_bundle,
         layers::a_crate_depends_only_on_what_lies_below,
         layers::pure_crates_do_no_input_or_output,

@@ -4,6 +4,22 @@
 //! `m r cos θ` and `m r sin θ`, kg·m. Components along x and y obey the same equations, one direction at a time.
 //! Weights in place of masses (N·m) change nothing: gravity cancels. Positions count from any origin.
 //! Equation numbers: Riul, *Dinâmica das Máquinas*, Unit II.
+//!
+//! ```
+//! use std::f64::consts::{FRAC_PI_2, PI};
+//!
+//! use dalembert_mechanics::balance::{
+//!     component_x, component_y, correction_mass, marked_direction, single_plane_correction,
+//! };
+//!
+//! // A disc with 2 kg at 0.15 m and 0°, and 1 kg at 0.4 m and 90°: unbalances of 0.3 and 0.4 kg·m, together 0.5 kg·m.
+//! let masses = [(2.0, 0.15, 0.0), (1.0, 0.4, FRAC_PI_2)];
+//! let x = single_plane_correction(masses.map(|(mass, radius, angle)| component_x(mass, radius, angle)));
+//! let y = single_plane_correction(masses.map(|(mass, radius, angle)| component_y(mass, radius, angle)));
+//! // The correction at 0.25 m: 2 kg, opposite to the resultant.
+//! assert!((correction_mass(x, y, 0.25) - 2.0).abs() < 1e-14);
+//! assert!((marked_direction(x, y) - (PI + 4_f64.atan2(3.0))).abs() < 1e-14);
+//! ```
 
 use std::f64::consts::TAU;
 

@@ -4,6 +4,25 @@
 //! Young's modulus `E` in Pa, second moment `I` in m⁴, lengths in m. Bending only, small deflections
 //! (Euler–Bernoulli), no mass. Deflections: Beer & Johnston, *Mechanics of Materials*, and Shigley, *Mechanical
 //! Engineering Design*, tables of beam deflections; the stiffnesses at the middle: Rao, *Mechanical Vibrations*.
+//!
+//! ```
+//! use dalembert_mechanics::beam::{
+//!     cantilever,
+//!     dynamic_stiffness::{Beam, BeamError, BeamStation},
+//! };
+//!
+//! // A steel cantilever of 2 m, E I = 4·10⁴ N·m² and 12 kg/m: δ = F L³/(3 E I), first frequency 3.516 √(E I/(μ L⁴)).
+//! let (young, second_moment, length, mass) = (200e9, 2e-7, 2.0, 12.0);
+//! assert!((cantilever(young, second_moment, length) - 1.5e4).abs() < 1e-9);
+//! let clamp = BeamStation { at: 0.0, held: true, clamped: true, ..BeamStation::default() };
+//! let tip = BeamStation { at: 1.0, ..BeamStation::default() };
+//! let beam = Beam { shear: 0.0, rotary: 0.0, axial: 0.0, foundation: 0.0, stations: vec![clamp, tip] };
+//! let root = beam.roots(1)?[0];
+//! assert!((root - 1.875_104_068_711_961).abs() < 1e-11);
+//! let frequency = root * root * (young * second_moment / (mass * length.powi(4))).sqrt();
+//! assert!((frequency / (3.516_015_268_5 * (4e4_f64 / 192.0).sqrt()) - 1.0).abs() < 1e-9);
+//! # Ok::<(), BeamError>(())
+//! ```
 
 use crate::Real;
 

@@ -1,5 +1,18 @@
 //! The four-bar linkage: crank of length `a` turning about the origin, coupler `b`, and rocker `c` about a fixed pin
 //! at `(d, 0)`: `a e₂ + b e₃ = d i + c e₄` with unit vectors `e` along the links.
+//!
+//! ```
+//! use dalembert_mechanics::four_bar::{Branch, FourBar};
+//!
+//! // Crank and rocker of 0.1 m, frame and coupler of 0.3 m. As a parallelogram the coupler only translates.
+//! let linkage = FourBar { frame: 0.3, crank: 0.1, coupler: 0.3, rocker: 0.1 };
+//! let parallel = linkage.links(1.0_f64, Branch::Open);
+//! assert!((parallel.rocker.first - 1.0).abs() < 1e-12 && parallel.coupler.first.abs() < 1e-12);
+//! // Crossed, the rocker turns the other way like elliptical gears: φ₄′ = −(d² − a²)/(a² + d² − 2 a d cos φ₂).
+//! let crossed = linkage.links(1.0_f64, Branch::Crossed);
+//! let ratio = -(0.09 - 0.01) / (0.01 + 0.09 - 0.06 * 1_f64.cos());
+//! assert!((crossed.rocker.first - ratio).abs() < 1e-12);
+//! ```
 
 use crate::{
     Real,

@@ -5,6 +5,22 @@
 //! Vibrations*, 5th ed., §3.4) with the square completed, and holds exactly wherever there is a peak.
 //!
 //! Receptances in m/N, frequencies in rad/s, mass in kg, damping in N·s/m, stiffness in N/m.
+//!
+//! ```
+//! use dalembert_mechanics::{
+//!     identification::{FitError, fit_receptance},
+//!     sdof::receptance,
+//! };
+//!
+//! // The receptance of 2 kg, 8 N·s/m and 800 N/m at four frequencies gives all three back.
+//! let points = [5.0, 15.0, 20.0, 30.0].map(|frequency| (frequency, receptance(800.0, 2.0, 8.0, frequency)));
+//! let fit = fit_receptance(&points)?;
+//! assert!((fit.mass - 2.0).abs() < 1e-10 && (fit.stiffness - 800.0).abs() < 1e-8);
+//! assert!((fit.damping - 8.0).abs() < 1e-8);
+//! // Two points do not determine three unknowns.
+//! assert!(matches!(fit_receptance(&points[..2]), Err(FitError::Undetermined(_))));
+//! # Ok::<(), FitError>(())
+//! ```
 
 mod few_points;
 pub mod modal;

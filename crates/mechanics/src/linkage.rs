@@ -4,6 +4,18 @@
 //! coefficients of first and second order (Uicker, Pennock and Shigley, *Theory of Machines and Mechanisms*), give
 //! velocity `q′ ω` and acceleration `q′ α + q″ ω²`. What is asked of a link or point is a formula, generic over
 //! [`Real`]; where the linkage does not close or stands at a dead point its numbers are not finite.
+//!
+//! ```
+//! use dalembert_mechanics::linkage::{LinkMass, LinkRotation, PointMotion};
+//!
+//! // A bar of 3 kg and 1 m turned about its end, at 60° to the horizontal: I = m L²/3 = 1 kg·m², Σ m y′ = m (L/2) cos 60°.
+//! let bar = LinkMass { mass: 3.0, centre: [0.5, 0.0], inertia: 0.25 };
+//! let crank = LinkRotation::crank(60_f64.to_radians());
+//! let reduced = bar.reduced(PointMotion::fixed([0.0, 0.0]), crank);
+//! assert!((reduced.inertia - 1.0).abs() < 1e-14 && (reduced.rise - 0.75).abs() < 1e-14);
+//! // The torque for 5 rad/s and 2 rad/s²: I α + m g (L/2) cos 60°.
+//! assert!((reduced.torque(5.0, 2.0, 9.81) - (2.0 + 0.75 * 9.81)).abs() < 1e-12);
+//! ```
 
 use crate::Real;
 

@@ -3,6 +3,19 @@
 //! Inertias in kg·m², angular velocities in rad/s, angular momenta in kg·m²/s, moments in N·m. Axes are principal
 //! axes of the body at G unless said otherwise. Equation numbers: Riul, *Dinâmica das Máquinas*, Unit II; the same
 //! formulas: Beer & Johnston, *Vector Mechanics for Engineers: Dynamics*, ch. 18.
+//!
+//! ```
+//! use dalembert_mechanics::rigid::{angular_momentum, disc_axial_inertia, disc_diametral_inertia, transport_rate};
+//! use nalgebra::Vector3;
+//!
+//! // A disc of 4 kg and 0.2 m spins at 300 rad/s about k while its shaft turns at 2 rad/s about j:
+//! // the gyroscopic moment is I ω Ω = 0.08 · 300 · 2 = 48 N·m about i.
+//! let (axial, diametral) = (disc_axial_inertia(4.0, 0.2), disc_diametral_inertia(4.0, 0.2));
+//! let turning = Vector3::new(0.0, 2.0, 0.0);
+//! let momentum = angular_momentum([diametral, diametral, axial], turning + Vector3::new(0.0, 0.0, 300.0));
+//! let moment = transport_rate(turning, momentum);
+//! assert!((moment - Vector3::new(48.0, 0.0, 0.0)).norm() < 1e-12);
+//! ```
 
 use crate::{Real, Vector};
 
@@ -62,8 +75,8 @@ pub fn moment_by_gyration<S: Real>(mass: S, radius: S) -> S {
     mass * radius.powi(2)
 }
 
-/// Angular momentum about G, `H_G = I_x ω_x i + I_y ω_y j + I_z ω_z k`, from the principal moments of inertia and
-/// the angular velocity of the body in the same axes. Eqs. 45–46.
+/// Angular momentum about G, `H_G = I_x ω_x i + I_y ω_y j + I_z ω_z k`, from the principal moments of inertia
+/// `[I_x, I_y, I_z]` and the angular velocity of the body in the same axes. Eqs. 45–46.
 #[inline]
 pub fn angular_momentum<V: Vector>(inertia: [V::Scalar; 3], angular_velocity: V) -> V {
     let [inertia_x, inertia_y, inertia_z] = inertia;

@@ -11,6 +11,32 @@
 //!
 //! Nelson and McVaugh, J. Eng. Ind. 98 (1976) 593–600; Zorzi and Nelson, J. Eng. Power 99 (1977) 71–76; Friswell,
 //! Penny, Garvey and Lees, *Dynamics of Rotating Machines*, ch. 5 and 6.
+//!
+//! ```
+//! use dalembert_mechanics::rotor::{
+//!     critical,
+//!     element::{BeamTheory, Material, ShaftElement},
+//!     modes::ReducedRotor,
+//!     *,
+//! };
+//!
+//! // A disc of 10 kg in the middle of a shaft of 30 mm and 1 m, whose own mass is next to nothing, on two rigid bearings.
+//! let material = Material { young: 200e9, shear: 77e9, density: 1e-6, viscous_damping: 0.0, loss_factor: 0.0 };
+//! let element = ShaftElement { length: 0.5, outer: [0.03; 2], inner: [0.0; 2], material };
+//! let rotor = Rotor {
+//!     elements: vec![element; 2],
+//!     theory: BeamTheory::EulerBernoulli,
+//!     tension: 0.0,
+//!     discs: vec![RigidDisc { node: 1, mass: 10.0, diametral: 0.02, polar: 0.04 }],
+//!     supports: [0, 2].map(|node| BearingSupport { node, hold: SupportType::Pinned }).to_vec(),
+//! };
+//! let assembled = Assembled::new(&rotor)?;
+//! let criticals = critical::direct(&ReducedRotor::new(&assembled, 2, &[0.0])?, 1.0, 1000.0)?;
+//! // The critical speed is √(48 E I/(m L³)) with I = π d⁴/64.
+//! let jeffcott = (48.0 * 200e9 * (std::f64::consts::PI * 0.03_f64.powi(4) / 64.0) / 10.0).sqrt();
+//! assert!((criticals.found[0].speed / jeffcott - 1.0).abs() < 1e-9);
+//! # Ok::<(), RotorError>(())
+//! ```
 
 pub mod campbell;
 pub mod critical;

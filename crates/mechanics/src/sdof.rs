@@ -2,6 +2,22 @@
 //!
 //! Mass `m` in kg, damping `c` in N·s/m, stiffness `k` in N/m, every frequency and speed in rad/s. Amplitudes are
 //! zero to peak. `r = ω/ω_n` is the frequency ratio, `ζ = c/(2√(k m))` the damping ratio.
+//!
+//! ```
+//! use std::f64::consts::FRAC_PI_2;
+//!
+//! use dalembert_mechanics::sdof::{damping_from_ratio, natural_frequency, phase_lag, unbalance_amplitude};
+//!
+//! // A machine of 20 kg on 8000 N/m with ζ = 0.1 and a rotating unbalance of 0.05 kg·m.
+//! let (mass, stiffness, unbalance) = (20.0, 8000.0, 0.05);
+//! let damping = damping_from_ratio(0.1, stiffness, mass);
+//! let natural = natural_frequency(stiffness, mass);
+//! assert!((natural - 20.0).abs() < 1e-13);
+//! // At resonance X = m₀e/(2 ζ m), a quarter of a turn behind the unbalance; far above it X = m₀e/m.
+//! assert!((unbalance_amplitude(unbalance, stiffness, mass, damping, natural) - 0.0125).abs() < 1e-14);
+//! assert!((phase_lag(stiffness, mass, damping, natural) - FRAC_PI_2).abs() < 1e-12);
+//! assert!((unbalance_amplitude(unbalance, stiffness, mass, damping, 1e6) - 0.0025).abs() < 1e-11);
+//! ```
 
 use std::f64::consts::PI;
 

@@ -2,6 +2,21 @@
 //!
 //! The formulas stand in the tables of every strength-of-materials book (Beer & Johnston, *Mechanics of
 //! Materials*; Shigley, *Mechanical Engineering Design*).
+//!
+//! ```
+//! use std::f64::consts::PI;
+//!
+//! use dalembert_mechanics::section::{rectangle_second_moment, round_diameter, round_second_moment, torsion};
+//!
+//! // A round shaft of 40 mm, I = π d⁴/64, and the diameter that has this second moment.
+//! let round: f64 = round_second_moment(0.04);
+//! assert!((round / (PI * 4e-8) - 1.0).abs() < 1e-14);
+//! assert!((round_diameter(round) - 0.04).abs() < 1e-16);
+//! // A flat of 60 × 10 mm bent over its thin side: b h³/12 = 5000 mm⁴.
+//! assert!((rectangle_second_moment(0.06_f64, 0.01) - 5e-9).abs() < 1e-22);
+//! // Torsion of a square of side a: J = 0.1406 a⁴.
+//! assert!((torsion::rectangle(1.0, 1.0) - 0.140_577_014_955_2).abs() < 1e-12);
+//! ```
 
 use std::f64::consts::PI;
 

@@ -4,6 +4,21 @@
 //! crank's side of the link: `r cos θ₂ + l cos θ₃ = x`, `r sin θ₂ + l sin θ₃ = e`. In line, `e = 0`. Lengths in m,
 //! angles in rad. The formulas of velocity and acceleration hold on either assembly branch, with the `θ₃` of that
 //! branch; where the rod stands across the slider's line, `cos θ₃ = 0`, they have no answer.
+//!
+//! ```
+//! use std::f64::consts::FRAC_PI_2;
+//!
+//! use dalembert_mechanics::slider_crank::{Branch, CrankMotion, SliderCrank, SliderCrankError};
+//!
+//! // Crank of 0.3 m across the line of the slider, rod of 0.5 m, 10 rad/s: x = √(l² − r²), v = −r ω, the rod does not turn
+//! // at that moment, and a = r² ω²/√(l² − r²).
+//! let linkage = SliderCrank { crank: 0.3, rod: 0.5, offset: 0.0, branch: Branch::Ahead };
+//! let motion = linkage.motion(CrankMotion { angle: FRAC_PI_2, speed: 10.0, acceleration: 0.0 })?;
+//! assert!((motion.slider_position - 0.4).abs() < 1e-14);
+//! assert!((motion.slider_velocity + 3.0).abs() < 1e-13 && motion.rod_speed.abs() < 1e-13);
+//! assert!((motion.slider_acceleration - 22.5).abs() < 1e-12);
+//! # Ok::<(), SliderCrankError>(())
+//! ```
 
 use crate::Real;
 

@@ -1,4 +1,16 @@
 //! Springs and how they combine.
+//!
+//! ```
+//! use dalembert_mechanics::spring::{helical, parallel, reflected_stiffness, series};
+//!
+//! // Wire of 5 mm, coils of 40 mm, ten of them, G = 80 GPa: k = G d⁴/(8 D³ n) = 9765.625 N/m.
+//! let spring: f64 = helical(80e9, 5e-3, 40e-3, 10.0);
+//! assert!((spring - 9765.625).abs() < 1e-9);
+//! // Two of them end to end are half as stiff, side by side twice; at half of a lever's length a quarter.
+//! assert!((series([spring; 2]) - spring / 2.0).abs() < 1e-9);
+//! assert!((parallel([spring; 2]) - spring * 2.0).abs() < 1e-9);
+//! assert!((reflected_stiffness(spring, 0.5) - spring / 4.0).abs() < 1e-9);
+//! ```
 
 use std::f64::consts::PI;
 

@@ -3,6 +3,22 @@
 //! Rotor mass `m` in kg at the stiffness `k` in N/m, unbalance `m e` in kg·m, clearance `R` in m, speeds `ω` in
 //! rad/s, damping `c` in N·s/m or as the ratio `ζ`. The whirl of the undamped or viscously damped Jeffcott rotor
 //! has the amplitude of [`crate::sdof::unbalance_amplitude`] (Rao, *Mechanical Vibrations*, 5th ed., §9.5).
+//!
+//! ```
+//! use dalembert_mechanics::whirl::{WhirlError, permitted_speeds, whirl_amplitude};
+//!
+//! // A critical speed of 300 rad/s, the centre of mass 0.1 mm off the shaft, a clearance of 0.5 mm, no damping: the whirl
+//! // reaches the clearance at ω_n √(R/(R + e)) and is within it again from ω_n √(R/(R − e)) on.
+//! let speeds = permitted_speeds(300.0, 0.1e-3, 0.5e-3, 0.0)?;
+//! let (below, above) = (speeds.below.expect("it is reached"), speeds.above.expect("it is left"));
+//! assert!((below - 300.0 * (5.0_f64 / 6.0).sqrt()).abs() < 1e-9);
+//! assert!((above - 300.0 * (5.0_f64 / 4.0).sqrt()).abs() < 1e-9);
+//! assert!((whirl_amplitude(0.1e-3, above / 300.0, 0.0) - 0.5e-3).abs() < 1e-15);
+//! assert!(!speeds.set.contains(300.0));
+//! // Far above the critical speed the rotor turns about its centre of mass: the amplitude is the eccentricity.
+//! assert!((whirl_amplitude(0.1e-3, 1e6, 0.0) - 0.1e-3).abs() < 1e-15);
+//! # Ok::<(), WhirlError>(())
+//! ```
 
 use crate::Real;
 

@@ -3,6 +3,21 @@
 //! `Σ Fᵢ·Vᵢ + Σ Tⱼ·ωⱼ + Σ (−m a_G)·V_G + Σ (−I_G α)·ω = 0` for the velocities of any motion that the joints allow
 //! (Riul, *Dinâmica das Máquinas*, Unit II, eqs. 1–5). Forces in N, couples in N·m, velocities in m/s and rad/s,
 //! powers in W. With virtual displacements in place of velocities the same products are virtual works in J.
+//!
+//! ```
+//! use dalembert_mechanics::work::{couple_power, force_power, inertia_couple, inertia_force, unknown_load, weight};
+//! use nalgebra::Vector3;
+//!
+//! // The couple that starts a horizontal bar of 3 kg and 1 m about its end with 2 rad/s²: m g L/2 + (m L²/3) α.
+//! let (velocity, turning) = (Vector3::new(0.0, 0.5, 0.0), Vector3::new(0.0, 0.0, 1.0));
+//! let powers = [
+//!     force_power(weight(3.0, Vector3::new(0.0, -9.81, 0.0)), velocity),
+//!     force_power(inertia_force(3.0, Vector3::new(0.0, 0.5 * 2.0, 0.0)), velocity),
+//!     couple_power(inertia_couple(3.0 / 12.0, Vector3::new(0.0, 0.0, 2.0)), turning),
+//! ];
+//! let couple = unknown_load(powers, 1.0);
+//! assert!((couple - (3.0 * 9.81 * 0.5 + 3.0 / 3.0 * 2.0)).abs() < 1e-12);
+//! ```
 
 use crate::{Real, Vector};
 

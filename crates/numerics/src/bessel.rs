@@ -2,6 +2,17 @@
 //!
 //! Miller's recurrence from high orders down, with the sums that are one and `eˣ` (Abramowitz & Stegun, *Handbook of
 //! Mathematical Functions*, §9.12 and 9.6.37).
+//!
+//! ```
+//! use dalembert_numerics::bessel::{j, j_zeros};
+//!
+//! // A circular membrane of radius a and wave speed c vibrates at ω = 2.4048 c/a and 5.5201 c/a: the zeros of J₀.
+//! let zeros = j_zeros(0, 2);
+//! assert!((zeros[0] - 2.404_825_557_695_773).abs() < 1e-12);
+//! assert!((zeros[1] - 5.520_078_110_286_311).abs() < 1e-12);
+//! // J₀ has its extremes where J₁ is zero, the first one at 3.8317.
+//! assert!((j(0, j_zeros(1, 1)[0]) + 0.402_759_395_702_553).abs() < 1e-14);
+//! ```
 
 use std::ops::ControlFlow;
 
@@ -10,13 +21,13 @@ use crate::roots;
 /// Orders and arguments above this are not asked for.
 pub const MOST: f64 = 500.0;
 
-/// `J_n(x)` for `x ≥ 0`.
+/// `J_n(x)` for `x ≥ 0`; NaN for `x < 0` and above twice [`MOST`].
 pub fn j(order: usize, x: f64) -> f64 {
     let sum = |here: f64, k: usize| if k.is_multiple_of(2) { 2.0 * here } else { 0.0 };
     downward(order, x, -1.0, sum)
 }
 
-/// `e⁻ˣ I_n(x)` for `x ≥ 0`.
+/// `e⁻ˣ I_n(x)` for `x ≥ 0`; NaN for `x < 0` and above twice [`MOST`].
 pub fn scaled_i(order: usize, x: f64) -> f64 {
     downward(order, x, 1.0, |here, _| 2.0 * here)
 }
@@ -31,12 +42,13 @@ pub fn scaled_i_slope(order: usize, x: f64) -> f64 {
     if order == 0 { scaled_i(1, x) } else { 0.5 * (scaled_i(order - 1, x) + scaled_i(order + 1, x)) }
 }
 
-/// The first `count` zeros of `J_n` above zero.
+/// The first `count` zeros of `J_n` above zero, ascending; fewer where they lie beyond [`MOST`].
 pub fn j_zeros(order: usize, count: usize) -> Vec<f64> {
     zeros(|x| j(order, x), order as f64 + 0.5, count)
 }
 
-/// The first `count` zeros of a function above `from` that are more than half apart.
+/// The first `count` zeros of a function above `from` that are more than half apart, ascending; fewer where they lie
+/// beyond [`MOST`].
 pub fn zeros(mut function: impl FnMut(f64) -> f64, from: f64, count: usize) -> Vec<f64> {
     const STEP: f64 = 0.4;
     let mut found = Vec::with_capacity(count);

@@ -1,4 +1,12 @@
 //! Derivatives by differences.
+//!
+//! ```
+//! use dalembert_numerics::differentiation::derivative;
+//!
+//! // Velocity of the harmonic motion x = 0.1 sin 3t at 0.4 s: 0.3 cos 3t.
+//! let velocity = derivative(|t| 0.1 * (3.0 * t).sin(), 0.4, 0.01);
+//! assert!((velocity - 0.3 * 1.2_f64.cos()).abs() < 1e-13);
+//! ```
 
 use std::ops::{Add, Div, Mul, Sub};
 

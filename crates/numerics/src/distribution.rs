@@ -1,4 +1,16 @@
 //! Probability distributions by their quantile functions.
+//!
+//! ```
+//! use dalembert_numerics::distribution::{Distribution, normal_cumulative};
+//!
+//! // A shaft of 25 mm with a standard deviation of 0.01 mm: 97.5 % of all are below the mean and 1.96 deviations.
+//! let diameter = Distribution::normal(25.0, 0.01).expect("the deviation is above zero");
+//! assert!((diameter.quantile(0.975) - 25.019_599_639_845_4).abs() < 1e-12);
+//! assert!((normal_cumulative(1.959_963_984_540_054) - 0.975).abs() < 1e-15);
+//! // A triangle from 0 to 2 with its peak at 2: the share below x is x²/4.
+//! let triangle = Distribution::triangular(0.0, 2.0, 2.0).expect("the ends ascend");
+//! assert!((triangle.quantile(0.25) - 1.0).abs() < 1e-15);
+//! ```
 
 use std::f64::consts::FRAC_1_SQRT_2;
 

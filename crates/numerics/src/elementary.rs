@@ -3,6 +3,21 @@
 //!
 //! [`Real`](crate::Real) takes them for scalars as for SIMD vectors: a formula gives the same number, bit for bit, either
 //! way and on every machine.
+//!
+//! ```
+//! use std::f64::consts::PI;
+//!
+//! use dalembert_numerics::elementary::{LARGEST_ANGLE, asin, atan2, ln, sin};
+//!
+//! assert!((sin(PI / 6.0) - 0.5).abs() < 2e-16);
+//! // The angle of a direction in the second quadrant.
+//! assert!((atan2(1.0, -1.0) - 0.75 * PI).abs() < 2e-15);
+//! // Logarithmic decrement of an amplitude that falls to a half.
+//! assert!((ln(2.0) - 0.693_147_180_559_945_3).abs() < 3e-16);
+//! // Beyond the polynomials, the standard library; outside of the domain, no number.
+//! assert_eq!(sin(2.0 * LARGEST_ANGLE), (2.0 * LARGEST_ANGLE).sin());
+//! assert!(asin(1.1).is_nan());
+//! ```
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_4, LN_2, SQRT_2};
 

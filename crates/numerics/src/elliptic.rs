@@ -2,6 +2,20 @@
 //!
 //! Near the modulus 1 all of them hang on `1 − k²`; what ends in `_of` takes that complement `m₁ = 1 − k²` itself, so
 //! that whoever knows it to all its digits loses none.
+//!
+//! ```
+//! use std::f64::consts::PI;
+//!
+//! use dalembert_numerics::elliptic::{complete, jacobi};
+//!
+//! // A pendulum swings to an amplitude of 90°: its period is that of small swings times 2 K(sin 45°)/π.
+//! let modulus = (PI / 4.0).sin();
+//! let quarter = complete(modulus);
+//! assert!((2.0 * quarter / PI - 1.180_340_599_016_096).abs() < 1e-14);
+//! // sin(θ/2) = k sn u: a quarter of a period after the lowest position it stands at its amplitude, sn = 1 and cn = 0.
+//! let (sn, cn, _) = jacobi(quarter, modulus);
+//! assert!((sn - 1.0).abs() < 1e-14 && cn.abs() < 1e-14);
+//! ```
 
 use std::f64::consts::{FRAC_PI_2, PI};
 

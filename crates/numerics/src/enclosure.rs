@@ -6,6 +6,18 @@
 //! the libraries of the usual systems state. An enclosure says whether the formula is defined for all of the interval:
 //! where it is not, it holds for the part where it is. R. E. Moore, R. B. Kearfott and M. J. Cloud, *Introduction to
 //! Interval Analysis* (SIAM, 2009), ch. 2, 5 and 6.
+//!
+//! ```
+//! use dalembert_numerics::enclosure::Enclosure;
+//!
+//! // Natural frequency √(k/m) of a stiffness from 900 to 1600 N/m and a mass from 1 to 4 kg: from 15 to 40 rad/s.
+//! let (stiffness, mass) = (Enclosure::new(900.0, 1600.0), Enclosure::new(1.0, 4.0));
+//! let frequency = (stiffness / mass).sqrt();
+//! assert!(frequency.is_defined && frequency.contains(15.0) && frequency.contains(40.0));
+//! assert!(frequency.low > 15.0 - 1e-13 && frequency.high < 40.0 + 1e-13);
+//! // The formula has no value for a part of these numbers.
+//! assert!(!Enclosure::new(-1.0, 4.0).sqrt().is_defined);
+//! ```
 
 mod jet;
 

@@ -1,5 +1,22 @@
 //! The least and the largest value of a number that changes with time, from the motion itself: every stretch in which it
 //! turns is bracketed, and the turn found to rounding.
+//!
+//! ```
+//! use std::f64::consts::{FRAC_PI_4, SQRT_2};
+//!
+//! use dalembert_numerics::extremes::{Extremes, Sampling};
+//!
+//! // Motion after a blow, x = e⁻ᵗ sin t: it turns where tan t = 1, at π/4 for the first time.
+//! let mut motion = |t: f64| Sampling::of((-t).exp() * t.sin(), (-t).exp() * (t.cos() - t.sin()));
+//! let mut extremes = Extremes::at(0.0, 0.0);
+//! for step in 0..10 {
+//!     let from = 0.5 * f64::from(step);
+//!     extremes.follow(&mut motion, [from, from + 0.5]);
+//! }
+//! assert!((extremes.largest.time - FRAC_PI_4).abs() < 1e-12);
+//! assert!((extremes.largest.value - (-FRAC_PI_4).exp() / SQRT_2).abs() < 1e-15);
+//! assert!((extremes.least.time - 5.0 * FRAC_PI_4).abs() < 1e-12);
+//! ```
 
 use std::ops::ControlFlow;
 
@@ -106,15 +123,15 @@ const DEEP: u32 = 6;
 /// Rounding error of the difference of two neighbouring values, relative to their magnitude.
 const ROUNDING: f64 = 1e-13;
 
-/// The largest value of a smooth number, and where it is, from places that are a share of its shortest period apart: about
-/// each place that is higher than its neighbours, and may belong to the highest top, the top is found by parabolas held
-/// by golden sections (R. P. Brent, *Algorithms for Minimization without Derivatives* (1973), ch. 5).
+/// The largest value of a smooth number, and where it is, from ascending places that are a share of its shortest period
+/// apart: about each place that is higher than its neighbours, and may belong to the highest top, the top is found by
+/// parabolas held by golden sections (R. P. Brent, *Algorithms for Minimization without Derivatives* (1973), ch. 5).
 pub fn largest(mut number: impl FnMut(f64) -> f64, places: &[f64]) -> Option<Extreme> {
     let values: Vec<f64> = places.iter().map(|place| number(*place)).collect();
     largest_about(number, places, &values)
 }
 
-/// The same where the values at the places are known.
+/// The same where the values at the places are known, one for each place in their order.
 pub fn largest_about(mut number: impl FnMut(f64) -> f64, places: &[f64], values: &[f64]) -> Option<Extreme> {
     let all = places.iter().zip(values).map(|(time, value)| Extreme { time: *time, value: *value });
     let mut best = all.reduce(|best, next| if next.value > best.value { next } else { best })?;

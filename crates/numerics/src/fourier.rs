@@ -3,6 +3,22 @@
 //! `y(θ) ≈ a₀/2 + Σ (aₙ cos nθ + bₙ sin nθ)`, from the `N` ordinates `y_j = y(2π j/N)`:
 //! `aₙ = 2/N Σ y_j cos(2π n j/N)`, `bₙ = 2/N Σ y_j sin(2π n j/N)`; of the last harmonic `n = N/2` of an even number of
 //! ordinates half as much, so that all harmonics together pass through the ordinates.
+//!
+//! ```
+//! use std::f64::consts::TAU;
+//!
+//! use dalembert_numerics::fourier::harmonic;
+//!
+//! // Twelve ordinates of 3 + 2 cos θ + 0.5 sin 3θ, from θ = 0 on; the mean is half of a₀.
+//! let ordinates: Vec<f64> = (0..12)
+//!     .map(|j| TAU * f64::from(j) / 12.0)
+//!     .map(|angle| 3.0 + 2.0 * angle.cos() + 0.5 * (3.0 * angle).sin())
+//!     .collect();
+//! for (n, wanted) in [(0, (6.0, 0.0)), (1, (2.0, 0.0)), (2, (0.0, 0.0)), (3, (0.0, 0.5))] {
+//!     let (a, b) = harmonic(&ordinates, n);
+//!     assert!((a - wanted.0).abs() < 1e-14 && (b - wanted.1).abs() < 1e-14);
+//! }
+//! ```
 
 use std::f64::consts::TAU;
 
@@ -27,7 +43,8 @@ pub fn cosine_and_sine(count: usize, n: usize, j: usize) -> (f64, f64) {
     }
 }
 
-/// The coefficients `(aₙ, bₙ)` of a harmonic, by their sums.
+/// The coefficients `(aₙ, bₙ)` of a harmonic, by their sums, from `N` ordinates over one period, the first at `θ = 0`,
+/// for `n ≤ N/2`.
 pub fn harmonic(ordinates: &[f64], n: usize) -> (f64, f64) {
     let count = ordinates.len();
     let (mut a, mut b) = (0.0, 0.0);

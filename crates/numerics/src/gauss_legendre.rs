@@ -1,4 +1,18 @@
 //! Gauss quadrature over the unit interval, for energies of vibration shapes.
+//!
+//! ```
+//! use std::f64::consts::PI;
+//!
+//! use dalembert_numerics::gauss_legendre::{integral, legendre};
+//!
+//! // The generalised mass of a simply supported beam in its first mode is half of its mass: ∫₀¹ sin² πξ dξ = 1/2.
+//! assert!((integral(2, |xi| (PI * xi).sin().powi(2)) - 0.5).abs() < 1e-14);
+//! // Two points, at (1 ± 1/√3)/2, of weight 1/2.
+//! let rule = legendre(2);
+//! assert!((rule[0].0 + rule[1].0 - 1.0).abs() < 1e-15);
+//! assert!(((rule[1].0 - rule[0].0).abs() - 1.0 / 3_f64.sqrt()).abs() < 1e-15);
+//! assert!((rule[0].1 - 0.5).abs() < 1e-15);
+//! ```
 
 /// Abscissas and weights of the ten-point rule on `[−1, 1]`, the positive half.
 const RULE: [(f64, f64); 5] = [
@@ -14,7 +28,7 @@ pub fn integral(panels: usize, f: impl Fn(f64) -> f64) -> f64 {
     points(panels).map(|(xi, weight)| weight * f(xi)).sum()
 }
 
-/// The points of [`integral`] and their weights, which add up to one.
+/// The points of [`integral`] and their weights, which add up to one: pairs `(ξ, weight)`.
 pub fn points(panels: usize) -> impl Iterator<Item = (f64, f64)> {
     let half = 0.5 / panels.max(1) as f64;
     (0..panels.max(1)).flat_map(move |panel| {
@@ -24,8 +38,8 @@ pub fn points(panels: usize) -> impl Iterator<Item = (f64, f64)> {
     })
 }
 
-/// Points and weights, which add up to one, of the Gauss–Legendre rule with that many points on the unit interval:
-/// exact to the degree `2 points − 1`.
+/// Pairs of points and weights, which add up to one, of the Gauss–Legendre rule with that many points on the unit
+/// interval: exact to the degree `2 points − 1`.
 pub fn legendre(points: usize) -> Vec<(f64, f64)> {
     let n = points as f64;
     let place = |k: usize| {

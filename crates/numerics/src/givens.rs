@@ -1,5 +1,20 @@
 //! QR factorisation by plane rotations of a sparse matrix with a known pattern: factored without any branch, so that
 //! several matrices can be taken in the lanes of a SIMD vector.
+//!
+//! ```
+//! use dalembert_numerics::givens::GivensQr;
+//!
+//! // 2 x₂ = 4 and 3 x₁ + x₂ = 5. The entries stand in an array; each row has places in it and columns.
+//! let entries = [2.0, 3.0, 1.0];
+//! let rows = [vec![(0, 1)], vec![(1, 0), (2, 1)]];
+//! let mut factors = GivensQr::new(&rows);
+//! factors.factor(|place| entries[place]);
+//! let mut x = [4.0, 5.0];
+//! factors.solve(&mut x);
+//! assert!((x[0] - 1.0).abs() < 1e-14 && (x[1] - 2.0).abs() < 1e-14);
+//! // The determinant is −6: only its sign is kept.
+//! assert!(factors.determinant()[0] < 0.0);
+//! ```
 
 use std::collections::BTreeSet;
 
@@ -9,9 +24,10 @@ use crate::simd::SimdReal;
 /// smallest number, and it changes no number above 10⁻¹³⁴.
 const ROTATION_GUARD: f64 = 1e-150;
 
-/// Orders of rows and columns of a square matrix that take few rotations, from the places and columns of the entries of
-/// each row: of what is left, the column that the fewest rows have goes first (J. A. George, M. T. Heath, *Linear
-/// Algebra and its Applications* 34, 1980). So a loop that depends on another one is separated from it.
+/// Orders of rows and columns of a square matrix that take few rotations, from the entries of each row, a pair of place
+/// and column each, as for [`GivensQr::new`]: of what is left, the column that the fewest rows have goes first (J. A.
+/// George, M. T. Heath, *Linear Algebra and its Applications* 34, 1980). So a loop that depends on another one is
+/// separated from it.
 pub fn ordering(rows: &[Vec<(usize, usize)>]) -> [Vec<usize>; 2] {
     let mut entries: Vec<BTreeSet<usize>> =
         rows.iter().map(|row| row.iter().map(|(_, column)| *column).collect()).collect();
@@ -95,7 +111,8 @@ struct Row {
 }
 
 impl<S: SimdReal> GivensQr<S> {
-    /// For matrices whose rows have entries from these places in these columns.
+    /// For square matrices with a list for each row: of each of its entries the place that [`factor`](Self::factor) is
+    /// asked for, and the column, both counted from 0.
     pub fn new(rows: &[Vec<(usize, usize)>]) -> Self {
         let mut places: Vec<Vec<(usize, usize)>> = Vec::new();
         let mut count = 0;
@@ -223,7 +240,8 @@ impl<S: SimdReal> GivensQr<S> {
         [product, least / most]
     }
 
-    /// `A x = b` in place.
+    /// `A x = b` in place, with an entry for each row; without meaning where A is singular, see
+    /// [`determinant`](Self::determinant).
     #[inline(always)]
     pub fn solve(&self, x: &mut [S]) {
         for ([cos, sin], rotation) in self.turns.iter().zip(&self.rotations) {
@@ -241,7 +259,7 @@ impl<S: SimdReal> GivensQr<S> {
         }
     }
 
-    /// `Aᵀ y = g` in place.
+    /// `Aᵀ y = g` in place, with an entry for each row.
     #[inline(always)]
     pub fn solve_transposed(&self, y: &mut [S]) {
         for (number, row) in self.rows.iter().enumerate() {

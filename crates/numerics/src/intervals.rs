@@ -1,4 +1,18 @@
 //! Sets of real numbers made of intervals: the diameters that are permitted, the speeds that are not.
+//!
+//! ```
+//! use std::ops::Bound::{Excluded, Included, Unbounded};
+//!
+//! use dalembert_numerics::intervals::IntervalSet;
+//!
+//! // Speeds from 0 on but for those between 90 and 110 rad/s, and the same of a rotor whose shaft turns twice as fast.
+//! let resonance = IntervalSet::interval(Excluded(90.0), Excluded(110.0));
+//! let permitted = IntervalSet::interval(Included(0.0), Unbounded).intersection(&resonance.complement());
+//! assert!(permitted.contains(90.0) && !permitted.contains(100.0));
+//! let twice: Vec<_> = permitted.map_ascending(|speed| 2.0 * speed).intervals().collect();
+//! assert_eq!((twice[0].lower, twice[0].upper), (Included(0.0), Included(180.0)));
+//! assert_eq!((twice[1].lower, twice[1].upper), (Included(220.0), Unbounded));
+//! ```
 
 use std::ops::Bound::{self, Excluded, Included, Unbounded};
 

@@ -11,6 +11,7 @@
 //! | roots and extremes | [`roots`], [`nonlinear`], [`polynomial`], [`extremes`] |
 //! | minimum under constraints | [`optimisation`] |
 //! | quadrature, derivatives | [`quadrature`], [`gauss_legendre`], [`differentiation`] |
+//! | Fourier coefficients | [`fourier`] |
 //! | special functions | [`elementary`], [`elliptic`], [`bessel`] |
 //! | sets of numbers | [`intervals`] |
 //! | interval arithmetic, proven signs | [`enclosure`], [`signs`] |

@@ -4,6 +4,22 @@
 //! permutation matrix, and a nearly singular system is solved without a word. Here every matrix is checked to be
 //! finite and scaled, every iteration has a limit, every result is held against its own equation, and what has no
 //! answer is refused by name. Everywhere else clippy bans the raw calls.
+//!
+//! ```
+//! use dalembert_numerics::linalg::{LinalgError, solve, symmetric_eigen};
+//! use nalgebra::{DMatrix, DVector};
+//!
+//! // Principal stresses of σx = 50, σy = −30 and τxy = 30 MPa: 10 ± √(40² + 30²), the larger one along (3, 1)/√10.
+//! let stress = DMatrix::from_row_slice(2, 2, &[50.0, 30.0, 30.0, -30.0]);
+//! let principal = symmetric_eigen(&stress)?;
+//! assert!((principal.values[0] + 40.0).abs() < 1e-12 && (principal.values[1] - 60.0).abs() < 1e-12);
+//! assert!((principal.vectors[(0, 1)] / principal.vectors[(1, 1)] - 3.0).abs() < 1e-12);
+//! // Two equations that say the same are refused.
+//! let dependent = DMatrix::from_row_slice(2, 2, &[1.0, 2.0, 2.0, 4.0]);
+//! let refused = solve(&dependent, &DVector::from_vec(vec![3.0, 6.0]));
+//! assert!(matches!(refused, Err(LinalgError::Singular { .. })));
+//! # Ok::<(), LinalgError>(())
+//! ```
 
 mod band;
 mod complex;
@@ -63,7 +79,7 @@ pub enum LinalgError {
     NotSymmetric {
         /// The row of the largest difference, counted from 1.
         row: usize,
-        /// Column of that entry, from 0.
+        /// Column of that entry, counted from 1.
         column: usize,
         /// The largest difference across the diagonal over the largest entry.
         difference: f64,
@@ -151,7 +167,7 @@ pub fn solve(a: &DMatrix<f64>, b: &DVector<f64>) -> Result<Solved, LinalgError> 
     Ok(Solved { x, condition })
 }
 
-/// The `x` that makes `|A x − b|` least, for `A` with at least as many rows as columns and independent columns.
+/// The `x` that makes `|A x − b|` least, for `A` m by n with `m ≥ n` and independent columns, and `b` with m entries.
 ///
 /// Columns are scaled; rows are not, since that would weight the observations.
 ///
@@ -178,10 +194,10 @@ pub fn least_squares(a: &DMatrix<f64>, b: &DVector<f64>) -> Result<Solved, Linal
     Ok(Solved { x, condition })
 }
 
-/// Eigenvalues, ascending, and unit eigenvectors of a symmetric matrix.
+/// Eigenvalues, ascending, and unit eigenvectors of a symmetric matrix, both halves of which are read.
 ///
 /// # Errors
-/// `Shape`; `NotFinite`; `NotSymmetric` beyond rounding; `NotConverged`.
+/// `Shape` unless A is n by n, n ≥ 1; `NotFinite`; `NotSymmetric` beyond rounding; `NotConverged`.
 pub fn symmetric_eigen(a: &DMatrix<f64>) -> Result<SymmetricEigen, LinalgError> {
     square(a)?;
     finite(a.iter())?;

@@ -1,4 +1,14 @@
 //! Systems of nonlinear equations and nonlinear least squares over the unit cube.
+//!
+//! ```
+//! use dalembert_numerics::nonlinear::levenberg_marquardt;
+//!
+//! // A circle of radius 1 about the origin and the line y = 2x meet at (1, 2)/√5.
+//! let residuals = |x: &[f64]| Some(vec![x[0] * x[0] + x[1] * x[1] - 1.0, x[1] - 2.0 * x[0]]);
+//! let found = levenberg_marquardt(residuals, &[0.5, 0.5]).expect("the residuals have values everywhere");
+//! assert!((found.x[0] - 1.0 / 5_f64.sqrt()).abs() < 1e-12);
+//! assert!((found.x[1] - 2.0 / 5_f64.sqrt()).abs() < 1e-12);
+//! ```
 
 use nalgebra::{DMatrix, DVector};
 
@@ -30,8 +40,11 @@ const PATIENCE: usize = 8;
 ///
 /// D. W. Marquardt, *J. SIAM* 11 (1963) 431: the step solves `(JᵀJ + λ diag JᵀJ) δ = −Jᵀr`; λ falls by ten where the sum
 /// gets smaller and grows by ten where it does not, or where the function has no value (`None`). The Jacobian is that of
-/// one-sided differences, and of central ones where these lead no further. A square system whose residuals do not halve in
-/// eight iterations is left: it nears a minimum that is no root. `None` where the start, or its surroundings, have no value.
+/// one-sided differences, and of central ones where these lead no further. A square system whose residuals do not halve
+/// in eight iterations is left: it nears a minimum that is no root. `None` where the start, or its surroundings, have
+/// no value.
+///
+/// The start has a number from 0 to 1 for each unknown; the residuals are of one number and one order at every point.
 pub fn levenberg_marquardt(
     mut residuals: impl FnMut(&[f64]) -> Option<Vec<f64>>,
     start: &[f64],
@@ -108,8 +121,9 @@ fn one_sided(
     Some(jacobian)
 }
 
-/// Jacobian `∂rᵢ/∂xⱼ` by central differences within the unit cube, one-sided at its faces and beside points without a
-/// value; `r` are the residuals at `x`. `None` where neither side has a value.
+/// Jacobian `∂rᵢ/∂xⱼ`, a row for each residual and a column for each unknown, by central differences within the unit
+/// cube, one-sided at its faces and beside points without a value; `r` are the residuals at `x`. `None` where neither
+/// side has a value.
 pub fn jacobian(
     residuals: &mut impl FnMut(&[f64]) -> Option<Vec<f64>>,
     x: &[f64],

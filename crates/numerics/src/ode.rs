@@ -3,6 +3,26 @@
 //! The explicit method of Dormand and Prince of order 8 with estimates of order 5 and 3 and a polynomial of order 7
 //! between the ends of a step: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*,
 //! 2nd ed., §II.4 to §II.6.
+//!
+//! ```
+//! use dalembert_numerics::ode::{OdeError, OdeFunction, states};
+//!
+//! // A mass on a spring, ẍ = −4 x, released from rest at x = 1: x = cos 2t and ẋ = −2 sin 2t.
+//! let mut oscillator = OdeFunction {
+//!     rates: |_: f64, state: &[f64], rates: &mut [f64]| {
+//!         rates[0] = state[1];
+//!         rates[1] = -4.0 * state[0];
+//!     },
+//!     relative: 1e-12,
+//!     absolute: 1e-12,
+//! };
+//! let times = [0.0, 1.0, 10.0];
+//! for (time, state) in times.iter().zip(states(&mut oscillator, &[1.0, 0.0], &times, 10_000)?) {
+//!     assert!((state[0] - (2.0 * time).cos()).abs() < 1e-10);
+//!     assert!((state[1] + 2.0 * (2.0 * time).sin()).abs() < 1e-10);
+//! }
+//! # Ok::<(), OdeError>(())
+//! ```
 
 mod coefficients;
 mod events;
@@ -127,7 +147,8 @@ pub enum OdeError {
     Stopped,
 }
 
-/// The states at the given times, the first of which is the start.
+/// The states at the given times, ascending, the first of which is that of `start`: one state for each time, its numbers
+/// in the order of `start`.
 ///
 /// # Errors
 /// All of [`OdeError`].

@@ -6,6 +6,18 @@
 //! quadratic programming (D. Kraft, *ACM Trans. Math. Softw.* 20, 1994; crate `slsqp`), which knows the derivatives from
 //! differences. From the best optimum the search goes on without derivatives, by linear approximation (M. J. D. Powell's COBYLA,
 //! 1994; crate `cobyla`), until that finds nothing better: a second method, which does not stop where a function has a kink.
+//!
+//! ```
+//! use dalembert_numerics::optimisation::minimise;
+//!
+//! // The strongest beam sawn from a round log of diameter 1: b h² is largest under b² + h² ≤ 1 for b = 1/√3 and
+//! // h = √(2/3). The objective comes first, the constraint after it.
+//! let mut values = |x: &[f64]| Some(vec![-x[0] * x[1] * x[1], x[0] * x[0] + x[1] * x[1] - 1.0]);
+//! let minimum = minimise(&mut values, 2, 1, &[]);
+//! let best = &minimum.optima[0];
+//! assert!((best.values[0] + 2.0 / 27_f64.sqrt()).abs() < 1e-9);
+//! assert!((best.x[0] - 1.0 / 3_f64.sqrt()).abs() < 1e-6 && (best.x[1] - (2.0_f64 / 3.0).sqrt()).abs() < 1e-6);
+//! ```
 
 use std::cell::RefCell;
 
@@ -67,7 +79,8 @@ pub struct Minimum {
     pub scale: f64,
 }
 
-/// Minimises the largest of the first `objectives` values over the unit cube, from given starts and others.
+/// Minimises the largest of the first `objectives` values over the unit cube, from given starts, a number from 0 to 1
+/// for each dimension, and others. Without optima where no point that was tried has values.
 pub fn minimise(
     values: &mut Values<'_>,
     dimensions: usize,

@@ -1,4 +1,15 @@
 //! Roots of polynomials with real coefficients.
+//!
+//! ```
+//! use dalembert_numerics::polynomial::{PolynomialError, roots};
+//!
+//! // λ² + 2 λ + 5 = 0, a damped oscillation: λ = −1 ± 2i, the one with the negative imaginary part first.
+//! let found = roots(&[1.0, 2.0, 5.0])?;
+//! assert!((found[0].re + 1.0).abs() < 1e-14 && (found[0].im + 2.0).abs() < 1e-14);
+//! assert_eq!(found[1], found[0].conj());
+//! assert_eq!(roots(&[0.0, 0.0]), Err(PolynomialError::Zero));
+//! # Ok::<(), PolynomialError>(())
+//! ```
 
 use std::f64::consts::TAU;
 

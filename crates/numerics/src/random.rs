@@ -3,6 +3,20 @@
 //!
 //! The counter is mixed twice by the finaliser of SplitMix64 (G. L. Steele, D. Lea and C. H. Flood, *Fast Splittable
 //! Pseudorandom Number Generators*, OOPSLA 2014).
+//!
+//! ```
+//! use dalembert_numerics::random::{mix, uniform, uniforms};
+//!
+//! // The first number of SplitMix64 from the state zero.
+//! assert_eq!(mix(0x9e37_79b9_7f4a_7c15), 0xe220_a839_7b1d_cdaf);
+//! // Samples 100 to 107 of seed 1 at place 3, all at once and one of them alone: the same number.
+//! let mut numbers = [0.0; 8];
+//! uniforms(1, 100, 3, &mut numbers);
+//! assert_eq!(numbers[5], uniform(1, 105, 3));
+//! // The mean of many is a half: 0.5 ± 0.0009 is one standard deviation for a hundred thousand.
+//! let mean = (0..100_000).map(|sample| uniform(1, sample, 0)).sum::<f64>() / 1e5;
+//! assert!((mean - 0.5).abs() < 0.0036);
+//! ```
 
 use std::f64::consts::TAU;
 

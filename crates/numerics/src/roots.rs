@@ -1,4 +1,19 @@
 //! Zeros of a function of one number.
+//!
+//! ```
+//! use std::ops::ControlFlow;
+//!
+//! use dalembert_numerics::roots::{RootError, find};
+//!
+//! // Kepler's equation E − e sin E = M for e = 0.5 and the M of E = 2.
+//! let anomaly = 2.0 - 0.5 * 2_f64.sin();
+//! let kepler = |x: f64| x - 0.5 * x.sin() - anomaly;
+//! let found = find(kepler, [0.0, 3.0], |_| ControlFlow::Continue(()))?;
+//! assert!((found - 2.0).abs() < 1e-12);
+//! let refused = find(kepler, [2.5, 3.0], |_| ControlFlow::Continue(()));
+//! assert!(matches!(refused, Err(RootError::NotBracketed { .. })));
+//! # Ok::<(), RootError>(())
+//! ```
 
 use std::ops::ControlFlow;
 

@@ -2,6 +2,21 @@
 //!
 //! Every coordinate is a function of its seed, sample and dimension alone, so that a study of any size needs no memory
 //! for its points and any thread can begin anywhere.
+//!
+//! ```
+//! use dalembert_numerics::sampling::{latin_hypercube, sobol};
+//!
+//! // Eight points: in each dimension every eighth of the unit interval holds one of them.
+//! for dimension in 0..3 {
+//!     let mut of_sobol: Vec<u32> = (0..8).map(|n| (sobol(1, n, dimension) * 8.0) as u32).collect();
+//!     let of_latin = |n: u64| (latin_hypercube(1, 8, n, dimension as u64) * 8.0) as u32;
+//!     let mut of_latin: Vec<u32> = (0..8).map(of_latin).collect();
+//!     of_sobol.sort_unstable();
+//!     of_latin.sort_unstable();
+//!     assert_eq!(of_sobol, [0, 1, 2, 3, 4, 5, 6, 7]);
+//!     assert_eq!(of_latin, [0, 1, 2, 3, 4, 5, 6, 7]);
+//! }
+//! ```
 
 use std::sync::OnceLock;
 

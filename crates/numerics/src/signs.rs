@@ -3,6 +3,21 @@
 //! The range is divided until each part has one sign, or the function is monotone in it; a monotone part has at most one
 //! zero, which bisection encloses by the signs that are proven at single points. What cannot be decided so in parts of
 //! [`LEAST`] of their place, where the function touches zero without crossing it or is not defined, is left undecided.
+//!
+//! ```
+//! use dalembert_numerics::{
+//!     enclosure::Jet,
+//!     signs::{Sign, signs},
+//! };
+//!
+//! // x² − 2 from 0 to 3: negative, a zero in a narrow part about √2, positive.
+//! let parts = signs(&mut |x| Jet::variable(x).powi(2) - Jet::constant(2.0), [0.0, 3.0]);
+//! let crossing = parts.iter().position(|part| part.sign == Sign::Crossing).expect("there is a zero");
+//! assert!((parts[crossing].from..=parts[crossing].to).contains(&2_f64.sqrt()));
+//! assert!(parts[crossing].to - parts[crossing].from < 1e-9);
+//! assert!(parts[..crossing].iter().all(|part| part.sign == Sign::Below));
+//! assert!(parts[crossing + 1..].iter().all(|part| part.sign == Sign::Above));
+//! ```
 
 use std::collections::VecDeque;
 

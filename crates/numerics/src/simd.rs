@@ -8,6 +8,29 @@
 //! A condition that is asked by [`Real::holds`] is true or false for all lanes at once. Where the lanes differ they
 //! *diverge*, and what follows holds for the first lane alone, as it does after a [`Real::value`] of different lanes.
 //! [`converged`] gives the result of a formula only if its lanes did not diverge.
+//!
+//! ```
+//! use dalembert_numerics::{
+//!     Real,
+//!     simd::{Formula, over},
+//! };
+//!
+//! /// Magnification of an undamped mass on a spring, 1/|1 − r²|.
+//! struct Magnification;
+//!
+//! impl Formula<1> for Magnification {
+//!     #[inline(always)]
+//!     fn at<S: Real>(&self, ratio: S) -> [S; 1] {
+//!         [S::from(1.0) / (S::from(1.0) - ratio.powi(2)).abs()]
+//!     }
+//! }
+//!
+//! let ratios: Vec<f64> = (0..100).map(|n| 0.05 + 0.1 * f64::from(n)).collect();
+//! let mut column = vec![0.0; ratios.len()];
+//! over(&ratios, &Magnification, [&mut column]);
+//! let one_by_one: Vec<f64> = ratios.iter().map(|&ratio| Magnification.at(ratio)[0]).collect();
+//! assert_eq!(column, one_by_one);
+//! ```
 
 #![expect(
     clippy::redundant_closure,

@@ -336,3 +336,37 @@ fn a_loop_of_imports_is_found() {
     ];
     assert_eq!(super::faults(&tree(&of_tests)), [""; 0]);
 }
+
+#[test]
+fn a_public_module_of_a_library_shows_its_use_and_has_a_topic() {
+    let with = |table: &str, module: &str| {
+        let library = format!("//! Methods.\n//!\n//! {table}\n\npub mod roots;\nmod real;\n");
+        let manifest = "[lints]\nworkspace = true\n";
+        tree(&[
+            ("crates/numerics/Cargo.toml", manifest),
+            ("crates/numerics/src/lib.rs", &library),
+            ("crates/numerics/src/roots.rs", module),
+            ("crates/numerics/src/real.rs", "//! Numbers.\n"),
+        ])
+    };
+    let (table, example) = ("| zeros | [`roots`] |", "//! ```\n//! assert_eq!(1 + 1, 2);\n//! ```\n");
+    let fenced = |words: &str| example.replacen("```", &format!("```{words}"), 1);
+    for sound in [example, &fenced("rust"), &fenced("should_panic"), &format!("{}{example}", fenced("text"))]
+    {
+        assert_eq!(faults(&with(table, &format!("//! Zeros.\n//!\n{sound}"))), [""; 0]);
+    }
+    let ignored = ["ignore", "text", "no_run", "rust,ignore", "compile_fail"].map(fenced);
+    let others =
+        ["", "//! ```\n//! 1 + 1;\n//! ```\n", "/// ```\n/// assert!(true);\n/// ```\npub fn f() {}\n"];
+    for module in ignored.iter().map(String::as_str).chain(others) {
+        let faults = faults(&with(table, &format!("//! Zeros.\n//!\n{module}")));
+        assert_eq!(faults.len(), 1, "{module}: {faults:#?}");
+        let words =
+            "crates/numerics/src/lib.rs:5: the module `roots` has no example that runs and asserts a result";
+        assert!(faults[0].starts_with(words), "{faults:#?}");
+        assert!(faults[0].contains("the `//!` comment of crates/numerics/src/roots.rs"), "{faults:#?}");
+    }
+    let faults = faults(&with("See [`roots`].", example));
+    assert_eq!(faults.len(), 1, "{faults:#?}");
+    assert!(faults[0].contains("write [`roots`] in the table of the front page"), "{faults:#?}");
+}

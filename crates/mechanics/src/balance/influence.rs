@@ -53,7 +53,8 @@ pub enum InfluenceError {
     Linalg(#[from] LinalgError),
 }
 
-/// Influence coefficients from trial runs, a row for each reading and a column for each plane.
+/// Influence coefficients from trial runs, a row for each reading and a column for each plane. `first` are the readings
+/// without weights, in the order of the sensors in every run.
 ///
 /// Each run is held against the first one, or where weights stay on, against the run before it. Several runs in a
 /// plane are averaged by least squares: `α = Σ W̄ ΔV / Σ |W|²`.
@@ -88,6 +89,9 @@ pub fn influence_coefficients(
 }
 
 /// The weights that make `Σ gᵢ |Vᵢ + (α W)ᵢ|²` least. Goodman (1964).
+///
+/// Coefficients have a row for each reading and a column for each plane; `importance` holds `gᵢ` for each reading, 1 for
+/// those beyond its end.
 ///
 /// # Errors
 /// `TooFewReadings`; `Linalg`, above all `Singular` when planes act alike.

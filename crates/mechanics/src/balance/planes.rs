@@ -18,8 +18,8 @@ pub fn least_correction<S: Real>(force: S, moment: S, planes: f64, arm: S, sprea
     -force / planes - arm * moment / spread
 }
 
-/// Components of the corrections in two planes or more with the least sum of squares, as one linear system:
-/// `U = Aᵀλ` with `A Aᵀ λ = b`, the rows of `A` being ones and the positions.
+/// Components `[x, y]` of the corrections with the least sum of squares, in the order of the planes, two or more, as
+/// one linear system: `U = Aᵀλ` with `A Aᵀ λ = b`, the rows of `A` being ones and the positions.
 ///
 /// # Errors
 /// [`BalanceError`]; one plane, or none, counts as coincident planes.

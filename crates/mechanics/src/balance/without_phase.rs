@@ -22,7 +22,8 @@ pub struct TrialEffect {
     pub gradient: f64,
 }
 
-/// The effect of a trial weight from sizes of the vibration, `(angle, size over the size without weight)`.
+/// The effect of a trial weight from sizes of the vibration, a pair `(angle, size over the size without weight)` for
+/// each run.
 ///
 /// # Errors
 /// `Shape` for fewer than three runs; `Singular` where the angles lie in fewer than three directions; `NotConverged`.

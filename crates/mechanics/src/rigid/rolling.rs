@@ -79,7 +79,8 @@ pub fn tilting_stiffness<S: Real>(
         / (transverse + mass * radius.powi(2))
 }
 
-/// Least speed at which an upright disc rolls on straight: `v² = m g r³ I_t/(I_a (I_a + m r²))`.
+/// Least speed at which an upright disc of the moments of inertia `[I_a, I_t]` rolls on straight:
+/// `v² = m g r³ I_t/(I_a (I_a + m r²))`.
 #[inline]
 pub fn least_rolling_speed<S: Real>(mass: S, radius: S, [axial, transverse]: [S; 2], gravity: S) -> S {
     radius * (mass * gravity * radius * transverse / (axial * (axial + mass * radius.powi(2)))).sqrt()

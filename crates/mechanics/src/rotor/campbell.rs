@@ -16,7 +16,7 @@ pub struct Campbell {
     pub spectra: Vec<Spectrum>,
 }
 
-/// Follows the modes over ascending speeds.
+/// Follows the modes over ascending speeds, rad/s.
 ///
 /// A mode is known again by its shape (modal assurance criterion), from the highest speed down, since at rest the
 /// shapes of a symmetric rotor are arbitrary. Where two shapes are too unlike, speeds between are examined.

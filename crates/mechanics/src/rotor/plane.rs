@@ -41,7 +41,7 @@ impl Plane {
         Plane { diagonal: sum(&self.diagonal, &other.diagonal), above: sum(&self.above, &other.above) }
     }
 
-    /// The matrix times a vector.
+    /// The matrix times a vector `(x₁, φ₁, x₂, φ₂, …)`.
     pub fn times(&self, x: &DVector<f64>) -> DVector<f64> {
         let mut y = DVector::zeros(x.len());
         let at = |x: &DVector<f64>, n: usize| Vector2::new(x[2 * n], x[2 * n + 1]);

@@ -54,7 +54,8 @@ pub fn base_modes(masses: &[f64], stiffnesses: &[f64]) -> Result<Vec<BaseMode>, 
 }
 
 /// Holzer residual at a frequency: base displacement for a unit amplitude of the free end, by recursion along the
-/// chain, over the largest displacement on the way; zero at a natural frequency.
+/// chain, masses and springs from the base on as for [`base_modes`], over the largest displacement on the way; zero at
+/// a natural frequency.
 pub fn holzer_residual(masses: &[f64], stiffnesses: &[f64], omega: f64) -> f64 {
     let (mut x, mut force, mut largest) = (1.0, 0.0, 1.0f64);
     for (mass, stiffness) in masses.iter().zip(stiffnesses).rev() {

@@ -1,4 +1,7 @@
 //! Point masses on an elastic body without mass, by its influence coefficients `a_ij` (m/N): `x = ω² a m x`.
+//!
+//! `influence[i][j]` is the deflection at mass `i` under a unit force at mass `j`, for `n` masses `n` lists of `n` numbers;
+//! deflections and masses stand in the same order.
 
 use nalgebra::{DMatrix, DVectorView};
 

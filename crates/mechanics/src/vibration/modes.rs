@@ -38,7 +38,7 @@ pub struct ComplexMode {
     pub shape: DVector<Complex<f64>>,
 }
 
-/// The modes of `K φ = ω² M φ`.
+/// The modes of `K φ = ω² M φ`, with mass and stiffness n by n.
 ///
 /// # Errors
 /// `Linalg` for matrices that are not symmetric or a mass matrix that is not positive definite; `Unstable`.
@@ -115,7 +115,7 @@ pub fn is_proportional(modal_damping: &DMatrix<f64>) -> bool {
     })
 }
 
-/// The damped modes of `M ẍ + C ẋ + K x = 0`, ascending by |λ|.
+/// The damped modes of `M ẍ + C ẋ + K x = 0`, ascending by |λ|, with C n by n in the coordinates of M and K.
 ///
 /// The state (q, q̇/ω) in the modes without damping has the matrix `[0, ω; −Ω²/ω, −ΦᵀCΦ]`, symmetric M and K given.
 ///

@@ -41,7 +41,7 @@ pub struct Network {
 }
 
 impl Network {
-    /// The displacements under constant forces, held by the springs alone, m.
+    /// The displacements of the nodes under constant forces, N, one for each node, held by the springs alone, m.
     ///
     /// # Errors
     /// `Loose` where a node is not joined to ground by springs; `Linear`.

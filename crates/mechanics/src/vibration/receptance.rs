@@ -16,7 +16,7 @@ const BLOCK: usize = 256;
 /// From so many products on, several threads take less time than one.
 const WORTH_THREADS: usize = 20_000_000;
 
-/// Dynamic stiffness `K − ω² M + i ω C`, of mass, damping and stiffness.
+/// Dynamic stiffness `K − ω² M + i ω C`, of mass, damping and stiffness in this order, n by n each.
 pub fn dynamic_stiffness([m, c, k]: [&DMatrix<f64>; 3], frequency: f64) -> DMatrix<Complex<f64>> {
     DMatrix::from_fn(k.nrows(), k.ncols(), |i, j| {
         Complex::new(k[(i, j)] - frequency * frequency * m[(i, j)], frequency * c[(i, j)])

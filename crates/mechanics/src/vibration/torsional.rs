@@ -97,8 +97,8 @@ pub struct HolzerRow {
 }
 
 impl Train {
-    /// A train; `walls` holds the stiffness of shafts from each disc to fixed ground, zero for none. Moments of
-    /// inertia may be zero.
+    /// A train, a moment of inertia for each disc; `walls` holds the stiffness of shafts from each disc to fixed ground,
+    /// zero for none. Moments of inertia may be zero.
     ///
     /// # Errors
     /// All of [`TrainError`] but `Resonance`.
@@ -278,7 +278,8 @@ impl Train {
         }
     }
 
-    /// The amplitudes that torques `T cos ωt` on the discs keep up, rad.
+    /// The amplitudes that torques `T cos ωt` on the discs keep up, rad; a torque and an amplitude for each disc, in
+    /// order.
     ///
     /// # Errors
     /// `Resonance` within `1e-12` of a natural frequency; `NotFinite`.

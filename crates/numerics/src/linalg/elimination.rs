@@ -205,7 +205,8 @@ impl Elimination {
         of_pivots * parity(&self.rows) * parity(&self.columns)
     }
 
-    /// A solution of `A x = b`, with zero in the free columns. Equations that depend on others are not examined.
+    /// A solution of `A x = b`, an entry for each column of A, with zero in the free columns. Equations that depend on
+    /// others are not examined.
     ///
     /// # Errors
     /// `Shape` unless b has an entry for each row; `NotFinite`.
@@ -224,7 +225,7 @@ impl Elimination {
         finite(self.by_column(y))
     }
 
-    /// A solution of `Aᵀ x = b`, with zero for the rows that depend on others.
+    /// A solution of `Aᵀ x = b`, an entry for each row of A, with zero for the rows that depend on others.
     ///
     /// # Errors
     /// `Shape` unless b has an entry for each column; `NotFinite`.

@@ -45,8 +45,8 @@ const UNDIVIDED: usize = 32;
 /// Above some hundred unknowns all cores take part, and the last digits may depend on their number.
 ///
 /// # Errors
-/// `Shape`; `TooLarge` above [`MOST_DENSE`]; `NotFinite`; `NotSymmetric`; `NotPositiveDefinite` for M;
-/// `NotConverged`.
+/// `Shape` unless K and M are n by n, n ≥ 1; `TooLarge` above [`MOST_DENSE`]; `NotFinite`; `NotSymmetric`;
+/// `NotPositiveDefinite` for M; `NotConverged`.
 pub fn generalised_eigen(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Result<SymmetricEigen, LinalgError> {
     among_threads(k.nrows(), || values_and_vectors(k, m))
 }

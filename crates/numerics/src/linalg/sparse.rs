@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-/// A matrix by rows: of each the columns and the entries, in any order, a column once at most.
+/// A matrix by rows: of each the columns, counted from 0, and the entries, in any order, a column once at most.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SparseMatrix {
     columns: usize,
@@ -10,7 +10,7 @@ pub struct SparseMatrix {
 }
 
 impl SparseMatrix {
-    /// A matrix with so many columns and these rows.
+    /// A matrix with so many columns and these rows, each a list of column, counted from 0, and entry.
     pub fn new(columns: usize, rows: Vec<Vec<(usize, f64)>>) -> Self {
         Self { columns, rows }
     }
