@@ -554,10 +554,7 @@ fn compare_set(computed: &str, printed: &str, expected: &Expected) -> Option<boo
 }
 
 fn line_of(text: &str, error: &FileError) -> String {
-    error.span.as_ref().map_or_else(String::new, |span| {
-        let line = text.get(..span.start).map_or(1, |before| before.lines().count().max(1));
-        format!("line {line}: ")
-    })
+    error.span.as_ref().map_or_else(String::new, |span| format!("line {}: ", file::line_of(text, span.start)))
 }
 
 #[cfg(test)]

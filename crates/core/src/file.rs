@@ -332,6 +332,11 @@ fn place(inputs: &Item, path: &str) -> Option<Range<usize>> {
     found
 }
 
+/// The line of a place in a text, counted from 1; a place beyond the end is in the last line.
+pub fn line_of(text: &str, at: usize) -> usize {
+    text.as_bytes()[..at.min(text.len())].split(|byte| *byte == b'\n').count()
+}
+
 /// The error for an id that is no analysis, with the nearest one.
 pub fn no_such_analysis(id: &str) -> Text {
     match path::nearest(id, registry().iter().map(|entry| entry.about.id)) {

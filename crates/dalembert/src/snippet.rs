@@ -111,7 +111,7 @@ impl<'t> Line<'t> {
     fn of(text: &'t str, span: &Range<usize>) -> Self {
         let start = text[..span.start].rfind('\n').map_or(0, |at| at + 1);
         let end = text[span.start..].find('\n').map_or(text.len(), |at| span.start + at);
-        let number = 1 + text[..start].matches('\n').count();
+        let number = file::line_of(text, start);
         let end = if text[start..end].ends_with('\r') { end - 1 } else { end };
         let within = |at: usize| at.clamp(start, end.max(start)) - start;
         Line { text: &text[start..end.max(start)], number, span: within(span.start)..within(span.end) }

@@ -1,6 +1,6 @@
 //! Plans as files: read, and written over what was in the file, with its comments.
 
-use dalembert_core::{Text, study::StudyPlan};
+use dalembert_core::{Text, file, study::StudyPlan};
 use toml_edit::{DocumentMut, Item, Table};
 
 /// Reads a plan.
@@ -19,7 +19,7 @@ pub fn read(text: &str) -> Result<StudyPlan, Text> {
         let why = Text::verbatim(error.message());
         match error.span() {
             Some(span) if span.end > 0 => {
-                let line = text[..span.start.min(text.len())].matches('\n').count() + 1;
+                let line = file::line_of(text, span.start);
                 Text::new("line {line}: {why}").with("line", line).with_text("why", why)
             }
             _ => why,

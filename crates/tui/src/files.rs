@@ -377,15 +377,12 @@ pub(crate) fn shown(path: &Path) -> String {
 
 /// Lists the faults of the text of a problem, each with its line.
 pub(crate) fn faults(text: &str, errors: &[file::FileError], locale: &Locale) -> Vec<String> {
-    let line = |span: &Option<std::ops::Range<usize>>| {
-        let at = span.as_ref()?.start.min(text.len());
-        Some(1 + text.get(..at)?.matches('\n').count())
-    };
     let mut lines: Vec<String> = errors
         .iter()
         .take(MOST_FAULTS)
         .map(|error| {
-            let text = match line(&error.span) {
+            let line = error.span.as_ref().map(|span| file::line_of(text, span.start));
+            let text = match line {
                 Some(line) => Text::new("line {line}: {why}").with("line", line),
                 None => Text::new("{why}"),
             };

@@ -11,7 +11,7 @@ use std::{
     time::Duration,
 };
 
-use dalembert_core::{Language, Text, nearest};
+use dalembert_core::{Language, Text, file, nearest};
 use dalembert_units::{Decimal, Style};
 use etcetera::{BaseStrategy, choose_base_strategy};
 use toml_edit::{Document, Item, TableLike};
@@ -328,8 +328,7 @@ fn span_in(table: &dyn TableLike, key: &str) -> Option<Range<usize>> {
 }
 
 fn line_of(text: &str, span: Option<Range<usize>>) -> usize {
-    let at = span.map_or(0, |span| span.start.min(text.len()));
-    1 + text.get(..at).unwrap_or_default().matches('\n').count()
+    file::line_of(text, span.map_or(0, |span| span.start))
 }
 
 #[cfg(test)]

@@ -33,11 +33,11 @@ impl Problem {
     /// # Errors
     /// What is wrong with the file, with the lines.
     pub(crate) fn read(text: &str, locale: &Locale) -> Result<Self, Vec<RequestError>> {
-        let line = |span: &Range<usize>| Some(1 + text.get(..span.start)?.matches('\n').count());
+        let line = |span: &Range<usize>| file::line_of(text, span.start);
         let file = file::parse(text).map_err(|errors| {
             let errors = errors.iter();
             errors
-                .map(|error| RequestError::of(&error.why, error.span.as_ref().and_then(line), locale))
+                .map(|error| RequestError::of(&error.why, error.span.as_ref().map(line), locale))
                 .collect::<Vec<_>>()
         })?;
         let (shape, title) = (file.entry.shape(), Text::verbatim(&file.title));
