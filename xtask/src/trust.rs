@@ -3,6 +3,7 @@
 //! A run is recorded in `docs/trust.toml` with what was tried, how often, what failed, the seed, the commit and the
 //! command; a record is replaced by the next run of that row alone.
 
+mod mutants;
 mod rows;
 
 use std::{fmt::Write as _, fs, path::Path};
