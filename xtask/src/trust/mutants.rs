@@ -152,6 +152,8 @@ fn judged(
         // Only what a mutant changes is compiled again, with the optimisation of every day: without it, the tests of the
         // kernels take longer than the compiler.
         .env("CARGO_INCREMENTAL", "1")
+        // Optimised across the units of a crate, parts compiled before and after a change do not always link.
+        .env("CARGO_PROFILE_DEV_LTO", "off")
         .env("CARGO_PROFILE_DEV_DEBUG", "false");
     // Its status is that of the mutants; what matters is what it writes.
     let _ = command.status().context("cargo-mutants cannot be run")?;
