@@ -84,7 +84,7 @@ pub(super) fn trial(root: &Path, row: &str, times: u64, seed: u64) -> Result<Out
         if drawn.is_empty() {
             break;
         }
-        verdicts.extend(judged(&tree, &folder, &judge, &names, drawn)?);
+        verdicts.extend(judged(&tree, &folder, &judge, &names, drawn, seed)?);
     }
     ensure!(viable(&verdicts).count() > 0, "none of {} mutants compiles", names.len());
     Ok(outcome(&verdicts, names.len()))
@@ -125,6 +125,7 @@ fn judged(
     judge: &Judge,
     all: &[String],
     names: &[String],
+    seed: u64,
 ) -> Result<Vec<Verdict>> {
     // As if the others were caught before: filters by name let deleted fields pass (27.1).
     let report = folder.join("mutants.out");
@@ -149,6 +150,9 @@ fn judged(
     command
         .envs(judge.variables.iter().copied())
         .env("CARGO_TARGET_DIR", folder.join("build"))
+        // Property tests draw the same for each mutant, and learn nothing from the one before.
+        .env("PROPTEST_RNG_SEED", seed.to_string())
+        .env("PROPTEST_DISABLE_FAILURE_PERSISTENCE", "true")
         // Only what a mutant changes is compiled again, with the optimisation of every day: without it, the tests of the
         // kernels take longer than the compiler.
         .env("CARGO_INCREMENTAL", "1")

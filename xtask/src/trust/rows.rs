@@ -159,19 +159,19 @@ pub(super) const ROWS: [Row; 26] = [
     },
     Row {
         name: "mutants-units",
-        tried: "mutants of units, drawn at random from those of cargo-mutants that compile, judged by its tests",
+        tried: "mutants of units, drawn at random from those of cargo-mutants that compile, judged by its own tests, examples in the documentation left out",
         times: 300,
         run: mutants_of_a_crate,
     },
     Row {
         name: "mutants-mechanics",
-        tried: "mutants of mechanics, drawn at random from those of cargo-mutants that compile, judged by its tests",
+        tried: "mutants of mechanics, drawn at random from those of cargo-mutants that compile, judged by its own tests, examples in the documentation left out",
         times: 300,
         run: mutants_of_a_crate,
     },
     Row {
         name: "mutants-core",
-        tried: "mutants of core, drawn at random from those of cargo-mutants that compile, judged by its tests",
+        tried: "mutants of core, drawn at random from those of cargo-mutants that compile, judged by its own tests, examples in the documentation left out",
         times: 300,
         run: mutants_of_a_crate,
     },

@@ -274,6 +274,8 @@ fn levels() {
         assert!((level.si / ratio - 1.0).abs() < 1e-15, "{text}");
         assert_eq!(level.unit.text, "dB");
     }
+    let computed = in_field("2*10", "dB", Kind::Ratio);
+    assert_eq!((computed.si, computed.last_place), (10.0, 0.0));
     assert!((any("20 dB").last_place - 10.0 * 10f64.ln() / 20.0).abs() < 1e-14);
     for text in [
         "2*10 dB",
@@ -372,6 +374,9 @@ fn refusals_name_the_value_and_the_repair() {
         ("5*newtons", "unknown unit `newtons`: did you mean `N`"),
         ("10/second", "unknown unit `second`: did you mean `s`"),
         ("2 - metres", "unknown unit `metres`: did you mean `m`"),
+        // Cycles stand behind a number alone.
+        ("2*c/s", "unknown unit `c`"),
+        ("2 N*c/s", "unknown unit `c`"),
         ("12 kg /", "is incomplete: a number or a unit expected"),
         ("12 *", "is incomplete"),
         ("(2 + 3", "a closing bracket expected"),
