@@ -3,6 +3,7 @@
 use std::{
     env,
     ffi::OsString,
+    fs,
     path::{Path, PathBuf},
     process::{Command, Stdio},
 };
@@ -50,6 +51,22 @@ pub(crate) fn browser() -> Option<&'static str> {
 /// Runs git in a folder and returns what it prints.
 pub(crate) fn git(root: &Path, arguments: &[&str]) -> Result<String> {
     output(Command::new("git").current_dir(root).args(arguments))
+}
+
+/// Copies the files that git tracks, unchanged.
+pub(crate) fn copy_tracked(root: &Path, to: &Path) -> Result<()> {
+    let listed = git(root, &["ls-files", "-z"])?;
+    if to.exists() {
+        fs::remove_dir_all(to)?;
+    }
+    for name in listed.split('\0').filter(|name| !name.is_empty()) {
+        let (from, to) = (root.join(name), to.join(name));
+        if from.is_file() {
+            fs::create_dir_all(to.parent().context("a file stands in a folder")?)?;
+            fs::copy(&from, &to).with_context(|| format!("{name} cannot be copied"))?;
+        }
+    }
+    Ok(())
 }
 
 /// The program, built without optimisation.

@@ -3,6 +3,7 @@
 //! A run is recorded in `docs/trust.toml` with what was tried, how often, what failed, the seed, the commit and the
 //! command; a record is replaced by the next run of that row alone.
 
+mod mutants;
 mod rows;
 
 use std::{fmt::Write as _, fs, path::Path};
@@ -95,17 +96,18 @@ fn chosen(names: &[&str]) -> Result<Vec<&'static Row>> {
 }
 
 fn record(root: &Path, row: &Row, times: u64, seed: u64) -> Result<()> {
+    // Before the run, which takes hours: what is committed while it lasts is not what it tries. The records of other rows
+    // change no program.
+    let tree =
+        ["status", "--porcelain", "--untracked-files=no", "--", ".", ":!docs/trust.toml", ":!docs/trust.md"];
+    let changed = !git(root, &tree)?.trim().is_empty();
+    let commit = git(root, &["rev-parse", "--short=12", "HEAD"])?.trim().to_owned();
     let outcome = (row.run)(root, row, times, seed).with_context(|| row.name)?;
     println!("{}: {} tried, {} failed; {}", row.name, outcome.tried, outcome.failed, outcome.note);
     if outcome.tried == 0 {
         println!("{}: nothing was tried, and nothing is recorded", row.name);
         return Ok(());
     }
-    // The records of other rows change no program.
-    let tree =
-        ["status", "--porcelain", "--untracked-files=no", "--", ".", ":!docs/trust.toml", ":!docs/trust.md"];
-    let changed = !git(root, &tree)?.trim().is_empty();
-    let commit = git(root, &["rev-parse", "--short=12", "HEAD"])?.trim().to_owned();
     let record = Record {
         row: row.name.to_owned(),
         tried: outcome.tried,

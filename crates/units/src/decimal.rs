@@ -132,6 +132,8 @@ mod tests {
         assert_eq!(split(2.0, 3.0, 0, 17), ("66666666666666667".into(), -1));
         assert_eq!(split(2.0, 3.0, 0, 1), ("7".into(), -1));
         assert_eq!(split(2.9999, 3.0, 0, 3), ("100".into(), 0));
+        // A third of the number before 3000 is 999.999 999 999 999 848…, whose logarithm is rounded to 3.
+        assert_eq!(split(2999.9999999999995, 3.0, 0, 17), ("99999999999999985".into(), 2));
     }
 
     #[test]

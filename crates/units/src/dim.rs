@@ -149,6 +149,20 @@ mod tests {
     }
 
     #[test]
+    fn powers_that_are_not_whole() {
+        assert_eq!(Dim::new(2, 4, -2, 1).powf(0.5), Some(Dim::new(1, 2, -1, 0)));
+        assert_eq!(Dim::new(3, 0, -3, -3).powf(1.0 / 3.0), Some(Dim::new(1, 0, -1, -1)));
+        assert_eq!(Dim::new(1, 0, -1, 0).powf(-3.0), Some(Dim::new(-3, 0, 3, 0)));
+        assert_eq!(FORCE.powf(0.0), Some(Dim::NONE));
+        assert_eq!(FORCE.powf(0.5), None);
+        assert_eq!(Dim::LENGTH.powf(1.0 / 3.0), None);
+        assert_eq!(Dim::LENGTH.powf(1e-9), None);
+        assert_eq!(Dim::LENGTH.powf(127.0), Some(Dim::LENGTH.powi(127)));
+        assert_eq!(Dim::LENGTH.powf(128.0), None);
+        assert_eq!(Dim::LENGTH.powf(f64::NAN), None);
+    }
+
+    #[test]
     fn exponents_saturate() {
         assert_eq!(Dim::LENGTH.powi(127) * Dim::LENGTH, Dim::LENGTH.powi(127));
         assert_eq!(Dim::TIME.powi(-128) / Dim::TIME, Dim::TIME.powi(-128));

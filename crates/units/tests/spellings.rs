@@ -213,6 +213,9 @@ fn quantities_are_read_or_refused_with_repairs_that_work() {
                     assert!(near(quantity.si, *si), "`{text}`, `{repair}`: {} in place of {si}", quantity.si);
                 }
                 let offered = offered(&error);
+                if is_repairable(&error) {
+                    assert_eq!(error.repairs(), offered, "`{text}`: {error}");
+                }
                 let mut accepted = offered.iter().filter(|repair| typed(repair).is_ok());
                 // Of two readings one may be of another kind.
                 if matches!(error, ReadError::Gap { .. } | ReadError::Ambiguous { .. }) {
@@ -258,6 +261,20 @@ fn near(found: f64, wanted: f64) -> bool {
 fn put(text: &str, error: &ReadError, repair: &str) -> String {
     let span = error.span().unwrap_or(0..text.len());
     format!("{}{repair}{}", &text[..span.start], &text[span.end..])
+}
+
+/// Returns true for an error whose repairs can be put in by a program that shows it: those of its message.
+fn is_repairable(error: &ReadError) -> bool {
+    use ReadError::{Ambiguous, Gap, SeveralUnits, TwoMarks, UnknownUnit, WrongKind};
+    matches!(
+        error,
+        Ambiguous { .. }
+            | Gap { .. }
+            | SeveralUnits { .. }
+            | TwoMarks { .. }
+            | UnknownUnit { .. }
+            | WrongKind(_)
+    )
 }
 
 fn shows(error: &ReadError, repair: &str) -> bool {

@@ -20,7 +20,7 @@ use syn::{
     Signature, Type, TypeParamBound, WherePredicate, visit::Visit,
 };
 
-use crate::cargo::{cargo, run, target};
+use crate::cargo::{cargo, copy_tracked, run, target};
 
 /// The variable that names the function to be mutated, from 1; without it, or with 0, none is.
 const VARIABLE: &str = "DALEMBERT_MUTANT";
@@ -57,7 +57,7 @@ struct Mutant {
 pub(super) fn soak(root: &Path) -> Result<()> {
     let folder = target(root).join("soak");
     let tree = folder.join("mutants");
-    copy(root, &tree)?;
+    copy_tracked(root, &tree)?;
     let mutants = mutate(&tree.join("crates/mechanics/src"))?;
     ensure!(!mutants.is_empty(), "no function of mechanics returns a number");
     println!("building the program with {} mutants", mutants.len());
@@ -172,22 +172,6 @@ fn passes(program: &Path, mutant: usize) -> Result<bool> {
     judge.kill()?;
     judge.wait()?;
     Ok(false)
-}
-
-/// Copies the files that git tracks, unchanged.
-fn copy(root: &Path, to: &Path) -> Result<()> {
-    let listed = crate::cargo::git(root, &["ls-files", "-z"])?;
-    if to.exists() {
-        fs::remove_dir_all(to)?;
-    }
-    for name in listed.split('\0').filter(|name| !name.is_empty()) {
-        let (from, to) = (root.join(name), to.join(name));
-        if from.is_file() {
-            fs::create_dir_all(to.parent().context("a file stands in a folder")?)?;
-            fs::copy(&from, &to).with_context(|| format!("{name} cannot be copied"))?;
-        }
-    }
-    Ok(())
 }
 
 /// Rewrites every source below `sources`, and lists the functions that can be mutated now.

@@ -8,7 +8,7 @@ use std::{
 
 use anyhow::{Context, Result, ensure};
 
-use super::{Outcome, searched};
+use super::{Outcome, mutants, searched};
 use crate::{
     cargo::{Program, cargo, output, run, target},
     docs,
@@ -28,7 +28,7 @@ pub(super) struct Row {
 const FEW: u64 = 1_000_000;
 const MANY: u64 = 100_000_000;
 
-pub(super) const ROWS: [Row; 22] = [
+pub(super) const ROWS: [Row; 26] = [
     Row {
         name: "catalogue",
         tried: "answers of all cases beside those published, and their checks",
@@ -157,6 +157,31 @@ pub(super) const ROWS: [Row; 22] = [
         times: FEW,
         run: search,
     },
+    Row {
+        name: "mutants-units",
+        tried: "mutants of units, drawn at random from those of cargo-mutants that compile, judged by its own tests, examples in the documentation left out",
+        times: 300,
+        run: mutants_of_a_crate,
+    },
+    Row {
+        name: "mutants-mechanics",
+        tried: "mutants of mechanics, drawn at random from those of cargo-mutants that compile, judged by its own tests, examples in the documentation left out",
+        times: 300,
+        run: mutants_of_a_crate,
+    },
+    Row {
+        name: "mutants-core",
+        tried: "mutants of core, drawn at random from those of cargo-mutants that compile, judged by its own tests, examples in the documentation left out",
+        times: 300,
+        run: mutants_of_a_crate,
+    },
+    Row {
+        name: "mutants-balancing",
+        tried: "mutants of the balancing analyses, drawn at random from those of cargo-mutants that compile, judged by the tests \
+            of the catalogue over this family",
+        times: 300,
+        run: mutants_of_a_crate,
+    },
 ];
 
 /// A trial of the package of tests, built as the tests are, in a folder of its own: what random keys save is there.
@@ -186,6 +211,10 @@ fn trial(root: &Path, row: &Row, times: u64, seed: u64) -> Result<Outcome> {
 
 fn search(root: &Path, row: &Row, times: u64, seed: u64) -> Result<Outcome> {
     searched(root, row.name, times, seed)
+}
+
+fn mutants_of_a_crate(root: &Path, row: &Row, times: u64, seed: u64) -> Result<Outcome> {
+    mutants::trial(root, row.name, times, seed)
 }
 
 fn catalogue(root: &Path, _: &Row, _: u64, _: u64) -> Result<Outcome> {

@@ -155,7 +155,7 @@ impl<'t> Reader<'t> {
                     // From its first unit on a product is read like a unit.
                     before => {
                         let settled = factor.has_unit || (clear && value.has_unit);
-                        divisor = if settled { None } else { before };
+                        divisor = if settled { None } else { before.map(|divisor| divisor.start..range.end) };
                     }
                 }
                 value = value.times(&factor);

@@ -79,6 +79,11 @@ fn arithmetic() {
         ("1/(0.5 s)", 2.0, [0, 0, -1, 0], "1/s"), ("10 N*m * 60 rpm", 20.0 * PI, [2, 1, -3, 1], "N*m*rpm"),
         ("1/2×10^3 N", 500.0, FORCE, "N"), ("2^3×10^2 N", 800.0, FORCE, "N"), ("1.5 x10⁻³ * 2 m", 0.003, LENGTH, "m"),
         ("30º5'", (30.0 + 5.0 / 60.0) * PI / 180.0, [0, 0, 0, 1], "°"),
+        ("900 N/m*(0.8 m)^2", 576.0, [2, 1, -2, 0], "N*m"), ("2*4 N.m", 8.0, [2, 1, -2, 0], "N*m"), ("m/2", 0.5, LENGTH, "m"),
+        // No dates.
+        ("1000-2", 998.0, [0; 4], ""), ("2000-10-5", 1985.0, [0; 4], ""), ("1970-01", 1969.0, [0; 4], ""), ("12-01-01", 10.0, [0; 4], ""),
+        ("2×10³ c/s", 4000.0 * PI, SPEED, "rps"), ("8. c/s", 16.0 * PI, SPEED, "rps"), ("½ c/s", PI, SPEED, "rps"),
+        ("2*4×10³ N-m", 8e3, [2, 1, -2, 0], "N*m"),
         ("30°5'", (30.0 + 5.0 / 60.0) * PI / 180.0, [0, 0, 0, 1], "°"),
         ("30°15'", 30.25 * PI / 180.0, [0, 0, 0, 1], "°"), ("-30° 15' 36\"", -30.26 * PI / 180.0, [0, 0, 0, 1], "°"), ("90 deg/2", PI / 4.0, [0, 0, 0, 1], "deg"),
     ];
@@ -178,10 +183,46 @@ fn the_wrong_kind_is_named_with_what_was_meant() {
         ("1/0.5 s", "rad/s", Kind::AngularVelocity, "`1/(0.5 s)`"),
         ("5 mm", "mm/s", Kind::Amplitude, "an amplitude in mm/s expected"),
         ("3 kg^3", "N", Kind::Force, "is a quantity in kg³"),
+        ("20 dB", "rad", Kind::Other, "is a level"),
+        ("5 s", "kN", Kind::Force, "e.g. in kN"),
     ] {
         let message = refused(text, default, kind);
         assert!(message.contains(words), "`{text}`: {message}");
     }
+}
+
+/// No intention is guessed where none is near.
+#[test]
+fn the_wrong_kind_has_no_hint_without_a_reason() {
+    for (text, default, kind) in [
+        ("20 mm", "N", Kind::Force),
+        ("3 kg", "m", Kind::Length),
+        ("7 ps", "m", Kind::Length),
+        ("5 s", "deg", Kind::Angle),
+        ("6 m/(2 rad)", "m", Kind::Length),
+    ] {
+        let message = refused(text, default, kind);
+        assert!(message.ends_with(&format!("e.g. in {default}")), "`{text}`: {message}");
+    }
+}
+
+/// A product of quantities is shown in the unit of its field, a number times a quantity in that of the quantity.
+#[test]
+fn the_unit_of_a_product() {
+    for (text, default, kind, si, shown) in [
+        ("10 N*m * 60 rpm", "W", Kind::Power, 20.0 * PI, "W"),
+        ("2 kg * 3 m * 4 * 1 s^-2", "N", Kind::Force, 24.0, "N"),
+        ("2*3 yd", "m", Kind::Length, 5.4864, "yd"),
+        // The radians of an angular velocity drop out, of its root too.
+        ("6 m/s / (3 rad/s)", "m", Kind::Length, 2.0, "m"),
+        ("6 m^2/s / sqrt(9 m^2*(1 rad/s)^2)", "m", Kind::Length, 2.0, "m"),
+    ] {
+        let quantity = in_field(text, default, kind);
+        assert!((quantity.si / si - 1.0).abs() < 1e-15, "`{text}`: {}", quantity.si);
+        assert_eq!(quantity.unit.text, shown, "`{text}`");
+    }
+    let behind = any("mm*5.0");
+    assert_eq!((behind.si, behind.last_place), (0.005, 1e-4));
 }
 
 /// Repairs suggested by messages are themselves valid texts of the meaning they promise.
@@ -235,6 +276,8 @@ fn levels() {
         assert!((level.si / ratio - 1.0).abs() < 1e-15, "{text}");
         assert_eq!(level.unit.text, "dB");
     }
+    let computed = in_field("2*10", "dB", Kind::Ratio);
+    assert_eq!((computed.si, computed.last_place), (10.0, 0.0));
     assert!((any("20 dB").last_place - 10.0 * 10f64.ln() / 20.0).abs() < 1e-14);
     for text in [
         "2*10 dB",
@@ -307,6 +350,7 @@ fn two_readings_are_refused_with_both() {
         ("3 N/2 mm", "(3 N/2)*mm", "3 N/(2*mm)"),
         ("1.3×10-6 m", "1.3*10^-6", "1.3*10 - 6"),
         ("1,3x10-6 m4", "1,3*10^-6", "1,3*10 - 6"),
+        ("12/4*3 pi", "(12/4*3)*pi", "12/(4*3*pi)"),
     ] {
         let message = refused(text, "m", Kind::Other);
         for reading in [first, second] {
@@ -328,6 +372,13 @@ fn refusals_name_the_value_and_the_repair() {
         ("abc", "unknown unit `abc`"),
         ("1970-01-01", "`1970-01-01` is not a number"),
         ("20.3 Mpa", "did you mean `MPa`"),
+        // Behind an operator a name may be that of a definition.
+        ("5*newtons", "unknown unit `newtons`: did you mean `N`"),
+        ("10/second", "unknown unit `second`: did you mean `s`"),
+        ("2 - metres", "unknown unit `metres`: did you mean `m`"),
+        // Cycles stand behind a number alone.
+        ("2*c/s", "unknown unit `c`"),
+        ("2 N*c/s", "unknown unit `c`"),
         ("12 kg /", "is incomplete: a number or a unit expected"),
         ("12 *", "is incomplete"),
         ("(2 + 3", "a closing bracket expected"),
@@ -409,6 +460,7 @@ fn spans_point_at_the_fault() {
         let error = read_quantity(text, &unit("kg").unwrap(), Kind::Mass).unwrap_err();
         assert_eq!(&text[error.span().unwrap()], part, "{error}");
     }
+    assert_eq!(unit(" ((m^12)^12)^12").unwrap_err().span(), Some(1..15));
 }
 
 #[test]
@@ -529,6 +581,8 @@ fn vectors() {
         ("5 m/s ∠ -90 deg", [0.0, -5.0, 0.0], 2),
         ("5 m/s@2*pi rad", [5.0, 0.0, 0.0], 2),
         ("(j) m/s", [0.0, 1.0, 0.0], 2),
+        ("(3 i - j) m/s", [3.0, -1.0, 0.0], 2),
+        ("(2*3 i - 2*2 j) m/s", [6.0, -4.0, 0.0], 2),
         ("0 m/s", [0.0; 3], 3),
         ("0", [0.0; 3], 3),
     ] {
@@ -552,6 +606,8 @@ fn vectors() {
         ("5 m/s", 3, "1 component is written"),
         ("(1,1, 2) m/s", 3, "write `(1; 1; 2) m/s` or `(1,1; 2) m/s`"),
         ("(1, 2, 3, 4) m/s", 3, "4 components"),
+        ("(1,2,3,4) m/s", 3, "4 components"),
+        ("1,5 m/s", 3, "1 component is written"),
         ("5 m/s @ 30", 2, "write `5 m/s @ 30 deg` or `5 m/s @ 30 rad`"),
         ("5 m/s @", 2, "an angle expected"),
         ("5 m/s @ 3 m", 2, "an angle expected"),
@@ -732,4 +788,13 @@ fn a_decimal_comma_is_taken_back() {
         assert_eq!(with_comma(text), comma);
         assert_eq!(with_point(comma), text);
     }
+}
+
+/// Only what is one number with one comma is taken for a decimal comma.
+#[test]
+fn a_comma_that_is_no_decimal_mark_stays() {
+    for text in ["1,234.5 m", "1.234,5 m", "1,234,567 m", "atan2(1, 2)", "1, 2", ",", "2, and 3"] {
+        assert_eq!(with_point(text), text);
+    }
+    assert_eq!(with_point("(1,250; -0,5) m, 2,5"), "(1.250; -0.5) m, 2.5");
 }

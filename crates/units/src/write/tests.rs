@@ -86,6 +86,34 @@ fn vectors() {
     assert_eq!(write_components(&[0.3, -0.2], &unit("mm").unwrap(), COMMA), "(300; −200) mm");
 }
 
+/// The coherent unit is written with the symbol that its kind has, and with base units where it has none.
+#[test]
+fn coherent_units() {
+    for (text, coherent) in [
+        ("lbf", "N"),
+        ("kN rms", "N"),
+        ("mm pp", "m"),
+        ("mm/s rms", "m/s"),
+        ("kWh", "J"),
+        ("kgf*m", "N*m"),
+        ("rpm", "rad/s"),
+        ("1/min", "1/s"),
+        ("deg", "rad"),
+        ("N*m/deg", "N*m/rad"),
+        ("psi", "Pa"),
+        ("L", "m^3"),
+        ("g^3", "kg^3"),
+        ("1/mm", "1/m"),
+        ("t*mm/h^3", "kg*m/s^3"),
+        ("mm/s/deg", "m/(s*rad)"),
+        ("dB", "1"),
+        ("%", "1"),
+        ("", "1"),
+    ] {
+        assert_eq!(unit(text).unwrap().coherent(), coherent, "{text}");
+    }
+}
+
 #[test]
 fn indices() {
     assert_eq!(superscript(-1234567890), "⁻¹²³⁴⁵⁶⁷⁸⁹⁰");
