@@ -14,6 +14,7 @@ mod definitions;
 mod format;
 mod former;
 mod linked;
+mod places;
 mod rows;
 mod shorthand;
 mod template;
@@ -21,6 +22,7 @@ mod title_block;
 mod write;
 pub use choice::{NamedInput, named_input};
 pub use linked::{LinkedFile, ReadFile};
+pub use places::{line_of, locate};
 pub use template::template;
 pub use title_block::TitleBlock;
 
@@ -31,8 +33,8 @@ use toml_edit::{Document, DocumentMut, Item, Table, TableLike, Value as Toml};
 use self::write::{set_text, write_item};
 pub use self::{format::Format, shorthand::ShortForm};
 use crate::{
-    Display, Draft, Entry, Field, FieldError, LinkedProblem, Shape, Statement, Text, UnitSetting, describe,
-    draft, find_analysis, path, path::Segment, registry, table,
+    Display, Draft, Entry, Field, LinkedProblem, Shape, Statement, Text, UnitSetting, describe, draft,
+    find_analysis, path, registry, table,
 };
 
 /// The keys a problem file may have at the top.
@@ -254,87 +256,6 @@ fn write_shown(table: &mut dyn TableLike, answer: &str, unit: &str) {
         Some(show) => set_text(show, answer, unit),
         None => {}
     }
-}
-
-/// Byte ranges of the fields of errors in the text of a problem file: the value, or the smallest enclosing part.
-pub fn locate<'e>(text: &str, errors: impl IntoIterator<Item = &'e FieldError>) -> Vec<Option<Range<usize>>> {
-    let document = Document::parse(text).ok();
-    let root = document.as_ref().map(Document::as_table);
-    let located = |error: &FieldError| {
-        let root = root?;
-        match linked::place(root, &error.path) {
-            Some((problem, path)) => place(problem.get("inputs")?, path),
-            None => place(root.get("inputs")?, &error.path),
-        }
-    };
-    errors.into_iter().map(located).collect()
-}
-
-/// A part of a document.
-enum Part<'d> {
-    Item(&'d Item),
-    Value(&'d Toml),
-    Table(&'d Table),
-}
-
-impl<'d> Part<'d> {
-    fn span(&self) -> Option<Range<usize>> {
-        match self {
-            Part::Item(item) => item.span(),
-            Part::Value(value) => value.span(),
-            Part::Table(table) => table.span(),
-        }
-    }
-
-    fn field(&self, name: &str) -> Option<Part<'d>> {
-        match self {
-            Part::Item(item) => item.as_table_like()?.get(name),
-            Part::Value(value) => return value.as_inline_table()?.get(name).map(Part::Value),
-            Part::Table(table) => table.get(name),
-        }
-        .map(Part::Item)
-    }
-
-    fn row(&self, row: usize) -> Option<Part<'d>> {
-        match self {
-            Part::Item(Item::ArrayOfTables(tables)) => tables.get(row).map(Part::Table),
-            Part::Item(item) => item.as_array().and_then(|rows| rows.get(row)).map(Part::Value),
-            Part::Value(value) => value.as_array().and_then(|rows| rows.get(row)).map(Part::Value),
-            Part::Table(_) => None,
-        }
-        .or_else(|| self.named_row(row))
-    }
-
-    /// A row of a list whose rows stand under their names.
-    fn named_row(&self, row: usize) -> Option<Part<'d>> {
-        match self {
-            Part::Item(item) => item.as_table_like()?.iter().nth(row).map(|(_, item)| Part::Item(item)),
-            Part::Value(value) => {
-                value.as_inline_table()?.iter().nth(row).map(|(_, value)| Part::Value(value))
-            }
-            Part::Table(table) => table.iter().nth(row).map(|(_, item)| Part::Item(item)),
-        }
-    }
-}
-
-fn place(inputs: &Item, path: &str) -> Option<Range<usize>> {
-    let mut part = Part::Item(inputs);
-    let mut found = part.span();
-    for segment in path::segments(path).ok()? {
-        let next = match segment {
-            Segment::Name(name) => part.field(&name),
-            Segment::Row(row) => part.row(row),
-        };
-        let Some(next) = next else { break };
-        found = next.span().or(found);
-        part = next;
-    }
-    found
-}
-
-/// The line of a place in a text, counted from 1; a place beyond the end is in the last line.
-pub fn line_of(text: &str, at: usize) -> usize {
-    text.as_bytes()[..at.min(text.len())].split(|byte| *byte == b'\n').count()
 }
 
 /// The error for an id that is no analysis, with the nearest one.

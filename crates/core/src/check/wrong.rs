@@ -93,7 +93,8 @@ impl<'s> Wrong<'s> {
     pub(super) fn by_unknown(&self, value: f64) -> f64 {
         let ratio = (value / self.computed).abs();
         let is_it = |p: u32, q: u32| (ratio * f64::from(q) - f64::from(p)).abs() <= 1e-9 * f64::from(p);
-        let simple = (1..=SIMPLE).find_map(|q| (1..=SIMPLE).find(|p| is_it(*p, q)).map(|p| p * q));
+        let over = |q: u32| (1..=SIMPLE).filter(move |p| *p != q).find(|p| is_it(*p, q));
+        let simple = (1..=SIMPLE).find_map(|q| Some(q * over(q)?));
         let simple = simple.map_or(0.0, |pq| SHARE_SIMPLE / SUM_OF_SIMPLE * f64::from(pq).powf(-1.5));
         self.accident(value).max(simple)
     }
