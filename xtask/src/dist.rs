@@ -41,9 +41,12 @@ struct Release {
 /// Options of `cargo xtask dist`.
 const OPTIONS: [&str; 5] = ["--without-wheel", "--windows", "--prove", "--reproduce", "--packages"];
 
+/// Documents that every archive holds.
+const DOCUMENTS: [&str; 4] = ["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
+
 /// Builds the files that are handed out, `--windows` the program for Windows too; `--prove` installs and runs them in an
-/// empty root, in an old Debian and under Wine, `--reproduce` builds the program once more from another folder and compares the bytes, `--packages` packs every crate for a
-/// registry and builds it from its package.
+/// empty root, in an old Debian and under Wine, `--reproduce` builds the program once more from another folder and compares
+/// the bytes, `--packages` packs every crate for a registry and builds it from its package.
 ///
 /// # Errors
 /// A tool is missing, something does not build, or a proof fails.
@@ -146,7 +149,7 @@ impl Release {
         ] {
             fs::write(place(path)?, page(&["completions", shell])?)?;
         }
-        for name in ["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"] {
+        for name in DOCUMENTS {
             fs::copy(self.root.join(name), place(&format!("share/doc/dalembert/{name}"))?)?;
         }
         let copyright = "Upstream-Name: dalembert\nLicense: MIT or Apache-2.0, at your choice;\n \

@@ -65,11 +65,10 @@ fn empty_root(release: &Release) -> Result<()> {
     let root = release.folder.join("empty");
     fs::create_dir_all(&root)?;
     fs::copy(&release.program, root.join("dalembert"))?;
-    for (problem, answer) in PROBLEMS {
-        let printed =
-            output(Command::new("chroot").arg(&root).args(["/dalembert", "--lang", "en", "solve", problem]))?;
-        ensure!(printed.contains(answer), "{problem}: `{answer}` is not among the answers:\n{printed}");
-    }
+    solve_problems(&|arguments| {
+        let mut command = Command::new("chroot");
+        output(command.arg(&root).args(["/dalembert", "--lang", "en"]).args(arguments))
+    })?;
     workbench(&root, "/dalembert")?;
     println!("an empty root: {} problems solved", PROBLEMS.len());
     Ok(fs::remove_dir_all(root)?)
@@ -99,16 +98,30 @@ fn inside(root: &Path, line: &str) -> Result<String> {
 /// Solves the problems, compares the catalogue, and opens the workbench in a terminal, which it leaves as it was; gives
 /// the time of the first answer.
 fn solved(root: &Path, program: &str) -> Result<Instant> {
+    let run = |arguments: &[&str]| inside(root, &format!("{program} --lang en {}", arguments.join(" ")));
+    let first = solve_problems(&run)?;
+    compare_catalogue(&run)?;
+    workbench(root, program)?;
+    Ok(first)
+}
+
+/// Solves the problems by a function that runs the program with arguments and gives what it prints in English; gives the
+/// time of the first answer.
+pub(super) fn solve_problems(run: &dyn Fn(&[&str]) -> Result<String>) -> Result<Instant> {
     let mut first = None;
     for (problem, answer) in PROBLEMS {
-        let printed = inside(root, &format!("{program} --lang en solve {problem}"))?;
+        let printed = run(&["solve", problem])?;
         ensure!(printed.contains(answer), "{problem}: `{answer}` is not among the answers:\n{printed}");
         first.get_or_insert_with(Instant::now);
     }
-    let verified = inside(root, &format!("{program} --lang en verify"))?;
-    ensure!(verified.contains(" 0 differing"), "the catalogue differs:\n{verified}");
-    workbench(root, program)?;
     first.context("a problem was solved")
+}
+
+/// Compares the catalogue by such a function.
+pub(super) fn compare_catalogue(run: &dyn Fn(&[&str]) -> Result<String>) -> Result<()> {
+    let verified = run(&["verify"])?;
+    ensure!(verified.contains(" 0 differing"), "the catalogue differs:\n{verified}");
+    Ok(())
 }
 
 /// Opens the workbench in a terminal of 80 columns, types `q`, and ensures that the terminal has its screen back.

@@ -11,7 +11,11 @@ use std::{
 use anyhow::{Context, Result, ensure};
 use zip::{CompressionMethod, DateTime, ZipWriter, write::SimpleFileOptions};
 
-use super::{Release, built, needed, prove::PROBLEMS, report};
+use super::{
+    DOCUMENTS, Release, built, needed,
+    prove::{PROBLEMS, compare_catalogue, solve_problems},
+    report,
+};
 use crate::cargo::{output, run as run_command, target};
 
 const TRIPLE: &str = "x86_64-pc-windows-gnu";
@@ -37,7 +41,7 @@ pub(super) fn write(release: &Release) -> Result<PathBuf> {
     };
     file(&format!("{name}/dalembert.exe"), &fs::read(&program)?)?;
     file(&format!("{name}/completions.ps1"), completions.as_bytes())?;
-    for document in ["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"] {
+    for document in DOCUMENTS {
         file(&format!("{name}/{document}"), &fs::read(release.root.join(document))?)?;
     }
     archive.finish()?;
@@ -61,12 +65,8 @@ pub(super) fn prove(release: &Release, program: &Path) -> Result<()> {
         // Messages of Wine about itself are none of the program.
         output(command.env("WINEPREFIX", prefix.join("root")).env("WINEDEBUG", "-all"))
     };
-    for (problem, answer) in PROBLEMS {
-        let printed = run(&["solve", problem])?;
-        ensure!(printed.contains(answer), "{problem}: `{answer}` is not among the answers:\n{printed}");
-    }
-    let verified = run(&["verify"])?;
-    ensure!(verified.contains(" 0 differing"), "the catalogue differs:\n{verified}");
+    solve_problems(&run)?;
+    compare_catalogue(&run)?;
     let note = release.folder.join("note.html");
     run(&["solve", PROBLEMS[0].0, "-o", &format!("Z:{}", note.display())])?;
     let text = fs::read_to_string(&note).context("the note of a solution is not written")?;
