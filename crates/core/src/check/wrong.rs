@@ -12,6 +12,13 @@ const NEAR: f64 = 0.2;
 /// The others are spread evenly over the logarithm, within this factor of ours either way.
 const FACTOR: f64 = 10.0;
 
+/// Share of the mistakes that we do not know which change a number in a simple ratio: half of it, two thirds, three times.
+const SHARE_SIMPLE: f64 = 0.3;
+/// Ratios of whole numbers up to here are simple.
+const SIMPLE: u32 = 12;
+/// Sum over all fractions p/q in lowest terms of (p q)^−3/2, ζ(3/2)²/ζ(3), one among them.
+const SUM_OF_SIMPLE: f64 = 5.68;
+
 /// Digits of a whole number that ends in zeros, such as 45 000.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Digits {
@@ -20,13 +27,6 @@ pub(super) enum Digits {
     /// The zeros at the end may only say how large it is.
     Sure,
 }
-
-/// Share of the mistakes that we do not know which change a number in a simple ratio: half of it, two thirds, three times.
-const SHARE_SIMPLE: f64 = 0.3;
-/// Ratios of whole numbers up to here are simple.
-const SIMPLE: u32 = 12;
-/// Sum over all fractions p/q in lowest terms of (p q)^−3/2, ζ(3/2)²/ζ(3).
-const SUM_OF_SIMPLE: f64 = 5.68;
 
 /// A wrong answer.
 pub(super) struct Wrong<'s> {

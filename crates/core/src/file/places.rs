@@ -90,3 +90,16 @@ fn place(inputs: &Item, path: &str) -> Option<Range<usize>> {
 pub fn line_of(text: &str, at: usize) -> usize {
     text.as_bytes()[..at.min(text.len())].split(|byte| *byte == b'\n').count()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_begin_behind_their_ends() {
+        let text = "a\nbc\r\n\nd";
+        let lines = [(0, 1), (1, 1), (2, 2), (5, 2), (6, 3), (7, 4), (8, 4), (99, 4)];
+        assert_eq!(lines.map(|(at, _)| line_of(text, at)), lines.map(|(_, line)| line));
+        assert_eq!(line_of("", 0), 1);
+    }
+}
