@@ -2,7 +2,7 @@
 
 use std::{
     io::{BufRead, BufReader, Write},
-    process::{Child, ChildStdin, ChildStdout, Stdio},
+    process::{Child, ChildStdin, ChildStdout, Command, Stdio},
     sync::Mutex,
     thread,
 };
@@ -25,8 +25,12 @@ pub(crate) struct Server {
 impl Server {
     /// Starts a program that speaks a language.
     pub(crate) fn start(program: &Program, language: &str) -> Result<Self> {
-        let mut command = program.in_language(language, &["serve", "--stdio"]);
-        let started = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn();
+        Self::of(program.in_language(language, &[]))
+    }
+
+    /// Starts the program of a command.
+    pub(crate) fn of(mut command: Command) -> Result<Self> {
+        let started = command.args(["serve", "--stdio"]).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn();
         let mut program = started.context("the program cannot be run")?;
         let requests = program.stdin.take();
         let replies = BufReader::new(program.stdout.take().context("the program prints nothing")?);

@@ -4,12 +4,14 @@
 //! command; a record is replaced by the next run of that row alone.
 
 mod mutants;
+mod processors;
 mod rows;
 
 use std::{fmt::Write as _, fs, path::Path};
 
 use anyhow::{Context, Result, bail, ensure};
 use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
 
 use self::rows::{ROWS, Row};
 use crate::{cargo::git, fuzz};
@@ -225,6 +227,12 @@ fn grouped(number: u64) -> String {
         text += &String::from_utf8_lossy(group);
     }
     text
+}
+
+/// Things in an order that their names and a seed alone decide: that of the SHA-256 of both.
+fn shuffled(mut names: Vec<String>, seed: u64) -> Vec<String> {
+    names.sort_by_cached_key(|name| <[u8; 32]>::from(Sha256::digest(format!("{seed} {name}"))));
+    names
 }
 
 /// A search of libFuzzer as the outcome of a row.

@@ -1,15 +1,12 @@
 //! Mutants of [cargo-mutants](https://mutants.rs): a draw of those of a crate, each judged by the tests of that crate.
-//!
-//! The order of the draw is that of the SHA-256 of seed and name, so that it rests neither on the order of the list nor
-//! on a generator of random numbers. A mutant that does not compile is replaced by the next one of the draw.
+//! A mutant that does not compile is replaced by the next one of the draw.
 
 use std::{fmt::Write as _, fs, path::Path};
 
 use anyhow::{Context, Result, ensure};
 use serde::Deserialize;
-use sha2::{Digest, Sha256};
 
-use super::Outcome;
+use super::{Outcome, shuffled};
 use crate::cargo::{cargo, copy_tracked, installed, output, target};
 
 /// The quantile of the normal distribution that 2.5 % lie above.
@@ -74,8 +71,7 @@ pub(super) fn trial(root: &Path, row: &str, times: u64, seed: u64) -> Result<Out
     let folder = target(root).join("mutants");
     let tree = folder.join("tree");
     copy_tracked(root, &tree)?;
-    let mut names = listed(&tree, judge.folder)?;
-    names.sort_by_cached_key(|name| <[u8; 32]>::from(Sha256::digest(format!("{seed} {name}"))));
+    let names = shuffled(listed(&tree, judge.folder)?, seed);
     let mut verdicts: Vec<Verdict> = Vec::new();
     loop {
         let missing = usize::try_from(times)?.saturating_sub(viable(&verdicts).count());

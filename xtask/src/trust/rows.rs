@@ -8,7 +8,7 @@ use std::{
 
 use anyhow::{Context, Result, ensure};
 
-use super::{Outcome, mutants, searched};
+use super::{Outcome, mutants, processors, searched};
 use crate::{
     cargo::{Program, cargo, output, run, target},
     docs,
@@ -28,7 +28,7 @@ pub(super) struct Row {
 const FEW: u64 = 1_000_000;
 const MANY: u64 = 100_000_000;
 
-pub(super) const ROWS: [Row; 26] = [
+pub(super) const ROWS: [Row; 27] = [
     Row {
         name: "catalogue",
         tried: "answers of all cases beside those published, and their checks",
@@ -47,6 +47,13 @@ pub(super) const ROWS: [Row; 26] = [
         tried: "points of sweeps by SIMD and one by one, tests over the registry with so many times as many points",
         times: 10,
         run: simd,
+    },
+    Row {
+        name: "processors",
+        tried: "answers of cases on processors without AVX and with AVX2 at most, as qemu emulates them, beside those of this \
+            machine: alike to 1e-12",
+        times: 2_000,
+        run: on_processors,
     },
     Row {
         name: "hostile-files",
@@ -215,6 +222,10 @@ fn search(root: &Path, row: &Row, times: u64, seed: u64) -> Result<Outcome> {
 
 fn mutants_of_a_crate(root: &Path, row: &Row, times: u64, seed: u64) -> Result<Outcome> {
     mutants::trial(root, row.name, times, seed)
+}
+
+fn on_processors(root: &Path, _: &Row, times: u64, seed: u64) -> Result<Outcome> {
+    processors::trial(&Program::built(root, root)?, times, seed)
 }
 
 fn catalogue(root: &Path, _: &Row, _: u64, _: u64) -> Result<Outcome> {
