@@ -1,13 +1,15 @@
 //! Writes what a solution found as a user would: formulas with their symbols, the same with their values.
 
 mod answer;
+mod constants;
+mod products;
 mod sums;
 mod turns;
 
 use dalembert_units::{self as units, Style};
 
+use self::constants::{Constant, has_factor};
 pub use turns::is_in_cycles;
-use turns::multiple_of_a_power_of_pi;
 
 use crate::{
     Locale, Solution, Step, Symbol,
@@ -216,16 +218,41 @@ impl<'s> Writer<'s> {
 
     /// A sum, its terms in the order they were added.
     fn expression(&self, id: Id) -> String {
-        let mut addends = Vec::new();
-        self.addends(id, false, &mut addends);
+        let addends = self.terms(&[id]);
         // A vector by its components needs brackets only beside something else.
         if let [(only, false)] = addends[..]
             && let Op::Compose(parts) = self.op(only)
         {
             return self.components(*parts);
         }
+        self.sum(&addends)
+    }
+
+    /// The terms of numbers that are added up, each with its sign, without those that are literally zero.
+    fn terms(&self, of: &[Id]) -> Vec<(Id, bool)> {
+        let mut addends = Vec::new();
+        for id in of {
+            self.addends(*id, false, &mut addends);
+        }
+        let first = addends.first().copied();
+        addends.retain(|(id, _)| !self.is_nothing(*id));
+        if addends.is_empty() {
+            addends.extend(first);
+        }
+        addends
+    }
+
+    /// A sum as a factor.
+    fn bracketed(&self, addends: &[(Id, bool)]) -> String {
+        match addends {
+            [(only, false)] => self.factor(*only),
+            several => format!("({})", self.sum(several)),
+        }
+    }
+
+    fn sum(&self, addends: &[(Id, bool)]) -> String {
         let mut text = String::new();
-        for (id, negative) in addends {
+        for &(id, negative) in addends {
             // A negative value needs no brackets where nothing stands before it.
             if text.is_empty() && !negative && self.is_negative(id) && self.unit_of(id).is_some() {
                 text = self.named(id);
@@ -255,73 +282,6 @@ impl<'s> Writer<'s> {
                 }
             }
             _ => out.push((id, negative)),
-        }
-    }
-
-    /// A product without its sign, and whether it is negative.
-    fn signed_product(&self, id: Id, negative: bool) -> (String, bool) {
-        self.product(id, negative, false)
-    }
-
-    /// The same, over 2π if it is to be in turns.
-    fn product(&self, id: Id, negative: bool, in_turns: bool) -> (String, bool) {
-        use std::f64::consts::TAU;
-        let (mut over, mut under) = (Vec::new(), Vec::new());
-        let mut negative = negative;
-        self.factors(id, false, &mut negative, &mut over, &mut under);
-        let turn = over
-            .iter()
-            .position(|id| matches!((self.op(*id), self.value(*id)), (Op::Literal, Number::Scalar(TAU))));
-        let mut over_turn = in_turns;
-        if let (true, Some(place)) = (in_turns, turn) {
-            over.remove(place);
-            over_turn = false;
-        }
-        // Bare numbers come first; their signs are drawn out in front.
-        let mut arranged = |ids: Vec<Id>| -> Vec<Id> {
-            let (mut numbers, others): (Vec<Id>, Vec<Id>) = ids
-                .into_iter()
-                .partition(|id| matches!((self.op(*id), self.value(*id)), (Op::Literal, Number::Scalar(_))));
-            for id in &numbers {
-                negative ^= matches!(self.value(*id), Number::Scalar(value) if value < 0.0);
-            }
-            numbers.retain(|id| self.value(*id).size() != 1.0);
-            numbers.into_iter().chain(others).collect()
-        };
-        let (over, under) = (arranged(over), arranged(under));
-        let alone = over.len() == 1 && under.is_empty();
-        let top: Vec<String> =
-            over.iter().map(|id| if alone { self.alone(*id) } else { self.factor(*id) }).collect();
-        let mut bottom: Vec<String> = under.iter().map(|id| self.factor(*id)).collect();
-        if over_turn {
-            let turn = self.bare(TAU);
-            bottom.insert(0, if bottom.is_empty() { format!("({turn})") } else { turn });
-        }
-        let top = if top.is_empty() { "1".to_owned() } else { self.joined(&top) };
-        let text = match &bottom[..] {
-            [] => top,
-            [one] => format!("{top} / {one}"),
-            many => format!("{top} / ({})", self.joined(many)),
-        };
-        (text, negative)
-    }
-
-    fn factors(&self, id: Id, divide: bool, negative: &mut bool, over: &mut Vec<Id>, under: &mut Vec<Id>) {
-        match self.op(id) {
-            Op::Mul(a, b) => {
-                self.factors(*a, divide, negative, over, under);
-                self.factors(*b, divide, negative, over, under);
-            }
-            Op::Div(a, b) => {
-                self.factors(*a, divide, negative, over, under);
-                self.factors(*b, !divide, negative, over, under);
-            }
-            Op::Neg(a) => {
-                *negative = !*negative;
-                self.factors(*a, divide, negative, over, under);
-            }
-            _ if divide => under.push(id),
-            _ => over.push(id),
         }
     }
 
@@ -372,9 +332,8 @@ impl<'s> Writer<'s> {
             Op::Cross(a, b) => format!("({} × {})", self.operand(*a), self.operand(*b)),
             Op::Component(of, axis) => self.component(*of, *axis),
             Op::Compose(parts) => format!("({})", self.components(*parts)),
-            Op::Add(..) | Op::Sub(..) | Op::Neg(_) | Op::Sum(_) | Op::Mul(..) | Op::Div(..) => {
-                format!("({})", self.expression(id))
-            }
+            Op::Add(..) | Op::Sub(..) | Op::Sum(_) => self.bracketed(&self.terms(&[id])),
+            Op::Neg(_) | Op::Mul(..) | Op::Div(..) => format!("({})", self.expression(id)),
         }
     }
 
@@ -388,7 +347,12 @@ impl<'s> Writer<'s> {
 
     fn literal(&self, id: Id) -> String {
         match self.value(id) {
-            Number::Scalar(value) => self.bare(value.abs()),
+            Number::Scalar(value) => match Constant::of(value.abs()) {
+                Some(constant) if constant.denominator != 1 => {
+                    format!("({} / {})", constant.numerator(self.style, self.times()), constant.denominator)
+                }
+                _ => self.bare(value.abs()),
+            },
             Number::Vector(value) => match value {
                 [1.0, 0.0, 0.0] => "i".into(),
                 [0.0, 1.0, 0.0] => "j".into(),
@@ -398,23 +362,12 @@ impl<'s> Writer<'s> {
         }
     }
 
+    /// A number of a formula that is no fraction.
     fn bare(&self, value: f64) -> String {
-        use std::f64::consts::{PI, TAU};
-        let pi = if self.style.ascii { "pi" } else { "π" };
-        if value == PI {
-            pi.into()
-        } else if value == TAU {
-            if self.style.ascii { "2 pi".into() } else { "2π".into() }
-        } else if let Some((factor, power)) = multiple_of_a_power_of_pi(value) {
-            let factor = if factor == 1.0 { String::new() } else { units::write_number(factor, self.style) };
-            if self.style.ascii {
-                format!("{factor} pi^{power}").trim_start().to_owned()
-            } else {
-                format!("{factor}π{}", units::superscript(power.into()))
-            }
-        } else {
+        match Constant::of(value) {
+            Some(constant) if constant.denominator == 1 => constant.numerator(self.style, self.times()),
             // The numbers of a formula are exact: as many digits as it takes.
-            units::write_number(value, Style { digits: 15, ..self.style })
+            _ => units::write_number(value, Style { digits: 15, ..self.style }),
         }
     }
 
@@ -504,8 +457,8 @@ impl<'s> Writer<'s> {
             _ if bare => {
                 let text = self.factor(id);
                 // 1.3×10⁻⁶, 2π and symbols of several letters with a power need brackets.
-                let several = text.contains(['×', '*', '²', ' ']) || text == "2π";
-                if several { format!("({text})") } else { text }
+                let several = text.contains(['×', '*', '²', ' ']) || has_factor(&text);
+                if several && !text.starts_with('(') { format!("({text})") } else { text }
             }
             // These bring brackets of their own.
             Op::Call(Function::Abs, _) | Op::Magnitude(_) => self.factor(id),

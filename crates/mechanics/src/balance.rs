@@ -73,7 +73,7 @@ pub fn direction<S: Real>(x: S, y: S) -> S {
 #[inline(always)]
 pub fn marked_direction<S: Real>(x: S, y: S) -> S {
     if y.holds_with(x, |y, x| y.abs() <= 1e-14 * x.abs()) {
-        y.abs().atan2(x)
+        direction(x, S::from(0.0))
     } else if y.holds(|y| y < 0.0) {
         direction(x, y) + TAU
     } else {

@@ -1768,7 +1768,7 @@ with-several-coordinates-a-range-cannot-be-searched-search-near-the-values-of-th
 the-range-does-not-match-the-coordinate-an-angle-requires-angles-a-length-or-a-distance-requires = a faixa não combina com a coordenada: um ângulo exige ângulos, uma posição ou distância exige comprimentos
 the-mechanism-does-not-move-beyond-end-nothing-was-searched-beyond-it = o mecanismo não vai além de { $end }: dali em diante nada foi procurado
 there-is-no-equilibrium-in-this-range-the-holding-effort-does-not-change-sign-search-a-wider-one = não há equilíbrio nesta faixa: o esforço de sustentação não troca de sinal; procure em uma faixa maior
-value-of-name-where-the-virtual-power-of-all-loads-is-zero-q-q-m-dv-dm-0 = Valor de { $name } em que a potência virtual de todas as cargas é zero, −Σ Q ∂q/∂m = dV/dm = 0
+value-of-name-where-the-virtual-work-of-all-loads-is-zero-w-dv-dq-q-0 = Valor de { $name } em que o trabalho virtual de todas as cargas é nulo, δW = −dV/dq δq = 0
 coordinate-at-equilibrium = Coordenada no equilíbrio
 second-derivative-of-the-potential-energy-with-respect-to-name-stability = Segunda derivada da energia potencial em relação a { $name }: { $stability }
 second-derivative-of-the-potential-energy = Segunda derivada da energia potencial

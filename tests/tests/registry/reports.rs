@@ -20,6 +20,32 @@ fn printed_steps_give_their_results() {
     assert!(read > 100, "only {read} substitutions were read");
 }
 
+/// Analyses whose formulas have constants without an exact form: the coefficients of cam laws that are joined from pieces.
+const JOINED: [&str; 1] = ["virtual-work/cam"];
+
+#[test]
+fn numbers_of_formulas_are_exact_and_none_is_zero() {
+    let (locale, mut read) = (Locale::english(), 0);
+    for entry in registry() {
+        for case in cases::cases(entry).expect("the cases can be read") {
+            let record = case.record(entry).ok();
+            let Some(solution) = record.and_then(|record| entry.solve(&record, &Stop::new()).ok()) else {
+                continue;
+            };
+            for step in &solution.steps {
+                let formula = printer::step(&solution, step, &locale).formula;
+                let place = format!("{}, {}: {formula}", entry.about.id, case.name);
+                let is_long = |number: &str| number.chars().filter(char::is_ascii_digit).count() > 9;
+                let mut numbers = formula.split(|c: char| !c.is_ascii_digit() && c != '.');
+                assert!(JOINED.contains(&entry.about.id) || !numbers.any(is_long), "{place}");
+                assert!(![" + 0 ", " − 0 ", "(0 + "].iter().any(|zero| formula.contains(zero)), "{place}");
+                read += 1;
+            }
+        }
+    }
+    assert!(read > 20_000, "only {read} formulas");
+}
+
 #[test]
 fn a_frequency_in_cycles_is_the_angular_frequency_over_two_pi() {
     let (locale, mut seen) = (Locale::english(), 0);

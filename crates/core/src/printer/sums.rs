@@ -18,10 +18,7 @@ impl Writer<'_> {
                 let all = self.bare(all.len() as f64);
                 format!("{sign}({all})")
             }
-            _ => {
-                let all: Vec<String> = all.iter().map(|id| self.expression(*id)).collect();
-                format!("({})", all.join(" + "))
-            }
+            _ => self.bracketed(&self.terms(all)),
         }
     }
 

@@ -1,4 +1,4 @@
-//! Turns in formulas: frequencies in cycles, `f = ω/(2π)`, and multiples of powers of π.
+//! Turns in formulas: frequencies in cycles, `f = ω/(2π)`.
 
 use dalembert_units::{self as units, Style};
 
@@ -47,15 +47,4 @@ impl Writer<'_> {
         let (product, negative) = self.product(id, false, true);
         format!("{}{product}", self.sign(true, negative))
     }
-}
-
-/// The whole factor and the power, from the second to the fourth, of which a number is the multiple of π.
-pub(super) fn multiple_of_a_power_of_pi(value: f64) -> Option<(f64, i8)> {
-    use std::f64::consts::PI;
-    (2..=4).find_map(|power| {
-        let factor = (value / PI.powi(power.into())).round();
-        let known =
-            (1.0..=64.0).contains(&factor) && (factor * PI.powi(power.into()) / value - 1.0).abs() < 1e-15;
-        known.then_some((factor, power))
-    })
 }

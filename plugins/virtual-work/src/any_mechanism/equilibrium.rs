@@ -181,15 +181,17 @@ impl Parts {
                 drive.what.unit(),
                 here.values[driver],
                 (
-                    Text::new("Value of {name} where the virtual power of all loads is zero, −Σ Q ∂q/∂m = dV/dm = 0")
-                        .with("name", &drive.name),
+                    Text::new(
+                        "Value of {name} where the virtual work of all loads is zero, δW = −dV/dq δq = 0",
+                    )
+                    .with("name", &drive.name),
                     BEER.at("§10.8"),
                 ),
             );
             sheet.answer(("coordinate", row), "Coordinate at equilibrium", value);
             sheet.row_label(("coordinate", row), &drive.name);
             let stiffness = sheet.numerical(
-                ("V''", row),
+                ("V″", row),
                 self.of_stiffness(driver),
                 here.stiffness[(driver, driver)],
                 (
