@@ -6,7 +6,8 @@ use std::{collections::BTreeMap, fs, path::Path};
 use anyhow::{Context, Result, bail};
 use serde_json::{Value as Json, json};
 
-use self::{html::Frame, markdown::Body, pages::Case, words::Words};
+pub use self::derivations::Derivations;
+use self::{derivations::OfCases, html::Frame, markdown::Body, pages::Case, words::Words};
 use crate::{
     cargo::{Program, target},
     docs::{array, text},
@@ -16,6 +17,7 @@ use crate::{
 
 mod check;
 mod contents;
+mod derivations;
 mod html;
 mod inputs;
 mod markdown;
@@ -61,6 +63,8 @@ pub fn run(root: &Path, words: &[&str]) -> Result<()> {
     let program = Program::built(root, root)?;
     let folder = target(root).join(FOLDER);
     let documents = documents(root, &program)?;
+    let listed = Server::start(&program, "en")?.ask("list", &Json::Null)?;
+    let derivations = Derivations::read(root)?.of_cases(&program, &listed)?;
     println!("the solver of the pages is built as WebAssembly: minutes, the first time");
     let solver = solver::build(root, &folder)?;
     if let Err(why) = &solver {
@@ -71,7 +75,7 @@ pub fn run(root: &Path, words: &[&str]) -> Result<()> {
         if within.exists() {
             fs::remove_dir_all(&within).with_context(|| format!("{} cannot be removed", within.display()))?;
         }
-        let pages = write(&program, words, &documents, solver.is_ok(), &within)?;
+        let pages = write(&program, words, &documents, &derivations, solver.is_ok(), &within)?;
         println!("written: {pages} pages in {}", within.display());
     }
     write_file(&folder.join("index.html"), &html::languages())?;
@@ -84,6 +88,7 @@ fn write(
     program: &Program,
     words: &'static Words,
     documents: &Documents,
+    derivations: &BTreeMap<String, OfCases>,
     solves: bool,
     folder: &Path,
 ) -> Result<usize> {
@@ -98,7 +103,8 @@ fn write(
         let shown = server.ask("show", &json!(id))?;
         let rows: Vec<&Json> =
             array(&verified["rows"]).iter().filter(|row| text(row, "analysis") == id).collect();
-        let cases = cases(server, &shown, &rows)?;
+        let derived = derivations.get(id).map_or(&[][..], Vec::as_slice);
+        let cases = cases(server, &shown, &rows, derived, words)?;
         let figures = server.ask("report", &json!({ "problem": id, "case": 1, "format": "figures" }))?;
         let theory: Vec<(&str, &str)> = documents.theory_of(id);
         let files = pages::of_analysis(&shown, array(&figures), &cases, &theory, solves, words);
@@ -123,8 +129,15 @@ fn write(
 }
 
 /// The cases of an analysis, each solved, with its problem file and its comparisons.
-fn cases<'s>(server: &mut Server, shown: &'s Json, rows: &[&'s Json]) -> Result<Vec<Case<'s>>> {
+fn cases<'s>(
+    server: &mut Server,
+    shown: &'s Json,
+    rows: &[&'s Json],
+    derived: &[Vec<Option<String>>],
+    words: &Words,
+) -> Result<Vec<Case<'s>>> {
     let id = text(shown, "id");
+    let way = html::documents(&html::up(&pages::of_case(id, 1)), words);
     let of_number = |(n, case): (usize, &'s Json)| {
         let problem = json!({ "problem": id, "case": n + 1 });
         let mut report = problem.clone();
@@ -134,10 +147,17 @@ fn cases<'s>(server: &mut Server, shown: &'s Json, rows: &[&'s Json]) -> Result<
             name => name,
         };
         let of_case = |row: &&&Json| text(row, "case") == name;
+        let report = server.ask("report", &report)?;
+        let sections = derived.get(n).map_or(&[][..], Vec::as_slice);
         Ok(Case {
             shown: case,
             comparisons: rows.iter().filter(of_case).copied().collect(),
-            report: server.ask("report", &report)?.as_str().unwrap_or_default().to_owned(),
+            report: derivations::linked(
+                report.as_str().unwrap_or_default(),
+                sections,
+                &way,
+                words.derivation,
+            ),
             file: server.ask("new", &problem)?.as_str().unwrap_or_default().to_owned(),
         })
     };

@@ -16,6 +16,10 @@ use crate::{
 const ANALYSIS: &str = include_str!("new_analysis/analysis.rs");
 const CASES: &str = include_str!("new_analysis/cases.toml");
 const PORTUGUESE: &str = include_str!("new_analysis/pt-BR.ftl");
+/// The file of the sections of the theory that derive what analyses compute.
+pub(crate) const DERIVATIONS: &str = "docs/theory/derivations.toml";
+/// The section of the theory that derives what the template computes.
+const SECTION: &str = "\"one-degree-of-freedom#viscous-damping\" = [\"\"]";
 
 /// Writes the analysis, its cases, one line of its topic and the translations of its sentences. A topic that the family
 /// has not is begun with it.
@@ -55,6 +59,9 @@ pub fn run(root: &Path, family: &str, name: &str, topic: Option<&str>) -> Result
     }
     let translations = folder.join("locales/pt-BR.ftl");
     changed.push((translations.clone(), with_translations(root, &translations, name, &topic)?));
+    let derivations = root.join(DERIVATIONS);
+    let derived = with_derivation(&read(&derivations)?, &format!("{family}/{name}"));
+    changed.push((derivations, derived));
     write(&source, &filled(ANALYSIS, family, name, &topic))?;
     format(&source);
     write(&cases, CASES)?;
@@ -174,6 +181,19 @@ fn with_module(text: &str, file: &str) -> String {
         }
     };
     lines.insert(at, &line);
+    lines.join("\n") + "\n"
+}
+
+/// The sections of the theory with that of the template, in the order of the analyses.
+fn with_derivation(text: &str, id: &str) -> String {
+    let heading = format!("[\"{id}\"]");
+    let at = text.lines().position(|line| line.starts_with("[\"") && line > heading.as_str());
+    let mut lines: Vec<&str> = text.trim_end().lines().collect();
+    let table = [heading.as_str(), SECTION, ""];
+    match at {
+        Some(at) => drop(lines.splice(at..at, table)),
+        None => lines.extend(["", &heading, SECTION]),
+    }
     lines.join("\n") + "\n"
 }
 

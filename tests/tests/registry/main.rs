@@ -29,6 +29,7 @@ mod studies;
 mod suggestions;
 mod symbols;
 mod teaching;
+mod theory;
 mod tidy;
 mod unit_systems;
 mod unknowns;

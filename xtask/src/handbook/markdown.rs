@@ -103,7 +103,7 @@ fn words(events: &[Event<'_>]) -> String {
 }
 
 /// The anchor of a heading, as GitHub and others make it.
-fn anchor(heading: &str) -> String {
+pub(super) fn anchor(heading: &str) -> String {
     let words = heading.to_lowercase().replace(' ', "-");
     words.chars().filter(|c| c.is_alphanumeric() || *c == '-' || *c == '_').collect()
 }
@@ -139,5 +139,22 @@ mod tests {
             assert!(body.html.contains(part), "{part} in {}", body.html);
         }
         assert!(super::body("$\\nosuchcommand$", &linked, &analysis).is_err());
+    }
+
+    #[test]
+    fn every_formula_of_the_theory_is_written() {
+        let theory = crate::root().join("docs/theory");
+        let mut formulas = 0;
+        for entry in std::fs::read_dir(theory).unwrap() {
+            let path = entry.unwrap().path();
+            if path.extension().is_some_and(|extension| extension == "md") {
+                let text = std::fs::read_to_string(&path).unwrap();
+                let html = body(&text, &|_| None, &|_| None)
+                    .unwrap_or_else(|error| panic!("{}: {error:#}", path.display()))
+                    .html;
+                formulas += html.matches("<math").count();
+            }
+        }
+        assert!(formulas > 1000, "only {formulas} formulas");
     }
 }

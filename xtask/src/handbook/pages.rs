@@ -39,13 +39,18 @@ pub(super) fn of_analysis(
     let frame = Frame { path: &path, title: text(shown, "title"), words, translated: true };
     let mut files = vec![(path.clone(), frame.page(&described(shown, figures, cases, theory, &frame)))];
     for (n, case) in cases.iter().enumerate() {
-        let path = format!("{id}/{}.html", n + 1);
+        let path = of_case(id, n + 1);
         let title = format!("{}: {}", text(shown, "title"), text(case.shown, "title"));
         let frame = Frame { path: &path, title: &title, words, translated: true };
         files.push((path.clone(), frame.page(&solved(shown, case, n + 1, cases.len(), solves, words))));
         files.push((format!("{id}/{}.toml", n + 1), case.file.clone()));
     }
     files
+}
+
+/// Path of the page of a case, counted from 1.
+pub(super) fn of_case(id: &str, number: usize) -> String {
+    format!("{id}/{number}.html")
 }
 
 /// Content of the page that describes an analysis.
@@ -78,8 +83,8 @@ fn described(
         page += &section(words.answers, &table(&[words.answer, words.meaning, words.unit], &answers));
     }
     let stem = id.rsplit('/').next().unwrap_or(id);
-    let of_case = |(n, case): (usize, &Case<'_>)| summarised(stem, n + 1, case, words);
-    page += &section(words.cases, &cases.iter().enumerate().map(of_case).collect::<String>());
+    let summary = |(n, case): (usize, &Case<'_>)| summarised(stem, n + 1, case, words);
+    page += &section(words.cases, &cases.iter().enumerate().map(summary).collect::<String>());
     let question = |of: &Json| {
         vec![code(text(of, "key")), cell(of, "label"), code(text(of, "formula")), cell(of, "unit")]
     };

@@ -31,6 +31,10 @@ fn repository(of: &str) -> PathBuf {
             "[lints]\nworkspace = true\n\n[dependencies]\ndalembert-vibration = { version = \"0.1\", path = \"../vibration\" }\n",
         ),
         ("plugins/bundle/src/lib.rs", "use dalembert_vibration as _;\n"),
+        (
+            "docs/theory/derivations.toml",
+            "# Sections.\n\n[\"vibration/decay\"]\n\"damping#decay\" = [\"\"]\n",
+        ),
         ("crates/core/locales/pt-BR.ftl", "period = Período da oscilação\n"),
     ] {
         write(&root.join(path), text).unwrap();
@@ -46,7 +50,7 @@ fn analysis(type_name: &str, name: &str) -> String {
 }
 
 #[test]
-fn a_new_analysis_is_two_files_and_two_changes_and_tidy() {
+fn a_new_analysis_is_two_files_and_three_changes_and_tidy() {
     let root = repository("sound");
     run(&root, "vibration", "mass-on-spring", Some("free vibration")).unwrap();
     let source = read(&root.join("plugins/vibration/src/free_vibration/mass_on_spring.rs")).unwrap();
@@ -71,8 +75,19 @@ fn a_new_analysis_is_two_files_and_two_changes_and_tidy() {
     assert!(translations.contains(speed), "{translations}");
     assert!(translations.contains("period = Período da oscilação\n"), "{translations}");
     assert!(translations.contains("mass-on-spring = Mass on spring\n"), "{translations}");
+    let derivations = read(&root.join(DERIVATIONS)).unwrap();
+    let own = "[\"vibration/mass-on-spring\"]\n\"one-degree-of-freedom#viscous-damping\" = [\"\"]\n";
+    assert!(derivations.ends_with(&format!("\"damping#decay\" = [\"\"]\n\n{own}")), "{derivations}");
     assert_eq!(faults(&Tree::read(&root).unwrap()), [""; 0]);
     fs::remove_dir_all(&root).unwrap();
+}
+
+#[test]
+fn tables_of_derivations_keep_their_order() {
+    let before = "# Sections.\n\n[\"a/a\"]\nx = [\"\"]\n\n[\"b/b\"]\ny = [\"\"]\n";
+    let expected =
+        format!("# Sections.\n\n[\"a/a\"]\nx = [\"\"]\n\n[\"a/b\"]\n{SECTION}\n\n[\"b/b\"]\ny = [\"\"]\n");
+    assert_eq!(with_derivation(before, "a/b"), expected);
 }
 
 #[test]
