@@ -41,6 +41,9 @@ struct Release {
 /// Options of `cargo xtask dist`.
 const OPTIONS: [&str; 5] = ["--without-wheel", "--windows", "--prove", "--reproduce", "--packages"];
 
+/// Flags of the C compiler without which the allocator holds the time at which it was compiled.
+const UNDATED: &str = "-Wno-builtin-macro-redefined -D__DATE__=\"\" -D__TIME__=\"\"";
+
 /// Documents that every archive holds.
 const DOCUMENTS: [&str; 4] = ["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
 
@@ -121,6 +124,7 @@ fn built(root: &Path, target: &Path, triple: &str) -> Result<PathBuf> {
         cargo(root)
             .env("CARGO_TARGET_DIR", target)
             .env("CARGO_ENCODED_RUSTFLAGS", flags.join("\x1f"))
+            .env("CFLAGS", UNDATED)
             .args(["build", "--locked", "--profile", "dist", "--package", "dalembert", "--target", triple]),
     )?;
     Ok(target.join(triple).join("dist").join("dalembert"))
