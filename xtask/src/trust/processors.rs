@@ -21,7 +21,7 @@ const EMULATED: [&str; 2] = ["Nehalem", "Haswell"];
 /// Largest relative difference of an answer.
 const LIMIT: f64 = 1e-12;
 
-/// What was compared.
+/// Counts of a comparison.
 #[derive(Debug, Default)]
 struct Compared {
     numbers: u64,
