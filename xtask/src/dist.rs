@@ -9,7 +9,8 @@
 //! | `dalembert-VERSION.cdx.json` | bill of materials in CycloneDX 1.5: the crates in the program |
 //! | `SHA256SUMS` | checksums of these |
 //!
-//! The program is linked with musl: it needs no library of the machine. Paths of this machine are taken out of it and
+//! The program is linked with musl: it needs no library of the machine. It names the crates it is built of, as
+//! `cargo auditable` writes them, so that `cargo audit bin dalembert` finds advisories about them. Paths of this machine are taken out of it and
 //! times are those of the commit, so that a build from another folder has the same bytes.
 
 mod materials;
@@ -25,7 +26,7 @@ use std::{
 
 use anyhow::{Context, Result, bail, ensure};
 
-use crate::cargo::{cargo, git, output, run as run_command, target};
+use crate::cargo::{cargo, git, installed, output, run as run_command, target};
 
 /// The program that was built, and the folder of what is handed out.
 struct Release {
@@ -57,7 +58,11 @@ pub fn run(root: &Path, words: &[&str]) -> Result<()> {
     if let Some(unknown) = words.iter().find(|word| !OPTIONS.contains(word)) {
         bail!("{unknown} is no option of dist; these are: {}", OPTIONS.join(", "));
     }
-    needed(&["musl-gcc", "tar", "xz", "dpkg-deb", "sha256sum"])?;
+    needed(&["musl-gcc", "tar", "xz", "dpkg-deb", "objcopy", "sha256sum"])?;
+    ensure!(
+        installed(cargo(root).args(["auditable", "--version"])),
+        "cargo-auditable is missing: cargo install cargo-auditable --locked"
+    );
     // Not `dist`: there the compiler keeps what the profile of that name needs.
     let folder = target(root).join("artifacts");
     let _ = fs::remove_dir_all(&folder);
@@ -125,7 +130,8 @@ fn built(root: &Path, target: &Path, triple: &str) -> Result<PathBuf> {
             .env("CARGO_TARGET_DIR", target)
             .env("CARGO_ENCODED_RUSTFLAGS", flags.join("\x1f"))
             .env("CFLAGS", UNDATED)
-            .args(["build", "--locked", "--profile", "dist", "--package", "dalembert", "--target", triple]),
+            .args(["auditable", "build", "--locked", "--profile", "dist"])
+            .args(["--package", "dalembert", "--target", triple]),
     )?;
     Ok(target.join(triple).join("dist").join("dalembert"))
 }

@@ -3806,7 +3806,7 @@ half-waves-along-a-and-number-of-the-shape-across = Meias ondas ao longo de a e 
 fixed-along-the-whole-edge = Fixa em todo o contorno.
 l-vy-w-y-y-sin-m-x-a-gives-an-ordinary-differential-equation-for-y-a-beam-under-tension-on-a = Lévy: w = Y(y) sen({ $m }πx/a) dá uma equação diferencial ordinária para Y, a de uma viga tracionada sobre fundação; sua raiz { $n }, contada exatamente
 length-between-the-two-simply-supported-edges = Comprimento entre as duas bordas simplesmente apoiadas
-m-half-waves-along-a-and-n-along-b-c-m-a-n-b = { $m } meias ondas ao longo de a e { $n } ao longo de b: ω = πc√((m/a)² + (n/b)²)
+mode-of-m-n-half-waves-along-a-and-b-c-m-a-n-b = Modo de { $m } × { $n } meias ondas ao longo de a e b: ω = πc√((m/a)² + (n/b)²)
 mass-of-each-area = Massa por unidade de área
 mass-per-unit-area = Massa por unidade de área
 mass-per-unit-area-density-times-thickness = Massa por unidade de área: massa específica vezes espessura

@@ -249,7 +249,7 @@ impl PlateAndMembrane {
                 "rad/s",
                 speed * (half(m, length) + half(n, breadth)).sqrt() * std::f64::consts::PI,
                 (
-                    Text::new("{m} half waves along a and {n} along b: ω = πc√((m/a)² + (n/b)²)")
+                    Text::new("Mode of {m} × {n} half waves along a and b: ω = πc√((m/a)² + (n/b)²)")
                         .with("m", m)
                         .with("n", n),
                     RAO.at("§8.6"),
