@@ -7,7 +7,7 @@ use crate::Real;
 /// Pressure after the expansion `p vᵏ = const` from a pressure and a volume, `p = p₁ (v₁/v)ᵏ`, absolute.
 #[inline]
 pub fn expanded<S: Real>(pressure: S, from: S, to: S, exponent: S) -> S {
-    pressure * ((from / to).ln() * exponent).exp()
+    pressure * (from / to).pow(exponent)
 }
 
 /// Pressure after the expansion `p v = const`, `p = p₁ v₁/v`, absolute.
@@ -38,7 +38,7 @@ pub fn mean_pressure_hyperbolic<S: Real>(admission: S, cut_off: S, clearance: Op
 pub fn mean_pressure<S: Real>(admission: S, cut_off: S, clearance: Option<S>, exponent: S, exhaust: S) -> S {
     let (volume, whole) = volumes(cut_off, clearance);
     let less = exponent - 1.0;
-    let left = ((volume / whole).ln() * less).exp();
+    let left = (volume / whole).pow(less);
     admission * (cut_off + volume / less * (S::from(1.0) - left)) - exhaust
 }
 

@@ -41,11 +41,11 @@ pub struct CheckRun {
 pub struct SlowRollReading {
     /// Amplitude.
     /// Zero for a sensor without run-out.
-    #[input("A_s", "um | mm/s | m/s^2 | 1", nonnegative, kind = "Amplitude|Velocity|Acceleration|Ratio")]
+    #[input("A", "um | mm/s | m/s^2 | 1", nonnegative, kind = "Amplitude|Velocity|Acceleration|Ratio")]
     pub amplitude: MeasuredQuantity,
     /// Phase.
     /// As the instrument shows it.
-    #[input("φ_s", "deg")]
+    #[input("φ", "deg")]
     pub phase: f64,
 }
 
