@@ -84,14 +84,23 @@ fn is_short(value: f64) -> bool {
     digits.split('e').next().unwrap_or_default().len() <= SHORT + 1
 }
 
-/// The whole numbers of which a positive number is the ratio, with the least denominator up to a limit.
+/// The whole numbers of which a positive number is the ratio, with a denominator up to a limit: a convergent of its
+/// continued fraction.
 fn ratio(value: f64, largest: u32) -> Option<(u32, u32)> {
-    (1..=largest).find_map(|denominator| {
-        let factor = (value * f64::from(denominator)).round();
-        let is_it = (1.0..=f64::from(u32::MAX)).contains(&factor)
-            && (factor / (value * f64::from(denominator)) - 1.0).abs() <= ROUNDING;
-        is_it.then_some((factor as u32, denominator))
-    })
+    let ([mut above, mut factor], [mut below, mut denominator]) = ([0.0, 1.0], [1.0, 0.0]);
+    let mut rest = value;
+    loop {
+        let whole = rest.floor();
+        (above, factor) = (factor, whole * factor + above);
+        (below, denominator) = (denominator, whole * denominator + below);
+        if denominator > f64::from(largest) || factor > f64::from(u32::MAX) {
+            return None;
+        }
+        if (factor / denominator / value - 1.0).abs() <= ROUNDING {
+            return Some((factor as u32, denominator as u32));
+        }
+        rest = (rest - whole).recip();
+    }
 }
 
 /// `outside² inside`, of which a number is the product, with the largest square.
