@@ -10,8 +10,8 @@
 //! | `SHA256SUMS` | checksums of these |
 //!
 //! The program is linked with musl: it needs no library of the machine. It names the crates it is built of, as
-//! `cargo auditable` writes them, so that `cargo audit bin dalembert` finds advisories about them. Paths of this machine are taken out of it and
-//! times are those of the commit, so that a build from another folder has the same bytes.
+//! `cargo auditable` writes them, so that `cargo audit bin dalembert` finds advisories about them. Paths of this machine
+//! are taken out of it and times are those of the commit, so that a build from another folder has the same bytes.
 
 mod materials;
 mod prove;

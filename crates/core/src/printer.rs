@@ -58,19 +58,20 @@ const LONGEST_SUM: usize = 4;
 pub fn step(solution: &Solution, step: &Step, locale: &Locale) -> WrittenStep {
     let writer = |values| Writer { solution, values, general: false, radians: false, style: locale.style };
     let in_cycles = is_in_cycles(solution, step);
+    let unit = writer(false).unit_of_result(step);
     let written =
         |writer: Writer<'_>, id| if in_cycles { writer.over_a_turn(id) } else { writer.expression(id) };
     let (formula, mut substitution, mut terms) = (
         step.formula.map_or_else(String::new, |id| written(writer(false), id)),
         step.formula.map_or_else(String::new, |id| {
-            let radians = in_cycles || writer(true).needs_radians(id, &step.unit);
+            let radians = in_cycles || writer(true).needs_radians(id, &unit);
             written(Writer { radians, ..writer(true) }, id)
         }),
         Vec::new(),
     );
-    let result = number(solution.trace.without_noise(step.result), &step.unit, locale.style);
+    let result = number(solution.trace.without_noise(step.result), &unit, locale.style);
     if let Some(id) = step.formula {
-        writer(false).long_sums(id, &step.unit, &mut terms);
+        writer(false).long_sums(id, &unit, &mut terms);
     }
     if substitution == result {
         substitution.clear();

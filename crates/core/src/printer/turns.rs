@@ -34,6 +34,17 @@ impl Writer<'_> {
         is_cyclic(&step.symbol, &step.unit) && !self.any_below(id, &is_over_cycles)
     }
 
+    /// The unit in which the result of a step is read off a calculator: an angular frequency in hertz is one in radians
+    /// per second, unless its formula is of others in the same unit.
+    pub(super) fn unit_of_result(&self, step: &Step) -> units::Unit {
+        let has_unit = |operand| self.unit_of(operand).is_some_and(|unit| unit.text == step.unit.text);
+        let is_angular = step.symbol.base.starts_with(['ω', 'Ω']) && step.unit.text.ends_with("Hz");
+        match step.formula {
+            Some(id) if is_angular && !self.any_below(id, &has_unit) => self.unit_of_dim(step.unit.dim),
+            _ => step.unit.clone(),
+        }
+    }
+
     /// Returns true if a formula has such an operand.
     fn any_below(&self, id: Id, is: &dyn Fn(Id) -> bool) -> bool {
         is(id) || self.solution.trace.operands(id).into_iter().any(|operand| self.any_below(operand, is))
