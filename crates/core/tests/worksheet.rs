@@ -83,7 +83,11 @@ fn signs_and_brackets_are_those_of_a_textbook() {
     assert_eq!(length(|s| s.a * 2.0 + s.b * 3.0), "2 a + 3 b");
     assert_eq!(length(|s| (s.a + s.b) * 2.0), "2 (a + b)");
     assert_eq!(length(|s| s.a * s.b / s.a), "a b / a");
-    assert_eq!(length(|s| s.a / (s.b / s.a)), "a a / b");
+    assert_eq!(length(|s| s.a / (s.b / s.a)), "a² / b");
+    assert_eq!(length(|s| s.a * std::f64::consts::FRAC_PI_4 / s.b * s.a), "π a² / (4 b)");
+    assert_eq!(length(|s| s.a + s.b * 0.0), "a");
+    assert_eq!(length(|s| s.a / (2.0 * std::f64::consts::PI)), "a / (2π)");
+    assert_eq!(length(|s| s.a * 4.0 / (s.b * 2.0) * s.b * 3.0), "12 a b / (2 b)");
     assert_eq!(length(|s| s.a.powi(2) / (s.b * 2.0)), "a² / (2 b)");
     assert_eq!(length(|s| s.a.powi(3) / (s.a + s.b).powi(2)), "a³ / (a + b)²");
     assert_eq!(length(|s| (s.a * s.b).abs().sqrt()), "√|a b|");

@@ -36,5 +36,5 @@ fn every_step_of_every_case_has_its_derivation() {
     let mut faults = faults.into_inner().expect("no panic while it was held");
     let unknown = derivations.analyses().filter(|id| registry().iter().all(|entry| entry.about.id != *id));
     faults.extend(unknown.map(|id| format!("{id}: there is no such analysis")));
-    assert!(faults.is_empty(), "{:#?}", faults);
+    assert!(faults.is_empty(), "{faults:#?}");
 }
