@@ -45,7 +45,10 @@ pub mod unknowns;
 
 use dalembert_core::Entry;
 
-pub use crate::{laboratory::Laboratory, problems::on_all_cores};
+pub use crate::{
+    laboratory::Laboratory,
+    problems::{SolvedCase, for_each_problem, on_all_cores},
+};
 
 /// Refuses an empty list, over which every test would pass.
 fn some(entries: &[&'static Entry]) {

@@ -13,12 +13,16 @@ use dalembert_core::{
 };
 
 /// A problem of the catalogue, and its solution.
-pub(crate) struct SolvedCase {
+#[derive(Debug)]
+pub struct SolvedCase {
     /// Analysis and case.
-    pub(crate) name: String,
-    pub(crate) entry: &'static Entry,
-    pub(crate) record: Record,
-    pub(crate) solution: Solution,
+    pub name: String,
+    /// Analysis.
+    pub entry: &'static Entry,
+    /// Inputs.
+    pub record: Record,
+    /// Solution of the analysis for the inputs.
+    pub solution: Solution,
 }
 
 /// The cases of an analysis.
@@ -34,7 +38,10 @@ pub(crate) fn problems(entries: &[&'static Entry]) -> Vec<SolvedCase> {
 }
 
 /// Visits every case with a solution, one after the other.
-pub(crate) fn for_each_problem(entries: &[&'static Entry], mut visit: impl FnMut(SolvedCase)) {
+///
+/// # Panics
+/// If there is no analysis, or a case that is not to be refused cannot be read or solved.
+pub fn for_each_problem(entries: &[&'static Entry], mut visit: impl FnMut(SolvedCase)) {
     assert!(!entries.is_empty(), "there is no analysis to examine");
     for entry in entries {
         for case in cases_of(entry) {

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use dalembert_core::{Stop, cases, registry};
+use dalembert_core::registry;
 use dalembert_plugins as _;
+use dalembert_testkit::{SolvedCase, for_each_problem};
 use xtask::{
     find::{Index, public_names, words},
     root,
@@ -42,18 +43,14 @@ fn every_word_of_a_public_name_and_of_a_label_is_in_the_glossary() {
         missing.extend(unknown.map(|word| format!("{word} (in the name `{name}`)")));
     }
     let mut labels = 0;
-    for entry in registry() {
-        for case in cases::cases(entry).expect("the cases can be read") {
-            let Ok(record) = case.record(entry) else { continue };
-            let Ok(solution) = entry.solve(&record, &Stop::new()) else { continue };
-            for answer in &solution.answers {
-                labels += 1;
-                let words = words(answer.label);
-                let unknown = plain(&words).filter(|word| !known.contains(*word));
-                missing.extend(unknown.map(|word| format!("{word} (in {:?})", answer.label)));
-            }
+    for_each_problem(registry(), |SolvedCase { solution, .. }| {
+        for answer in &solution.answers {
+            labels += 1;
+            let words = words(answer.label);
+            let unknown = plain(&words).filter(|word| !known.contains(*word));
+            missing.extend(unknown.map(|word| format!("{word} (in {:?})", answer.label)));
         }
-    }
+    });
     assert!(labels > 2000, "{labels} labels");
     let mut seen = BTreeSet::new();
     missing.retain(|line| seen.insert(line.split(' ').next().unwrap_or_default().to_owned()));

@@ -3,7 +3,7 @@
 
 use dalembert_core::{AnswerValue, Entry, Locale, Solution, Stop, cases, printer, registry, trace::Op};
 use dalembert_plugins as _;
-use dalembert_testkit::printed;
+use dalembert_testkit::{SolvedCase, for_each_problem, printed};
 
 /// The solution of the first case of every analysis.
 fn first_solutions() -> impl Iterator<Item = (&'static Entry, Solution)> {
@@ -26,23 +26,17 @@ const JOINED: [&str; 1] = ["virtual-work/cam"];
 #[test]
 fn numbers_of_formulas_are_exact_and_none_is_zero() {
     let (locale, mut read) = (Locale::english(), 0);
-    for entry in registry() {
-        for case in cases::cases(entry).expect("the cases can be read") {
-            let record = case.record(entry).ok();
-            let Some(solution) = record.and_then(|record| entry.solve(&record, &Stop::new()).ok()) else {
-                continue;
-            };
-            for step in &solution.steps {
-                let formula = printer::step(&solution, step, &locale).formula;
-                let place = format!("{}, {}: {formula}", entry.about.id, case.name);
-                let is_long = |number: &str| number.chars().filter(char::is_ascii_digit).count() > 9;
-                let mut numbers = formula.split(|c: char| !c.is_ascii_digit() && c != '.');
-                assert!(JOINED.contains(&entry.about.id) || !numbers.any(is_long), "{place}");
-                assert!(![" + 0 ", " − 0 ", "(0 + "].iter().any(|zero| formula.contains(zero)), "{place}");
-                read += 1;
-            }
+    for_each_problem(registry(), |SolvedCase { name, entry, solution, .. }| {
+        for step in &solution.steps {
+            let formula = printer::step(&solution, step, &locale).formula;
+            let is_long = |number: &str| number.chars().filter(char::is_ascii_digit).count() > 9;
+            let mut numbers = formula.split(|c: char| !c.is_ascii_digit() && c != '.');
+            assert!(JOINED.contains(&entry.about.id) || !numbers.any(is_long), "{name}: {formula}");
+            let zeros = [" + 0 ", " − 0 ", "(0 + "];
+            assert!(!zeros.iter().any(|zero| formula.contains(zero)), "{name}: {formula}");
+            read += 1;
         }
-    }
+    });
     assert!(read > 20_000, "only {read} formulas");
 }
 

@@ -2,11 +2,9 @@
 
 use std::{collections::BTreeMap, ops::Range, sync::Mutex};
 
-use dalembert_core::{
-    Entry, Number, ProblemSteps, Solution, Stop, cases, normalised, printer, registry, trace::Op,
-};
+use dalembert_core::{Entry, Number, ProblemSteps, Solution, normalised, printer, registry, trace::Op};
 use dalembert_plugins as _;
-use dalembert_testkit::on_all_cores;
+use dalembert_testkit::{SolvedCase, for_each_problem, on_all_cores};
 use itertools::zip_eq;
 
 /// A quantity of a sheet: its symbol, its number, and where it is.
@@ -67,15 +65,13 @@ fn is_same(a: Number, b: Number) -> bool {
 fn no_two_symbols_of_a_sheet_are_one_name() {
     let found: Mutex<BTreeMap<&str, Vec<String>>> = Mutex::default();
     on_all_cores(registry(), |_, entry: &&Entry| {
-        for case in cases::cases(entry).unwrap_or_default() {
-            let Ok(record) = case.record(entry) else { continue };
-            let Ok(solution) = entry.solve(&record, &Stop::new()) else { continue };
+        for_each_problem(&[*entry], |SolvedCase { solution, .. }| {
             let two = coincident(&solution);
             if !two.is_empty() {
                 let mut found = found.lock().expect("no worker panics");
                 found.entry(entry.about.id).or_default().extend(two);
             }
-        }
+        });
     });
     let found = found.into_inner().expect("no worker panics");
     for (id, all) in &found {

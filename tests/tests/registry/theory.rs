@@ -2,9 +2,9 @@
 
 use std::{collections::BTreeSet, sync::Mutex};
 
-use dalembert_core::{Locale, Stop, cases, printer, registry};
+use dalembert_core::{Locale, printer, registry};
 use dalembert_plugins as _;
-use dalembert_testkit::on_all_cores;
+use dalembert_testkit::{SolvedCase, for_each_problem, on_all_cores};
 use dalembert_tests::chosen;
 use xtask::handbook::Derivations;
 
@@ -17,11 +17,7 @@ fn every_step_of_every_case_has_its_derivation() {
         let id = entry.about.id;
         let mut open: BTreeSet<&str> = derivations.beginnings(id).map(|(_, beginning)| beginning).collect();
         let mut met = BTreeSet::new();
-        for case in cases::cases(entry).expect("the cases can be read") {
-            let record = case.record(entry).ok();
-            let Some(solution) = record.and_then(|record| entry.solve(&record, &Stop::new()).ok()) else {
-                continue;
-            };
+        for_each_problem(&[*entry], |SolvedCase { solution, .. }| {
             for step in &solution.steps {
                 let title = printer::step(&solution, step, &english).why;
                 match derivations.of_step(id, &title) {
@@ -29,7 +25,7 @@ fn every_step_of_every_case_has_its_derivation() {
                     None => drop(met.insert(format!("{id}: no section derives the step {title:?}"))),
                 }
             }
-        }
+        });
         met.extend(open.iter().map(|beginning| format!("{id}: no step has the beginning {beginning:?}")));
         faults.lock().expect("no panic while it is held").extend(met);
     });
