@@ -28,15 +28,12 @@ impl Constant {
         if !value.is_normal() || value <= 0.0 || is_short(value) {
             return None;
         }
-        let of_pi = (1..=4).find_map(|power| {
-            let (factor, denominator) = ratio(value / PI.powi(power.into()), LARGEST_BESIDE)?;
-            (factor <= LARGEST_BESIDE).then_some(Self { factor, root: 1, power, denominator })
-        });
-        let rational = || {
-            let (factor, denominator) = ratio(value, LARGEST)?;
-            (factor <= LARGEST).then_some(Self { factor, root: 1, power: 0, denominator })
+        let of_power = |power: u8| {
+            let largest = if power == 0 { LARGEST } else { LARGEST_BESIDE };
+            let (factor, denominator) = ratio(value / PI.powi(power.into()), largest)?;
+            (factor <= largest).then_some(Self { factor, root: 1, power, denominator })
         };
-        of_pi.or_else(rational).or_else(|| Self::with_root(value))
+        [1, 2, 3, 4, 0].into_iter().find_map(of_power).or_else(|| Self::with_root(value))
     }
 
     /// `factor √root / denominator`.
