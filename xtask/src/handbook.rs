@@ -62,8 +62,8 @@ pub fn run(root: &Path, words: &[&str]) -> Result<()> {
     };
     let program = Program::built(root, root)?;
     let folder = target(root).join(FOLDER);
-    let documents = documents(root, &program)?;
     let listed = Server::start(&program, "en")?.ask("list", &Json::Null)?;
+    let documents = documents(root, &listed)?;
     let derivations = Derivations::read(root)?.of_cases(&program, &listed)?;
     println!("the solver of the pages is built as WebAssembly: minutes, the first time");
     let solver = solver::build(root, &folder)?;
@@ -193,9 +193,8 @@ impl Documents {
 }
 
 /// Reads the documents and the theory.
-fn documents(root: &Path, program: &Program) -> Result<Documents> {
-    let listed = Server::start(program, "en")?.ask("list", &Json::Null)?;
-    let ids: Vec<&str> = array(&listed).iter().map(|entry| text(entry, "id")).collect();
+fn documents(root: &Path, listed: &Json) -> Result<Documents> {
+    let ids: Vec<&str> = array(listed).iter().map(|entry| text(entry, "id")).collect();
     let mut sources: BTreeMap<String, String> =
         DOCUMENTS.iter().map(|(file, page)| ((*file).to_owned(), (*page).to_owned())).collect();
     for entry in fs::read_dir(root.join("docs/theory")).context("docs/theory cannot be read")? {

@@ -132,8 +132,7 @@ pub(super) fn linked(report: &str, sections: &[Option<String>], way: &str, word:
         let section = steps.next_if(is_next).and_then(|(_, section)| section.as_ref());
         match (section, line.strip_suffix("</p>\n")) {
             (Some(section), Some(title)) => {
-                let (page, anchor) = section.split_once('#').unwrap_or((section, ""));
-                let address = format!("{way}theory/{page}.html#{anchor}");
+                let address = format!("{way}theory/{}", section.replacen('#', ".html#", 1));
                 text += &format!("{title} <a class=\"derivation\" href=\"{address}\">{word}</a></p>\n");
             }
             _ => text += line,

@@ -94,9 +94,7 @@ fn compared(program: &Program, processor: &str, cases: &[String]) -> Result<Comp
         let [here, there] = servers.each_mut().map(|server| {
             server.ask("solve", &request).map_or_else(|_| Vec::new(), |solved| answers(&solved))
         });
-        let names =
-            |answers: &[(String, f64)]| answers.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
-        if names(&here) != names(&there) {
+        if here.iter().map(|(name, _)| name).ne(there.iter().map(|(name, _)| name)) {
             compared.failures.push(format!("{case} on {processor}: other answers"));
             continue;
         }
