@@ -297,8 +297,12 @@ impl<'p> Solved<'p> {
     /// True if a mistake is at a place, and of that operation. An error in a step is also found in a number that goes into its
     /// formula, or in the term that it is of the next step.
     fn fits(&self, mistake: &Mistake, at: &str, does: &str, with: Option<&str>) -> bool {
-        // A factor of two has several names, and so has an angle in degrees.
         let operation = mistake.operation();
+        // What an analysis says of an error of its own is the error, whatever it is called here.
+        if operation == "common" {
+            return self.is_place(mistake, at, with);
+        }
+        // A factor of two has several names, and so has an angle in degrees.
         let alike: &[&[&str]] = &[
             &["half", "factor"],
             &["degrees", "unit"],

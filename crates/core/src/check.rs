@@ -19,6 +19,7 @@ mod slip;
 mod steps;
 mod tries;
 mod ways;
+mod weight;
 mod words;
 mod wrong;
 
@@ -27,7 +28,7 @@ use std::f64::consts::TAU;
 use dalembert_units::{self as units, Dim, Kind, Quantity};
 
 pub use self::{
-    common::common_errors,
+    common::{common_errors, declared_errors},
     mistake::{Cause, Change, Mistake, Place},
     search::{Causes, causes},
 };

@@ -21,6 +21,8 @@ pub(crate) struct Edit {
 pub(crate) struct Reevaluation<'s> {
     solution: &'s Solution,
     /// The nodes that the wanted numbers were made from, in their order.
+    used: Vec<Id>,
+    /// The same, and those of the common errors that may take their place.
     order: Vec<Id>,
     numbers: Vec<Number>,
 }
@@ -68,11 +70,14 @@ const NONE: Number = Number::Scalar(f64::NAN);
 impl<'s> Reevaluation<'s> {
     /// Ready to read what these numbers were made from.
     pub(crate) fn new(solution: &'s Solution, of: &[Id]) -> Self {
-        let mut order: Vec<Id> = of.iter().flat_map(|id| solution.ancestors(*id)).collect();
-        order.sort_unstable();
-        order.dedup();
+        let used = ancestors(solution, of);
+        let is_used = |id: &Id| used.binary_search(id).is_ok();
+        let errors = solution.common_errors.iter();
+        let errors = errors.filter(|error| is_used(&solution.steps[error.step].result));
+        let all: Vec<Id> = used.iter().copied().chain(errors.map(|error| error.formula)).collect();
+        let order = ancestors(solution, &all);
         let numbers = solution.trace.nodes.iter().map(|node| node.number).collect();
-        Self { solution, order, numbers }
+        Self { solution, used, order, numbers }
     }
 
     /// Number of the operations that are read.
@@ -82,7 +87,7 @@ impl<'s> Reevaluation<'s> {
 
     /// True if a number was used on the way to the wanted ones.
     pub(crate) fn uses(&self, id: Id) -> bool {
-        self.order.binary_search(&id).is_ok()
+        self.used.binary_search(&id).is_ok()
     }
 
     /// The number of a node with these edits. What a numerical method found stays as it is.
@@ -111,6 +116,14 @@ impl<'s> Reevaluation<'s> {
         }
         found
     }
+}
+
+/// The nodes that numbers were made from, in their order.
+fn ancestors(solution: &Solution, of: &[Id]) -> Vec<Id> {
+    let mut all: Vec<Id> = of.iter().flat_map(|id| solution.ancestors(*id)).collect();
+    all.sort_unstable();
+    all.dedup();
+    all
 }
 
 fn evaluated(solution: &Solution, op: &Op, at: usize, numbers: &[Number]) -> Number {

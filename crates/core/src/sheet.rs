@@ -299,7 +299,7 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         what: impl Into<Text>,
         wrong: impl FnOnce() -> Term<'s>,
     ) {
-        self.note_common_error(symbol.into(), what.into(), wrong());
+        self.note_common_error(symbol.into(), what.into(), wrong);
     }
 
     fn check(self, what: impl Into<Text>, left: Term<'s>, right: Term<'s>) {

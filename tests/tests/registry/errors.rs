@@ -1,17 +1,22 @@
 //! Causes of wrong answers: those of the course's own errors, and of a part of the corpus of student errors.
 
 use std::{
+    collections::{BTreeMap, BTreeSet},
     f64::consts::{FRAC_1_SQRT_2, PI},
     path::Path,
 };
 
 use dalembert_core::{
-    Entry, Record, Solution, Stop, cases,
-    check::{self, Verdict},
+    Answer, Entry, Record, Solution, Stop, cases,
+    check::{self, Change, Verdict},
     find,
     vary::{self, VariedInput},
 };
-use dalembert_tests::errors::{corpus, tally};
+use dalembert_testkit::{SolvedCase, for_each_problem};
+use dalembert_tests::{
+    chosen,
+    errors::{corpus, tally},
+};
 use dalembert_units::{Style, unit, write_quantity};
 
 /// Analysis, case counted from 1, answer, what was written, and words of the cause that comes first.
@@ -350,6 +355,63 @@ fn a_set_is_read_with_the_symbol_of_its_quantity() {
         let found = readings(TURBINE, 3, "diameters", part);
         assert!(found[0][0].contains("one limit or one part of the set only"), "{part}: {found:#?}");
     }
+}
+
+#[test]
+fn every_error_that_is_declared_gives_a_wrong_number_in_some_case() {
+    let mut declared: BTreeMap<String, bool> = BTreeMap::new();
+    for_each_problem(&chosen(), |SolvedCase { solution, .. }| {
+        for error in &solution.common_errors {
+            declared.entry(error.what.english()).or_default();
+        }
+        for answer in &solution.answers {
+            for (si, mistake) in check::declared_errors(&solution, &answer.name.to_string()) {
+                let Change::Common(what) = &mistake.change else { unreachable!("{mistake:?}") };
+                *declared.entry(what.english()).or_default() |= is_wrong(answer, si);
+            }
+        }
+    });
+    let never: Vec<&String> =
+        declared.iter().filter(|(_, is_wrong)| !**is_wrong).map(|(what, _)| what).collect();
+    assert!(never.is_empty(), "{} of {}: {never:#?}", never.len(), declared.len());
+    assert!(!declared.is_empty());
+}
+
+/// A number as it is typed.
+fn typed(si: f64, answer: &Answer) -> String {
+    write_quantity(si, &answer.unit, Style { digits: 6, ..Style::default() })
+}
+
+/// True for another number than the right one, and than the rounding of what cancels.
+fn is_wrong(answer: &Answer, si: f64) -> bool {
+    si.is_finite() && si.abs() > answer.noise && check::compare(answer, &typed(si, answer)) == Verdict::Wrong
+}
+
+#[test]
+fn an_error_that_is_declared_is_listed_for_its_number() {
+    let (mut missed, mut tried) = (Vec::new(), BTreeSet::new());
+    for_each_problem(&chosen(), |SolvedCase { name, entry, record, solution }| {
+        if tried.contains(entry.about.id) {
+            return;
+        }
+        let of = |answer: &Answer| {
+            let declared = check::declared_errors(&solution, &answer.name.to_string());
+            let wrong = declared.into_iter().find(|(si, _)| is_wrong(answer, *si));
+            wrong.map(|(si, mistake)| (answer.name.to_string(), typed(si, answer), mistake))
+        };
+        let Some((answer, typed, mistake)) = solution.answers.iter().find_map(of) else { return };
+        tried.insert(entry.about.id);
+        let words = mistake.text(&solution).english();
+        let wrong = [(answer, typed)];
+        let found = check::causes(entry, &record, &solution, &wrong, &Stop::new(), None);
+        let mut causes = found.iter().flat_map(|(_, causes)| causes);
+        if !causes.any(|cause| cause.text(&solution).english().contains(&words)) {
+            missed.push(format!("{name}: {wrong:?} is no longer {words:?}"));
+        }
+    });
+    // More causes than are listed may give one number.
+    assert!(20 * missed.len() <= tried.len(), "{} of {}: {missed:#?}", missed.len(), tried.len());
+    assert!(!tried.is_empty());
 }
 
 #[test]

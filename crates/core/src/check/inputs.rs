@@ -9,6 +9,7 @@ use super::{
     digits::{is_shifted, looks_alike, other_digit},
     steps::{LONGEST_TRACE, node_of, scalar},
     tries::{Candidate, Tries},
+    weight::{is_customary, weights},
     wrong::Wrong,
 };
 use crate::{
@@ -22,9 +23,6 @@ use crate::{
 const MOST_PAIRS: usize = 60;
 /// Accelerations of gravity that people take, in m/s².
 const GRAVITY: [f64; 4] = [9.81, 10.0, 9.806_65, 9.8];
-/// Units that are mixed up with others in countries that use them.
-const CUSTOMARY: [&str; 7] = ["in", "ft", "lb", "slug", "oz", "psi", "mil"];
-
 /// One way to take an input otherwise.
 struct Way {
     prior: f64,
@@ -253,12 +251,12 @@ fn ways(input: &VariedInput, others: &[VariedInput]) -> Vec<Way> {
         may(if has(&["damp"]) { 4.0 } else { 2.3 }, Change::LeftOut, 0.0);
         may(if is_signed(input) { 6.0 } else { 1.0 }, Change::Sign, -si);
     }
-    if [Kind::Mass, Kind::Force].contains(&kind) {
-        // A factor of ten is rather a decimal point, unless gravity is.
-        for (prior, g) in [(4.5, 9.81), (0.4, 10.0)] {
-            let taken = [(prior, si * g), (prior, si / g)];
-            for (prior, si) in taken {
-                may(prior, Change::Weight, si);
+    // Moments of inertia, unbalances and mass per length are confused as well, but seldom.
+    let seldom = if [Kind::Mass, Kind::Force].contains(&kind) { 1.0 } else { 0.3 };
+    if seldom == 1.0 || input.unit.dim.mass == 1 && input.unit.dim.time == 0 {
+        for (prior, g) in weights(&input.unit) {
+            for si in [si * g, si / g] {
+                may(seldom * prior, Change::Weight, si);
             }
         }
     }
@@ -332,7 +330,6 @@ fn digits(input: &VariedInput) -> Vec<Way> {
 /// The other units of a kind: those of the SI and what stands beside it, or the customary ones.
 pub(super) fn units_of(kind: Kind, but: &Unit, customary: bool) -> impl Iterator<Item = Unit> {
     let but = but.ascii();
-    let is_customary = |unit: &str| CUSTOMARY.iter().any(|name| unit.contains(name) && !unit.contains("min"));
     kind.units()
         .iter()
         .filter(move |unit| is_customary(unit) == customary && !["dB", "1", "%"].contains(*unit))

@@ -179,8 +179,8 @@ impl Mistake {
             Change::Squared | Change::FactorSquared | Change::Exponent(..) => "square",
             Change::Rooted | Change::RootLeftOut => "root",
             Change::Inverted | Change::DividedForMultiplied => "reciprocal",
-            Change::Common(_)
-            | Change::Coefficient(..)
+            Change::Common(_) => "common",
+            Change::Coefficient(..)
             | Change::AddedDirectly
             | Change::AddedAsVectors
             | Change::SeriesForParallel => "model",

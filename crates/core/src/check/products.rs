@@ -2,12 +2,13 @@
 
 use std::f64::consts::PI;
 
-use dalembert_units::{Dim, Kind};
+use dalembert_units::{Dim, Kind, Unit};
 
 use super::{
     Change,
     digits::is_shifted,
     slip::{Slip, UNKNOWN, alone, is_scalar},
+    weight::weights,
 };
 use crate::{
     Solution,
@@ -106,10 +107,16 @@ pub(super) fn of_product(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
         }
         // Weight where the mass belongs, here alone.
         if dim(factor).agrees(MASS) && !all.iter().any(|one| dim(one).agrees(GRAVITY)) {
-            for (prior, g) in [(1.5, 9.81), (0.4, 10.0), (0.4, 1.0 / 9.81)] {
+            let unit = match &solution.trace.node(factor.id).op {
+                Op::Given { unit, .. } => unit,
+                _ => &Unit::ONE,
+            };
+            for (prior, g) in
+                weights(unit).iter().flat_map(|(prior, g)| [(*prior, *g), (0.3 * prior, 1.0 / g)])
+            {
                 let g = if factor.divides { 1.0 / g } else { g };
                 let edit = product_of(solution, id, &all, g);
-                found.extend(edit.map(|edit| slip(prior, Change::Weight, edit)));
+                found.extend(edit.map(|edit| slip(0.3 * prior, Change::Weight, edit)));
             }
         }
         let twice: Vec<Factor> = all.iter().copied().chain([*factor]).collect();

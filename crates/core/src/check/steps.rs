@@ -16,7 +16,7 @@ use super::{
     wrong::Wrong,
 };
 use crate::{
-    AnswerValue, Refusal, Solution, Stop,
+    AnswerValue, CommonError, Refusal, Solution, Stop,
     reevaluate::{Edit, Reevaluation},
     trace::{Function, Id, Number, Op},
 };
@@ -156,12 +156,13 @@ fn of_result(solution: &Solution, place: usize) -> Vec<Slip> {
 }
 
 /// The common errors that the analysis knows of a step.
-fn of_common_errors(solution: &Solution, place: usize) -> Vec<Slip> {
+pub(super) fn of_common_errors(solution: &Solution, place: usize) -> Vec<Slip> {
     let at = solution.steps[place].result;
     let of_step = solution.common_errors.iter().filter(|error| error.step == place);
-    // The node of the error is read as it is: it stands before the step.
-    let edit = |formula: Id| Edit::with_literal(solution, at, 1.0, move |_, one| Op::Mul(one, formula));
-    of_step.map(|error| Slip::new(10.0, Change::Common(error.what.clone()), edit(error.formula))).collect()
+    let slip = |error: &CommonError| {
+        Slip::new(10.0, Change::Common(error.what.clone()), Edit::op(at, alone(error.formula)))
+    };
+    of_step.map(slip).collect()
 }
 
 /// Edits of the operations of a formula.
@@ -322,6 +323,7 @@ fn of_operation(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
             }
         }
         Op::Magnitude(a) => {
+            may(5.0, Change::RootLeftOut, Op::Dot(*a, *a), *a);
             let component = |axis| (Op::Component(*a, axis), UNKNOWN);
             let components = |first| (vec![component(0), component(1)], [first, first + 1]);
             found.extend(added_directly(solution, id, components));

@@ -1,5 +1,7 @@
 //! A wrong answer, and how near another number comes to it.
 
+use std::f64::consts::LN_10;
+
 use dalembert_units::Unit;
 
 use super::{Verdict, ambiguous_zeros, compare, difference, half_a_place, read};
@@ -11,6 +13,8 @@ const SHARE_NEAR: f64 = 0.5;
 const NEAR: f64 = 0.2;
 /// The others are spread evenly over the logarithm, within this factor of ours either way.
 const FACTOR: f64 = 10.0;
+/// Decades that a number is spread evenly over where ours is zero, which says nothing of its size.
+const DECADES: f64 = 6.0;
 
 /// Share of the mistakes that we do not know which change a number in a simple ratio: half of it, two thirds, three times.
 const SHARE_SIMPLE: f64 = 0.3;
@@ -76,10 +80,13 @@ impl<'s> Wrong<'s> {
     /// Probability that a number without a cause agrees with a value to the digits that were given. Such numbers lie within
     /// a factor of ten of ours, half of them near it.
     pub(super) fn accident(&self, value: f64) -> f64 {
-        if self.answered == 0.0 || value == 0.0 || self.computed == 0.0 {
+        if self.answered == 0.0 || value == 0.0 {
             return 1.0;
         }
         let width = 2.0 * self.within / self.answered.abs();
+        if self.computed == 0.0 {
+            return (width / (DECADES * LN_10)).min(1.0);
+        }
         let ratio = (value / self.computed).abs();
         let near = if (ratio - 1.0).abs() <= NEAR { SHARE_NEAR / (2.0 * NEAR) } else { 0.0 };
         // Beyond the factor there are fewer, but there are some.

@@ -4,10 +4,15 @@ use super::{Sheet, Term};
 use crate::{CommonError, Symbol, Text};
 
 impl<'s> Sheet<'s> {
-    /// Keeps what people compute in place of the next step of a symbol.
-    pub(super) fn note_common_error(&'s self, symbol: Symbol, what: Text, wrong: Term<'s>) {
-        let formula = wrong.on(self);
-        self.common_errors.borrow_mut().push((symbol, CommonError { step: 0, formula, what }));
+    /// Keeps an error of the next step of a symbol, unless it gives no number with these inputs.
+    pub(super) fn note_common_error(&'s self, symbol: Symbol, what: Text, wrong: impl FnOnce() -> Term<'s>) {
+        let before = self.solution.borrow().trace.nodes.len();
+        let formula = wrong().on(self);
+        if self.node(formula).0.is_finite() {
+            self.common_errors.borrow_mut().push((symbol, CommonError { step: 0, formula, what }));
+        } else {
+            self.solution.borrow_mut().trace.nodes.truncate(before);
+        }
     }
 
     /// Gives the step that was written last the errors that are known of its symbol.
