@@ -53,6 +53,9 @@ def test_steps_are_a_graph():
             assert all(before < number for before in steps[number].from_steps)
     assert {"mass", "unbalance", "speed"} <= found <= set(fan.inputs)
     assert str(amplitude).startswith("X = ")
+    # Light damping is assumed where the peak is given.
+    errors = [error for step in fan.steps if step.symbol == "ζ" for error in step.common_errors]
+    assert any("light damping" in error.what and abs(error.value - 0.0616) < 5e-5 for error in errors)
 
 
 def test_inputs_are_keywords_paths_or_groups():

@@ -158,6 +158,7 @@ fn cases<'s>(
                 &way,
                 words.derivation,
             ),
+            solved: server.ask("solve", &problem)?,
             file: server.ask("new", &problem)?.as_str().unwrap_or_default().to_owned(),
         })
     };

@@ -17,7 +17,7 @@ from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tup
 
 from . import _native
 from ._errors import Fault, InputError, InternalError, Refusal
-from ._solution import Answer, Answers, Check, Solution, Step
+from ._solution import Answer, Answers, Check, CommonError, Solution, Step
 from ._values import plain, unit_of
 
 __version__: str = _native.version
@@ -26,6 +26,7 @@ __all__ = [
     "Answer",
     "Answers",
     "Check",
+    "CommonError",
     "Fault",
     "Input",
     "InputError",

@@ -77,6 +77,17 @@ class Answers(Mapping[str, Answer]):
         return "\n".join(f"{name} = {answer.shown}" for name, answer in self._all.items())
 
 
+class CommonError(NamedTuple):
+    """An error that people commonly make in a step, and the number that it gives."""
+
+    what: str
+    result: str
+    value: Value
+    unit: str
+    si: Value
+    si_unit: str
+
+
 class Step(NamedTuple):
     """A step of the worked solution, a node of its graph."""
 
@@ -97,6 +108,8 @@ class Step(NamedTuple):
     """Paths of the inputs that its operands come from."""
     problem: Optional[str] = None
     """Name of the linked problem or configuration that it is of."""
+    common_errors: Tuple[CommonError, ...] = ()
+    """Errors that people commonly make in it."""
 
     def __str__(self) -> str:
         sides = [self.symbol, self.formula, self.substitution, self.result]
@@ -246,8 +259,9 @@ def _answer(answer: Dict[str, Any]) -> Answer:
 
 
 def _step(step: Dict[str, Any]) -> Step:
-    values = {key: _tupled(value) for key, value in step.items()}
-    return Step(**values)
+    values = {key: _tupled(value) for key, value in step.items() if key != "common_errors"}
+    errors = [{key: _tupled(value) for key, value in error.items()} for error in step.get("common_errors", [])]
+    return Step(**values, common_errors=tuple(CommonError(**error) for error in errors))
 
 
 def _tupled(value: Any) -> Any:

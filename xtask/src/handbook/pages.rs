@@ -21,6 +21,8 @@ pub(super) struct Case<'c> {
     pub(super) comparisons: Vec<&'c Json>,
     /// Worked solution, a part of a page.
     pub(super) report: String,
+    /// The problem solved, as `solve` has it.
+    pub(super) solved: Json,
     /// Problem file.
     pub(super) file: String,
 }
@@ -180,8 +182,21 @@ fn solved(shown: &Json, case: &Case<'_>, number: usize, count: usize, solves: bo
         page += "<section id=\"solve\" data-up=\"../../\" hidden></section>\n";
     }
     page += &format!("<div id=\"worked\">\n{}</div>\n", case.report);
+    page += &section(words.common_errors, &common_errors(&case.solved, words));
     page += &section(words.comparisons, &compared(&case.comparisons, case.shown, words));
     if solves { page + "<script src=\"../../solve.js\"></script>\n" } else { page }
+}
+
+/// Table of the errors that people commonly make in the steps of a solved problem, with what each gives.
+fn common_errors(solved: &Json, words: &Words) -> String {
+    let rows: Vec<_> = array(&solved["steps"])
+        .iter()
+        .flat_map(|step| array(&step["common_errors"]).iter().map(move |error| (step, error)))
+        .map(|(step, error)| {
+            vec![cell(step, "symbol"), cell(step, "result"), cell(error, "result"), cell(error, "what")]
+        })
+        .collect();
+    table(&[words.symbol, words.computed, words.instead, words.error], &rows)
 }
 
 /// Family and topic, with links to them in the contents.

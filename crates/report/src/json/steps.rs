@@ -1,7 +1,7 @@
 //! Steps of a worked solution as a graph: each with its number in SI and what its operands come from.
 
 use dalembert_core::{
-    AnswerValue, Locale, Number, Solution, Text, printer,
+    AnswerValue, CommonError, Locale, Number, Solution, Text, printer,
     trace::{Id, Op},
 };
 use serde_json::{Value as Json, json};
@@ -9,7 +9,7 @@ use serde_json::{Value as Json, json};
 use super::with_units;
 
 /// A step as it is written, its value, and the steps, by their numbers, and inputs, by their paths, that its operands
-/// come from.
+/// come from; where the analysis knows errors that people commonly make in it, what they are and what each gives.
 pub(super) fn step(solution: &Solution, n: usize, locale: &Locale) -> Json {
     let step = &solution.steps[n];
     let written = printer::step(solution, step, locale);
@@ -32,7 +32,25 @@ pub(super) fn step(solution: &Solution, n: usize, locale: &Locale) -> Json {
     if let Some(problem) = solution.problems.iter().find(|problem| problem.steps.contains(&n)) {
         entry["problem"] = problem.name.into();
     }
+    let errors = solution.common_errors.iter().filter(|error| error.step == n);
+    let errors: Vec<Json> = errors.filter_map(|error| common_error(solution, error, locale)).collect();
+    if !errors.is_empty() {
+        entry["common_errors"] = errors.into();
+    }
     entry
+}
+
+/// A common error in words, and the number that it gives in place of that of its step; `None` where that is the right one.
+fn common_error(solution: &Solution, error: &CommonError, locale: &Locale) -> Option<Json> {
+    let step = &solution.steps[error.step];
+    let [right, wrong] = [step.result, error.formula].map(|id| solution.trace.node(id).number);
+    if wrong == right {
+        return None;
+    }
+    let mut entry = with_units(&|of| number(wrong, of), &step.unit);
+    entry.insert("what".into(), error.what.render(locale).into());
+    entry.insert("result".into(), printer::number(wrong, &step.unit, locale.style).into());
+    Some(Json::Object(entry))
 }
 
 /// The number of the step that an answer is the result of, counted from 1.
