@@ -27,7 +27,7 @@ use crate::{
         System, assemble,
         damping::{SystemDamping, in_modes},
         excitation::{BaseAcceleration, Excitation, Force, InitialCondition, Observed, loads},
-        modes::find,
+        modes::{WorkedModes, find, highest_frequency},
         picture,
     },
     sources::{BATHE, CHOPRA, RAO},
@@ -176,7 +176,7 @@ impl Analysis for NumericalIntegration {
                 }
             }
         });
-        self.stability(&found.frequencies, given.step, sheet);
+        self.stability(&found, given.step, sheet);
         sheet.show(|| Exhibit::Table(self.table(&motion, &equations)));
         sheet.show(|| Exhibit::Plot(self.plot(&motion, exact)));
         sheet.show(|| Exhibit::Drawing(picture::at_rest(&self.system, &loads(&self.forces))));
@@ -187,6 +187,9 @@ impl Analysis for NumericalIntegration {
 /// Reason of a system whose exact motion is not found.
 const SHARED: &str =
     "two damped modes share one root and one mode shape (critical damping): change a damper by a millionth";
+
+/// Common error of the time step.
+const LONGEST_PERIOD: &str = "the longest natural period used in place of the shortest";
 
 fn cannot(_: LinalgError) -> Refusal {
     Refusal::because("the effective stiffness of a step is singular: take another time step")
@@ -263,11 +266,16 @@ impl NumericalIntegration {
     }
 
     /// The critical time step, and a warning where the step is longer.
-    fn stability<W: Worksheet>(&self, frequencies: &[W::Num], step: W::Num, sheet: W) {
-        let Some(highest) = frequencies.last().copied().filter(|highest| highest.value() > 0.0) else {
+    fn stability<W: Worksheet>(&self, found: &WorkedModes<W::Num>, step: W::Num, sheet: W) {
+        let highest = highest_frequency(found, sheet);
+        if highest.value() <= 0.0 {
             return;
-        };
+        }
         let why = ("Time step over the minimum natural period", BATHE.at("§9.4"));
+        let lowest = found.frequencies[0];
+        if found.frequencies.len() > 1 {
+            sheet.common_error("Δt/T", LONGEST_PERIOD, || step * lowest / std::f64::consts::TAU);
+        }
         let ratio = sheet.step("Δt/T", "1", step * highest / std::f64::consts::TAU, why);
         sheet.answer("step_ratio", "Time step over the minimum period", ratio);
         let (limit, why) = match self.method {
@@ -284,6 +292,15 @@ impl NumericalIntegration {
             ),
             _ => return,
         };
+        if found.frequencies.len() > 1 {
+            sheet.common_error("Δt_cr", LONGEST_PERIOD, || W::Num::from(limit) / lowest);
+        }
+        let tenth = || W::Num::from(std::f64::consts::TAU / 10.0) / highest;
+        sheet.common_error("Δt_cr", "a tenth of the period, the rule for accuracy, taken", tenth);
+        if !matches!(self.method, IntegrationMethod::CentralDifference) {
+            let explicit = || W::Num::from(2.0) / highest;
+            sheet.common_error("Δt_cr", "the critical time step of central differences used", explicit);
+        }
         let critical = sheet.step("Δt_cr", "s", W::Num::from(limit) / highest, (why, BATHE.at("§9.4")));
         sheet.answer("critical_step", "Critical time step", critical);
         if step.value() > critical.value() {

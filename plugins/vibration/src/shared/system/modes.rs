@@ -75,17 +75,25 @@ pub(crate) fn find<W: Worksheet>(
 
 /// The natural frequencies of the first modes, as roots of the frequency equation.
 pub(crate) fn frequencies<W: Worksheet>(modes: &NaturalModes, sheet: W) -> Vec<W::Num> {
-    let frequency = |mode: usize| {
-        let square = modes.squares[mode];
-        let why = if square == 0.0 {
-            Text::new("Rigid body mode: the system moves as a whole, no spring is stretched")
-        } else {
-            Text::new("Eigenvalue, λ = ω²: root of det(K − λM) = 0, found numerically")
-        };
-        let square = sheet.numerical(("λ", mode + 1), "rad^2/s^2", square, (why, RAO.at("§6.10")));
-        sheet.step(("ω", mode + 1), "rad/s", square.sqrt(), "Natural frequency")
+    (0..modes.squares.len().min(SHOWN)).map(|mode| frequency(modes, mode, sheet)).collect()
+}
+
+fn frequency<W: Worksheet>(modes: &NaturalModes, mode: usize, sheet: W) -> W::Num {
+    let square = modes.squares[mode];
+    let why = if square == 0.0 {
+        Text::new("Rigid body mode: the system moves as a whole, no spring is stretched")
+    } else {
+        Text::new("Eigenvalue, λ = ω²: root of det(K − λM) = 0, found numerically")
     };
-    (0..modes.squares.len().min(SHOWN)).map(frequency).collect()
+    let square = sheet.numerical(("λ", mode + 1), "rad^2/s^2", square, (why, RAO.at("§6.10")));
+    sheet.step(("ω", mode + 1), "rad/s", square.sqrt(), "Natural frequency")
+}
+
+/// The highest natural frequency of a system, which is not among those of the first modes where it has more than
+/// [`SHOWN`].
+pub(crate) fn highest_frequency<W: Worksheet>(found: &WorkedModes<W::Num>, sheet: W) -> W::Num {
+    let last = found.modes.squares.len() - 1;
+    found.frequencies.get(last).copied().unwrap_or_else(|| frequency(&found.modes, last, sheet))
 }
 
 /// Warns of modes of one frequency.
