@@ -17,9 +17,11 @@ use dalembert_numerics::extremes::{self, Extreme};
 
 use crate::sources::{BERKOF, NORTON};
 
+mod counterweights;
 mod links;
 mod pictures;
 
+use counterweights::{CRANK, ROCKER, ROD, counterweight};
 use links::FrameLoads;
 
 /// The linkage, its masses, and where counterweights may sit.
@@ -171,7 +173,12 @@ impl Analysis for LinkageBalance {
                     BERKOF.at(""),
                 );
                 let along = (three.distance / *coupler) * three.offset.cos();
-                let x = -(two.mass * two.distance * two.offset.cos() + carried * (-along + 1.0));
+                let own = two.mass * two.distance * two.offset.cos();
+                let x = -(own + carried * (-along + 1.0));
+                let halves = "half of the mass of the coupler taken at each of its pins";
+                sheet.common_error("U_2x", halves, || -(own + carried / 2.0));
+                let exchanged = "the shares of the coupler at its two pins interchanged";
+                sheet.common_error("U_2x", exchanged, || -(own + carried * along));
                 let x = sheet.step("U_2x", "kg*mm", x, why);
                 let across = (three.distance / *coupler) * three.offset.sin();
                 let y = -(two.mass * two.distance * two.offset.sin() - carried * across);
@@ -182,7 +189,10 @@ impl Analysis for LinkageBalance {
                     BERKOF.at(""),
                 );
                 let carried = three.mass * three.distance * (*rocker / *coupler);
-                let x = -(four.mass * four.distance * four.offset.cos() + carried * three.offset.cos());
+                let own = four.mass * four.distance * four.offset.cos();
+                let x = -(own + carried * three.offset.cos());
+                sheet.common_error("U_4x", halves, || -(own + three.mass * *rocker / 2.0));
+                sheet.common_error("U_4x", exchanged, || -(own + three.mass * *rocker * (-along + 1.0)));
                 let x = sheet.step("U_4x", "kg*mm", x, why);
                 let y = -(four.mass * four.distance * four.offset.sin() + carried * three.offset.sin());
                 let y = sheet.step("U_4y", "kg*mm", y, why);
@@ -201,7 +211,16 @@ impl Analysis for LinkageBalance {
                 let why =
                     ("Crank: its own moment and that of the masses carried at the crank pin", BERKOF.at(""));
                 let hanging = three.mass + *slider + added;
-                let x = -(two.mass * two.distance * two.offset.cos() + hanging * *crank);
+                let own = two.mass * two.distance * two.offset.cos();
+                let x = -(own + hanging * *crank);
+                let turning = || three.mass * (*rod - three.distance) / *rod;
+                let what = "only the part of the rod at the crank pin counted, as for rotating masses";
+                sheet.common_error("U_2x", what, || -(own + turning() * *crank));
+                let what = "the rotating part of the rod and half of the reciprocating masses counted";
+                sheet.common_error("U_2x", what, || {
+                    let sliding = three.mass * three.distance / *rod + *slider;
+                    -(own + (turning() + sliding / 2.0) * *crank)
+                });
                 let x = sheet.step("U_2x", "kg*mm", x, why);
                 let y = -(two.mass * two.distance * two.offset.sin());
                 let y = sheet.step("U_2y", "kg*mm", y, why);
@@ -384,58 +403,6 @@ fn joint_forces(names: [[&'static str; 3]; 4], before: &[Shaking], after: &[Shak
             .collect(),
         foot: Vec::new(),
     }
-}
-
-/// Names of a counterweight: symbols and answers.
-struct Names {
-    symbols: [&'static str; 3],
-    size: (&'static str, &'static str),
-    angle: (&'static str, &'static str),
-    mass: (&'static str, &'static str),
-}
-
-const CRANK: Names = Names {
-    symbols: ["U_2", "ψ_2", "M_2"],
-    size: ("crank_unbalance", "Mass–radius product of the counterweight of the crank"),
-    angle: ("crank_angle", "Angle of the counterweight from the crank"),
-    mass: ("crank_mass", "Mass of the counterweight of the crank"),
-};
-
-const ROCKER: Names = Names {
-    symbols: ["U_4", "ψ_4", "M_4"],
-    size: ("rocker_unbalance", "Mass–radius product of the counterweight of the rocker"),
-    angle: ("rocker_angle", "Angle of the counterweight from the rocker"),
-    mass: ("rocker_mass", "Mass of the counterweight of the rocker"),
-};
-
-const ROD: Names = Names {
-    symbols: ["U_3", "ψ_3", "M_3"],
-    size: ("rod_unbalance", "Mass–radius product of the counterweight of the rod"),
-    angle: ("rod_angle", "Angle of the counterweight from the rod"),
-    mass: ("rod_mass", "Mass of the counterweight of the rod"),
-};
-
-fn counterweight<W: Worksheet>(
-    sheet: W,
-    link: usize,
-    (x, y): (W::Num, W::Num),
-    radius: W::Num,
-    names: &Names,
-) -> Counterweight {
-    let [size_symbol, angle_symbol, mass_symbol] = names.symbols;
-    let size =
-        sheet.step(size_symbol, "kg*mm", balance::magnitude(x, y), "Counterweight mass–radius product");
-    sheet.answer(names.size.0, names.size.1, size);
-    let mut angle = 0.0;
-    if size.value() > 0.0 {
-        let why = "Angle of the counterweight on its link";
-        let turned = sheet.step(angle_symbol, "deg", balance::marked_direction(x, y), why);
-        sheet.answer(names.angle.0, names.angle.1, turned);
-        angle = turned.value();
-    }
-    let mass = sheet.step(mass_symbol, "kg", size / radius, "Mass at the given radius");
-    sheet.answer(names.mass.0, names.mass.1, mass);
-    Counterweight { link, mass: mass.value(), distance: radius.value(), angle }
 }
 
 impl LinkMassInput {

@@ -1,20 +1,19 @@
 //! Locomotives with two cylinders: partial balance, hammer blow, tractive effort, swaying couple.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
-use dalembert_core::{
-    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet,
-    register,
-};
+use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{
     Real,
     balance::{self, locomotive as engine, reciprocating},
 };
 
 use crate::{
-    shared::crank::Throw,
+    shared::{crank::Throw, rotor},
     sources::{BEVAN, KHURMI},
 };
+
+mod pictures;
 
 /// A locomotive with two cylinders.
 #[derive(Clone, Debug, Inputs)]
@@ -157,6 +156,9 @@ impl Analysis for Locomotive {
                 let whole = product * share * speed.powi(2);
                 let fraction = if axles == 1.0 { *blow / whole } else { *blow * axles / whole };
                 let why = ("Fraction whose vertical component causes the hammer blow", KHURMI.at("ch. 22"));
+                sheet.common_error("c", WITH_ROTATING, || {
+                    fraction - given.rotating * axles / given.reciprocating
+                });
                 sheet.step("c", "1", fraction, why)
             }
             (BalanceGiven::HammerBlow { .. }, None) => {
@@ -191,6 +193,8 @@ impl Analysis for Locomotive {
             "Hammer blow: the vertical component of the balance of the reciprocating masses is not opposed",
             KHURMI.at("ch. 22"),
         );
+        let whole = || given.rotating + fraction * given.reciprocating / axles;
+        sheet.common_error("H_max", WITH_ROTATING, || whole() * crank * share * speed.powi(2));
         let blow = sheet.step("H_max", "N", blow, why);
         sheet.answer("hammer_blow", "Hammer blow of a wheel", blow);
         // Moments about the other wheel of the part of the reciprocating masses that is balanced at both cranks.
@@ -230,9 +234,13 @@ impl Analysis for Locomotive {
         }
         let unbalanced = (W::Num::from(1.0) - fraction) * product * speed.powi(2);
         let why = "Unbalanced reciprocating force of a cylinder";
+        sheet.common_error("F_u", "the rotating mass counted as a reciprocating one", || {
+            (W::Num::from(1.0) - fraction) * (given.reciprocating + given.rotating) * crank * speed.powi(2)
+        });
         let unbalanced = sheet.step("F_u", "N", unbalanced, (why, KHURMI.at("ch. 22")));
         let tractive = unbalanced * engine::sum_of_cranks(between);
         let why = ("Maximum of (1 − c) m r ω² (cos θ + cos(θ + α)) over a revolution", KHURMI.at("ch. 22"));
+        sheet.common_error("F_T", "both cranks taken in phase", || unbalanced * 2.0);
         let tractive = sheet.step("F_T", "N", tractive, why);
         sheet.answer("tractive", "Variation of tractive effort (±)", tractive);
         let sway = unbalanced * given.cylinders / 2.0 * engine::crank_difference(between);
@@ -249,15 +257,18 @@ impl Analysis for Locomotive {
             sheet.check_sum("maximum swaying couple over a revolution", sway, most.into(), apart * force);
         });
         let blow = blow.value();
-        sheet.show(|| Exhibit::Plot(over_a_turn(force, angle)));
-        sheet.show(|| Exhibit::Plot(swaying(force, apart, angle)));
+        sheet.show(|| Exhibit::Plot(pictures::over_a_turn(force, angle)));
+        sheet.show(|| Exhibit::Plot(pictures::swaying(force, apart, angle)));
         let speed = speed.value();
         let limit = lifting.map(Real::value);
-        sheet.show(|| Exhibit::Plot(against_speed(blow, speed, self.load, limit)));
+        sheet.show(|| Exhibit::Plot(pictures::against_speed(blow, speed, self.load, limit)));
         sheet.show(|| Exhibit::Drawing(self.drawn(placed)));
         Ok(())
     }
 }
+
+const WITH_ROTATING: &str =
+    "the whole balance mass counted in the hammer blow, its part for the rotating mass included";
 
 /// A given fraction as a step of its own: answers are results of steps.
 fn fraction_step<W: Worksheet>(given: &LocomotiveGiven<W>, fraction: W::Num, sheet: W) -> W::Num {
@@ -308,6 +319,10 @@ impl Locomotive {
         let load = if axles == 1.0 { load } else { load * axles };
         let speed = (load / (product * fraction * share)).sqrt();
         let why = ("Speed at which the hammer blow is as large as the dead load", KHURMI.at("ch. 22"));
+        sheet.common_error("ω_L", WITH_ROTATING, || {
+            let rotating = given.rotating * axles / given.reciprocating;
+            (load / (product * (fraction + rotating) * share)).sqrt()
+        });
         let speed = sheet.step("ω_L", "rpm", speed, why);
         sheet.answer("limit_wheel_speed", "Wheel speed at which a wheel begins to lift", speed);
         let train = given.diameter.map(|diameter| {
@@ -344,6 +359,9 @@ impl Locomotive {
             "Mass to be balanced at each crank: the rotating one and a part of the reciprocating one",
             BEVAN.at("ch. 14"),
         );
+        sheet.common_error("M", "the balanced fraction taken of the rotating mass too", || {
+            part * (given.rotating + given.reciprocating)
+        });
         let driven = sheet.step("M", "kg", given.rotating + part * given.reciprocating, why);
         let rods = given.coupled.as_ref().filter(|coupled| coupled.mass.value() > 0.0).map(|coupled| {
             let near = engine::near_share(given.wheels, coupled.apart);
@@ -376,6 +394,10 @@ impl Locomotive {
                 );
                 let x = sheet.step((names.x, row), "kg*m", component(0), why);
                 let y = sheet.step((names.y, row), "kg*m", component(1), why);
+                let alone = "each crank balanced in the wheel of its own side alone";
+                if rods.is_none() {
+                    sheet.common_error((names.size, row), alone, || mass * crank);
+                }
                 let size =
                     sheet.step((names.size, row), "kg*m", balance::magnitude(x, y), "Mass–radius product");
                 sheet.answer((names.product, row), names.labels[0], size);
@@ -390,6 +412,13 @@ impl Locomotive {
                     mass.value() * radius.value()
                 });
                 let why = "Angle from the first crank, positive towards the second crank";
+                if rods.is_none() {
+                    let own = if wheel == 0 { W::Num::from(0.0) } else { between };
+                    sheet.common_error((names.angle_symbol, row), alone, || balance::marked_angle(own + PI));
+                }
+                let what = "the direction of the resultant of the cranks taken, not the opposite";
+                sheet.common_error((names.angle_symbol, row), what, || balance::marked_direction(-x, -y));
+                rotor::quadrant_ignored(sheet, (names.angle_symbol, row), (x, y));
                 let angle =
                     sheet.step((names.angle_symbol, row), "deg", balance::marked_direction(x, y), why);
                 sheet.answer((names.angle, row), names.labels[2], angle);
@@ -495,101 +524,3 @@ const COUPLED: WheelNames = WheelNames {
         "Angle of the balance mass from the first crank, coupled wheel",
     ],
 };
-
-fn curve(of: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
-    (0..=180).map(|k| TAU * f64::from(k) / 180.0).map(|angle| (angle, of(angle))).collect()
-}
-
-fn over_a_turn(force: f64, between: f64) -> Plot {
-    let x = Axis::linear("Angle of the wheels", "deg");
-    let y = Axis::linear("Variation of tractive effort", "kN");
-    let points = curve(|angle| engine::tractive_effort(force, angle, between));
-    Plot::new(
-        "Variation of tractive effort over a revolution",
-        x,
-        y,
-        vec![Series::line("tractive effort", points)],
-    )
-}
-
-fn swaying(force: f64, apart: f64, between: f64) -> Plot {
-    let x = Axis::linear("Angle of the wheels", "deg");
-    let y = Axis::linear("Swaying couple", "kN*m");
-    let points = curve(|angle| engine::swaying_couple(force, apart, angle, between));
-    Plot::new("Swaying couple over a revolution", x, y, vec![Series::line("swaying couple", points)])
-}
-
-fn against_speed(blow: f64, speed: f64, load: Option<f64>, limit: Option<f64>) -> Plot {
-    let end = 1.3 * limit.unwrap_or(speed).max(speed);
-    let points = (0..=100).map(|k| end * f64::from(k) / 100.0).map(|at| (at, blow * (at / speed).powi(2)));
-    let x = Axis::linear("Speed of the wheels", "rpm");
-    let y = Axis::linear("Hammer blow", "kN");
-    let series = vec![Series::line("hammer blow", points.collect()).of("hammer_blow")];
-    let plot = Plot::new("Hammer blow against speed", x, y, series)
-        .over("running.wheel.speed")
-        .mark("operating speed", (speed, blow));
-    match load {
-        Some(load) => plot.level("dead load", load),
-        None => plot,
-    }
-}
-
-impl Locomotive {
-    /// Both wheels of the driving axle seen from one side, with the cranks and the balance masses at their angles, and the
-    /// axle from above, with cylinders and wheels.
-    fn drawn(&self, angles: [f64; 2]) -> Drawing {
-        let between = self.between;
-        let mut sketch = Sketch::new("Cranks and balance masses of the driving wheels");
-        sketch.size(4.5);
-        for (wheel, angle) in angles.into_iter().enumerate() {
-            let hub = (2.8 * wheel as f64, 0.0);
-            let at = |angle: f64, radius: f64| (hub.0 + radius * angle.cos(), radius * angle.sin());
-            sketch.disc("", hub, 1.0);
-            for (crank, name) in [(0.0, "1"), (between, "2")] {
-                sketch.motion(name, hub, at(crank, 0.5));
-            }
-            sketch
-                .arc(hub, 0.85, (angle - 0.4, angle + 0.4), Ink::Result)
-                .vector("", hub, at(angle, 0.85), Ink::Result)
-                .joint("", hub)
-                .caption(Text::new("wheel {n}").with("n", wheel + 1), (hub.0, -1.25));
-        }
-        let hub = (0.0, 0.0);
-        let tip = (0.5 * between.cos(), 0.5 * between.sin());
-        let masses = if self.rotating > 0.0 { "m, m_r" } else { "m" };
-        sketch
-            .angle("α", hub, 0.0, between)
-            .line(if let Throw::Radius { .. } = self.throw { "r" } else { "S/2" }, hub, tip, Ink::Body)
-            .particle("", (0.5, 0.0))
-            .label(masses, (0.5, 0.0))
-            .couple("ω", hub, (3.9, 4.9), Ink::Motion);
-        if self.radius.is_some() {
-            let end = (2.8 + 0.85 * angles[1].cos(), 0.85 * angles[1].sin());
-            sketch.line("b", (2.8, 0.0), end, Ink::Result);
-        }
-        self.draw_axle(&mut sketch);
-        sketch.finish()
-    }
-
-    /// The axle from above, below the wheels.
-    fn draw_axle(&self, sketch: &mut Sketch) {
-        let (middle, level) = (1.4, -2.5);
-        let half = 1.3 * self.wheels / self.wheels.max(self.cylinders);
-        let crank = 1.3 * self.cylinders / self.wheels.max(self.cylinders);
-        sketch.link("", (middle - 1.8, level), (middle + 1.8, level));
-        for side in [-1.0, 1.0] {
-            let (wheel, cylinder) = (middle + side * half, middle + side * crank);
-            sketch.mass("", (wheel - 0.08, level - 0.45), (wheel + 0.08, level + 0.45)).mass(
-                "",
-                (cylinder - 0.12, level - 0.2),
-                (cylinder + 0.12, level + 0.2),
-            );
-        }
-        sketch.dimension("a", (middle - crank, level), (middle + crank, level), -4.5).dimension(
-            "w",
-            (middle - half, level),
-            (middle + half, level),
-            4.5,
-        );
-    }
-}

@@ -235,12 +235,14 @@ fn circles<W: Worksheet>(trial: W::Num, first: W::Num, job: &Job<W::Num>, effect
         x - first * effect.linear.re,
         first.value(),
     );
+    sheet.common_error("T_p", SINUSOID, || sinusoid(job));
     let by_phase = sheet.step(
         "T_p",
         job.unit,
         balance::magnitude(x, y),
         "Effect of the trial weight from both components",
     );
+    rotor::quadrant_ignored(sheet, "ψ", (x, y));
     let unbalance =
         sheet.step("ψ", "deg", balance::marked_direction(x, y), "Angular position of the heavy spot");
     sheet.answer("existing_angle", "Angular position of the heavy spot from both components", unbalance);
@@ -264,6 +266,7 @@ fn circles<W: Worksheet>(trial: W::Num, first: W::Num, job: &Job<W::Num>, effect
         });
     }
     if square.value() > 0.0 {
+        sheet.common_error("T_m", MEAN_SQUARED, || by_mean(job, first));
         let size = sheet.step(
             "T_m",
             job.unit,
@@ -307,6 +310,29 @@ fn circles<W: Worksheet>(trial: W::Num, first: W::Num, job: &Job<W::Num>, effect
     }
 }
 
+const SINUSOID: &str = "the amplitudes themselves resolved along the angles, in place of their squares";
+const MEAN_SQUARED: &str = "the square of the mean amplitude used in place of the mean of the squares";
+
+/// The effect of the trial weight that a sinusoid through the amplitudes has.
+fn sinusoid<N: Real>(job: &Job<N>) -> N {
+    let part = |of: fn(N) -> N| {
+        N::sum(job.runs.iter().map(|run| run.sizes[0] * of(run.angle))) * 2.0 / job.runs.len() as f64
+    };
+    balance::magnitude(part(N::cos), part(N::sin))
+}
+
+/// The effect of the trial weight that the mean amplitude has.
+fn by_mean<N: Real>(job: &Job<N>, first: N) -> N {
+    let mean = N::sum(job.runs.iter().map(|run| run.sizes[0])) / job.runs.len() as f64;
+    (mean.powi(2) - first.powi(2)).sqrt()
+}
+
+/// The largest reading of the first sensor with the trial weight.
+fn largest_reading<N: Real>(job: &Job<N>) -> N {
+    let readings = job.runs.iter().map(|run| run.sizes[0]);
+    readings.reduce(Real::max).unwrap_or(0.0.into())
+}
+
 /// The weights that take all first vibrations to zero, in units of each.
 fn correct<W: Worksheet>(
     trial: W::Num,
@@ -341,6 +367,15 @@ fn correct<W: Worksheet>(
             weight.norm(),
             "Correction over trial weight: best fit of the effects to all amplitudes, with the masses that minimise the residual vibration",
         );
+        if let ([first], 1) = (job.first.as_slice(), effects.len()) {
+            let of = |effect: W::Num| trial * *first / effect;
+            sheet.common_error(("m_c", n), SINUSOID, || of(sinusoid(job)));
+            sheet.common_error(("m_c", n), MEAN_SQUARED, || of(by_mean(job, *first)));
+            let what = "the effect taken as the largest reading less the initial one";
+            sheet.common_error(("m_c", n), what, || of(largest_reading(job) - *first));
+            let what = "the trial weight scaled by the initial reading over the largest one";
+            sheet.common_error(("m_c", n), what, || of(largest_reading(job)));
+        }
         let mass = sheet.step(("m_c", n), "g", ratio * trial, "Correction mass");
         let angle = sheet.numerical(
             ("θ_c", n),

@@ -129,6 +129,17 @@ impl Analysis for SinglePlane {
         let in_x = sheet.step("U_cx", "kg*mm", balance::single_plane_correction(x.iter().copied()), why);
         let in_y = sheet.step("U_cy", "kg*mm", balance::single_plane_correction(y.iter().copied()), why);
         let correction = (in_x, in_y);
+        let as_numbers = || W::Num::sum(unbalances.iter().map(|&(_, mass, radius, _)| mass * radius));
+        sheet.common_error((SYMBOLS.size, 0), rotor::AS_NUMBERS, as_numbers);
+        if let CorrectionGiven::Radius { .. } = given.correction {
+            let what = "the masses themselves added as vectors, their radii ignored";
+            sheet.common_error((SYMBOLS.mass, 0), what, || {
+                let sum = |of: fn(W::Num) -> W::Num| {
+                    W::Num::sum(unbalances.iter().map(|&(_, mass, _, angle)| mass * of(angle)))
+                };
+                balance::magnitude(sum(W::Num::cos), sum(W::Num::sin))
+            });
+        }
         rotor::correct(
             sheet,
             0,
@@ -146,6 +157,7 @@ impl Analysis for SinglePlane {
         }
         let force = given.speed.map(|speed| {
             let why = ("Rotating force before balancing", RIUL.at("eq. 7"));
+            sheet.common_error("F", rotor::AS_NUMBERS, || balance::centrifugal_force(as_numbers(), speed));
             let force = sheet.step("F", "N", balance::centrifugal_force(size, speed), why);
             sheet.answer("force_before", "Rotating force before balancing", force);
             (force.value(), speed.value())

@@ -207,9 +207,18 @@ fn split<W: Worksheet>(
         ));
     }
     let why = "The two weights are the components of the given one: law of sines in the parallelogram";
+    let angles = "the weight divided in proportion to the angles";
+    let normal = "the weight projected orthogonally onto the direction of each position";
+    sheet.common_error("m₁", angles, || mass * (second - angle) / (second - first));
+    sheet.common_error("m₁", normal, || mass * (angle - first).cos());
     let one = balance::split_first(mass, angle, first, second);
     let one = sheet.step("m₁", "g", one, why);
     let two = balance::split_second(mass, angle, first, second);
+    sheet.common_error("m₂", angles, || mass * (angle - first) / (second - first));
+    sheet.common_error("m₂", normal, || mass * (second - angle).cos());
+    sheet.common_error("m₂", "the rest of the weight taken, as if the two parts added as numbers", || {
+        mass - one
+    });
     let two = sheet.step("m₂", "g", two, why);
     sheet.answer("first", "Weight at the first position", one);
     sheet.answer("second", "Weight at the second position", two);
@@ -298,7 +307,13 @@ fn combine<W: Worksheet>(weights: &[WeightGiven<W>], sheet: W) -> Result<(), Ref
             "the weights balance each other, so no replacement is needed: remove them all",
         ));
     }
+    let whole = || W::Num::sum(weights.iter().map(|w| w.mass));
+    sheet.common_error("m", "the weights added as numbers, their angles ignored", whole);
     let mass = sheet.step("m", "g", balance::magnitude(x, y), "Magnitude of the sum");
+    rotor::quadrant_ignored(sheet, "θ", (x, y));
+    sheet.common_error("θ", "the mean of the angles taken, weighted by the weights", || {
+        W::Num::sum(weights.iter().map(|w| w.mass * w.angle)) / whole()
+    });
     let angle = sheet.step("θ", "deg", balance::marked_direction(x, y), "Its angle");
     sheet.answer("mass", "Combined weight", mass);
     sheet.answer("angle", "Angle of the weight", angle);
@@ -331,13 +346,20 @@ fn drill<W: Worksheet>([mass, diameter, point, density]: [W::Num; 4], sheet: W) 
     }
     let tip = sheet.step("h_t", "mm", diameter / ((point / 2.0).tan() * 2.0), "Height of the drill's point");
     let cone = sheet.step("V_t", "mm^3", area * tip / 3.0, "Volume of the point, a cone");
+    let flat_bottom = "the point of the drill neglected, a cylinder with a flat bottom taken";
     let depth = if volume.value() >= cone.value() {
         let wall = sheet.step("h_w", "mm", (volume - cone) / area, "Depth of the cylinder above the point");
         sheet.answer("wall", "Depth of full diameter", wall);
+        sheet.common_error("h", flat_bottom, || volume / area);
+        let what = "the whole volume taken at full diameter, the height of the point added";
+        sheet.common_error("h", what, || volume / area + tip);
         sheet.step("h", "mm", wall + tip, "Depth to the tip of the drill")
     } else {
         sheet.warn(|| "the weight is less than the drill point removes: use a smaller drill".into());
         let depth = tip * (volume / cone).root(3);
+        sheet.common_error("h", flat_bottom, || volume / area);
+        let what = "the depth within the point taken as proportional to the volume";
+        sheet.common_error("h", what, || tip * (volume / cone));
         sheet.step(
             "h",
             "mm",

@@ -7,7 +7,7 @@ use dalembert_mechanics::{
 };
 
 use crate::{
-    shared::{reading::SensorReading, views::dial},
+    shared::{reading::SensorReading, rotor, views::dial},
     sources::RIUL,
 };
 
@@ -126,6 +126,7 @@ fn decompose<W: Worksheet>(
         x: sheet.step("C_x", unit, balance::couple_part(one.x, two.x), why),
         y: sheet.step("C_y", unit, balance::couple_part(one.y, two.y), why),
     };
+    rotor::parts_of_sizes(sheet, ["S", "C", "σ"], || [first, second]);
     let size = sheet.step("S", unit, common.size(), "Magnitude of the static component");
     sheet.answer("static", "Static component", size);
     let couple = sheet.step("C", unit, opposite.size(), "Magnitude of the couple component");
@@ -133,11 +134,14 @@ fn decompose<W: Worksheet>(
     // A part that is only rounding has no direction.
     let mut polar = [Phasor { x: W::Num::from(0.0), y: W::Num::from(0.0) }; 2];
     if size.value() > 1e-12 * scale {
+        rotor::quadrant_ignored(sheet, "σ", (common.x, common.y));
         let angle = sheet.step("σ", "deg", common.marked_angle(), "Its angle");
         sheet.answer("static_angle", "Angle of the static component", angle);
         polar[0] = Phasor::polar(size, angle);
     }
     if couple.value() > 1e-12 * scale {
+        sheet.common_error("γ", rotor::REVERSED, || balance::marked_direction(-opposite.x, -opposite.y));
+        rotor::quadrant_ignored(sheet, "γ", (opposite.x, opposite.y));
         let angle = sheet.step("γ", "deg", opposite.marked_angle(), "Its angle in the first vector");
         sheet.answer("couple_angle", "Angle of the couple component in the first vector", angle);
         polar[1] = Phasor::polar(couple, angle);

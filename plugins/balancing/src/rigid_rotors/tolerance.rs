@@ -417,6 +417,10 @@ fn shares<W: Worksheet>(
                 "The share falls with the distance from the centre of mass, as that of the weight",
             )
         };
+        sheet.common_error(symbol, "half of the total taken for each plane", || total / 2.0);
+        if !(0.3..=most).contains(&share.value()) {
+            sheet.common_error(symbol, "the limits of the shares not applied", || total * share);
+        }
         sheet.step(symbol, "g*mm", value, (why, ISO_TOLERANCES.at("")))
     };
     let in_first = one("U_perA", second - centre);
@@ -474,6 +478,10 @@ impl Tolerance {
             }
         }
         let sum = |axis: usize| balance::resultant(unbalances.iter().map(|u| u[axis]));
+        let what = "the measured unbalances added as numbers, their angles ignored";
+        sheet.common_error("U_res", what, || {
+            W::Num::sum(unbalances.iter().map(|u| balance::magnitude(u[0], u[1])))
+        });
         let total =
             sheet.step("U_res", "g*mm", balance::magnitude(sum(0), sum(1)), "Static residual unbalance");
         sheet.answer("static_residual", "Static residual unbalance", total);

@@ -110,6 +110,7 @@ impl Analysis for TwoPlane {
         sheet.verify(|| checked = self.check_balance(sheet, given, [&x, &y]));
         checked?;
 
+        self.other_rules(sheet, given, [&x, &y]);
         let b = self.correction(sheet, ("U_B", "m_B", "r_B", "θ_B"), (x.in_b, y.in_b), &given.correction_b);
         let a = self.correction(sheet, ("U_A", "m_A", "r_A", "θ_A"), (x.in_a, y.in_a), &given.correction_a);
         sheet.answer("unbalance_a", "Unbalance of the correction in plane A", a.unbalance);
@@ -239,6 +240,7 @@ impl TwoPlane {
                 "Angle where the mass is removed, opposite to where it would be added",
             ),
         };
+        rotor::quadrant_ignored(sheet, angle, (x, y));
         let angle = sheet.step(angle, "deg", direction, (why, RIUL.at("eq. 19")));
         sheet.verify(|| {
             let product = if self.way == CorrectionMethod::Add { product } else { -product };
@@ -257,6 +259,33 @@ impl TwoPlane {
             );
         });
         Corrected { unbalance: size, angle, mass, wanted }
+    }
+
+    /// Declares the rules by which people find other corrections.
+    #[inline(always)]
+    fn other_rules<W: Worksheet>(&self, sheet: W, given: &TwoPlaneGiven<W>, directions: [&Along<W::Num>; 2]) {
+        sheet.verify(|| {
+            let scale: f64 = self.masses.iter().map(|m| m.mass * m.radius).sum();
+            let declare = |symbols: (&'static str, &'static str),
+                           what: &'static str,
+                           rule: &dyn Fn(&Along<W::Num>) -> W::Num| {
+                let [x, y] = directions;
+                rotor::by_another_rule(sheet, symbols, (self.way, scale), what, || (rule(x), rule(y)));
+            };
+            let (in_a, in_b) = (("U_A", "θ_A"), ("U_B", "θ_B"));
+            for symbols in [in_a, in_b] {
+                declare(symbols, rotor::HALF_EACH, &|along| -along.resultant() / 2.0);
+            }
+            declare(in_a, rotor::WITHOUT_THE_OTHER, &|along| -along.resultant());
+            declare(in_b, rotor::ABOUT_THE_ORIGIN, &|along| {
+                let moment = W::Num::sum(along.masses.iter().map(|(u, z)| *u * *z));
+                -moment / (given.plane_b - given.plane_a)
+            });
+            sheet.common_error(in_b.0, rotor::MOMENTS_AS_NUMBERS, || {
+                let moment = moments_as_numbers(directions, given.plane_a);
+                moment / (given.plane_b - given.plane_a).abs()
+            });
+        });
     }
 
     /// Further ways to the same corrections: moments about plane B, both equations as one linear system, and what
@@ -350,9 +379,19 @@ fn weights<W: Worksheet>(
     sheet.answer_vector("weight_moment_a", "Weight–radius product in plane A", at_a);
 }
 
+/// The moments of all masses about plane A, added without their directions.
+fn moments_as_numbers<N: Real>([x, y]: [&Along<N>; 2], plane_a: N) -> N {
+    let both = x.masses.iter().zip(&y.masses);
+    N::sum(both.map(|((x, z), (y, _))| (balance::magnitude(*x, *y) * (*z - plane_a)).abs()))
+}
+
 /// The rotating force and couple that the bearings carry before balancing.
 fn before<W: Worksheet>(sheet: W, speed: W::Num, plane_a: W::Num, [x, y]: [&Along<W::Num>; 2]) {
     let sum = balance::magnitude(x.resultant(), y.resultant());
+    sheet.common_error("F", rotor::AS_NUMBERS, || {
+        let sizes = x.masses.iter().zip(&y.masses).map(|((x, _), (y, _))| balance::magnitude(*x, *y));
+        balance::centrifugal_force(W::Num::sum(sizes), speed)
+    });
     let force = sheet.step(
         "F",
         "N",
@@ -364,6 +403,13 @@ fn before<W: Worksheet>(sheet: W, speed: W::Num, plane_a: W::Num, [x, y]: [&Alon
         balance::moment(y.masses.iter().copied(), plane_a),
     );
     let why = ("Rotating couple about plane A before balancing", RIUL.at("eq. 13"));
+    sheet.common_error("C", rotor::MOMENTS_AS_NUMBERS, || {
+        balance::centrifugal_force(moments_as_numbers([x, y], plane_a), speed)
+    });
+    sheet.common_error("C", rotor::ABOUT_THE_ORIGIN, || {
+        let moment = |along: &Along<W::Num>| W::Num::sum(along.masses.iter().map(|(u, z)| *u * *z));
+        balance::centrifugal_force(balance::magnitude(moment(x), moment(y)), speed)
+    });
     let couple = sheet.step("C", "N*m", balance::centrifugal_force(couple, speed), why);
     sheet.answer("force_before", "Rotating force before balancing", force);
     sheet.answer("couple_before", "Rotating couple about plane A before balancing", couple);

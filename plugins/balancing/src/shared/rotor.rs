@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{Inputs, Worksheet};
+use dalembert_core::{Inputs, Symbol, Worksheet};
 use dalembert_mechanics::{Real, balance};
 
 use crate::sources::RIUL;
@@ -118,6 +118,7 @@ pub(crate) fn correct<W: Worksheet>(
             "Angle where the mass is removed, opposite to where it would be added",
         ),
     };
+    quadrant_ignored(sheet, (symbols.angle, row), (x, y));
     let angle = sheet.step((symbols.angle, row), "deg", direction, (why, RIUL.at("eq. 19")));
     let other = if angle.value() > 1e-11 { -angle + TAU } else { -angle };
     let other = sheet.step(
@@ -139,6 +140,72 @@ pub(crate) fn correct<W: Worksheet>(
         let weight = sheet.step((symbols.weight, row), "N", mass * gravity, "Weight of the correction");
         sheet.answer((keys.weight.0, row), keys.weight.1, weight);
     }
+}
+
+/// The error of unbalances that are added without their directions.
+pub(crate) const AS_NUMBERS: &str = "the products m r added as numbers, their angles ignored";
+/// The error of moments that are added so.
+pub(crate) const MOMENTS_AS_NUMBERS: &str =
+    "the moments of all masses added as numbers, their angles ignored";
+/// The error of moments about another point than that asked for.
+pub(crate) const ABOUT_THE_ORIGIN: &str = "the moments taken about the origin of the positions";
+/// The error of corrections that leave the couple.
+pub(crate) const HALF_EACH: &str = "half of the resultant balanced in each plane, the moments ignored";
+/// The error of a correction found as if it were the only one.
+pub(crate) const WITHOUT_THE_OTHER: &str = "the correction in the other plane left out of the sum of forces";
+
+/// The error of a difference with the wrong sign.
+pub(crate) const REVERSED: &str = "the difference of the vectors taken the other way round";
+
+/// Declares what the arctangent alone gives for the direction of a vector, the next step of the symbol.
+#[inline(always)]
+pub(crate) fn quadrant_ignored<W: Worksheet>(sheet: W, symbol: impl Into<Symbol>, (x, y): (W::Num, W::Num)) {
+    let what = "the arctangent of the quotient of the components taken, the quadrant ignored";
+    sheet.common_error(symbol, what, || (y / x).atan2(W::Num::from(1.0)));
+}
+
+/// Declares the size and the angle of a correction whose components people find by another rule, unless these are only
+/// rounding beside `scale`.
+#[inline(always)]
+pub(crate) fn by_another_rule<W: Worksheet>(
+    sheet: W,
+    (size, angle): (impl Into<Symbol>, impl Into<Symbol>),
+    (way, scale): (CorrectionMethod, f64),
+    what: &'static str,
+    components: impl FnOnce() -> (W::Num, W::Num),
+) {
+    sheet.verify(|| {
+        let (x, y) = components();
+        let found = balance::magnitude(x, y);
+        if found.value() <= 1e-9 * scale {
+            return;
+        }
+        sheet.common_error(size, what, || found);
+        sheet.common_error(angle, what, || match way {
+            CorrectionMethod::Add => balance::marked_direction(x, y),
+            CorrectionMethod::Drill => balance::marked_direction(-x, -y),
+        });
+    });
+}
+
+/// Declares what people find for the static part of two vectors, the couple part and the angle of the static one, from
+/// sizes and angles alone.
+pub(crate) fn parts_of_sizes<W: Worksheet>(
+    sheet: W,
+    [common, opposite, angle]: [&'static str; 3],
+    vectors: impl FnOnce() -> [(W::Num, W::Num); 2],
+) {
+    sheet.verify(|| {
+        let [(one, first), (other, second)] = vectors();
+        sheet.common_error(common, "the mean of the two magnitudes taken, their angles ignored", || {
+            (one + other) / 2.0
+        });
+        sheet.common_error(angle, "the mean of the two angles taken", || (first + second) / 2.0);
+        if (one.value() - other.value()).abs() > 1e-9 * one.value() {
+            let what = "half the difference of the two magnitudes taken, their angles ignored";
+            sheet.common_error(opposite, what, || (one - other).abs() / 2.0);
+        }
+    });
 }
 
 /// The square of a resultant by the law of cosines over all pairs of vectors, each a size and an angle, which knows

@@ -76,6 +76,14 @@ pub(super) fn rotating<W: Worksheet>(
     let forward = first.force.forward.map(|x| left * x);
     let forward_size = first.force.forward_size * left.abs();
     let pair = Pair { forward, forward_size, ..first.force };
+    let primary_force = || first.force.forward_size + first.force.backward_size;
+    let unbalanced = || -counterweight.fraction + 1.0;
+    sheet.common_error("F_res", "the residual force along the stroke taken as the maximum", || {
+        primary_force() * unbalanced()
+    });
+    sheet.common_error("F_res", "the maxima along and across the stroke combined at right angles", || {
+        primary_force() * (unbalanced().powi(2) + counterweight.fraction.powi(2)).sqrt()
+    });
     let most = sheet.step(
         "F_res",
         "N",
@@ -163,6 +171,8 @@ fn best<W: Worksheet>(first: &Order<W::Num>, sheet: W) {
     });
 }
 
+const OF_BOTH: &str = "the balanced fraction taken of the rotating mass too";
+
 /// The mass of the counterweight of each cylinder. One that is for all of them is the first's.
 fn masses<W: Worksheet>(
     fraction: W::Num,
@@ -174,6 +184,7 @@ fn masses<W: Worksheet>(
     let together = cylinders.iter().all(|c| place(c) == place(&cylinders[0]));
     let alike = cylinders[0].row == 0;
     let of_one = |c: &Placed<W::Num>| (c.rotating + fraction * c.mass) * c.crank;
+    let of_both = |c: &Placed<W::Num>| fraction * (c.rotating + c.mass) * c.crank;
     let cite = BEVAN.at("ch. 14");
     if together {
         let product = if alike {
@@ -182,6 +193,7 @@ fn masses<W: Worksheet>(
             W::Num::sum(cylinders.iter().map(of_one))
         };
         let why = ("Rotating mass and the fraction of the reciprocating mass, at the crank pin", cite);
+        sheet.common_error("U", OF_BOTH, || W::Num::sum(cylinders.iter().map(of_both)));
         let product = sheet.step("U", "kg*m", product, why);
         let mass = sheet.step("B", "kg", product / radius, ("Counterweight opposite the crank", cite));
         sheet.answer("counterweight_product", "Mass–radius product of the counterweight", product);
@@ -194,6 +206,7 @@ fn masses<W: Worksheet>(
     let mut all = Vec::new();
     for c in listed {
         let why = ("Counterweight opposite its crank for one cylinder", cite);
+        sheet.common_error(("B", c.row), OF_BOTH, || of_both(c) / radius);
         let mass = sheet.step(("B", c.row), "kg", of_one(c) / radius, why);
         sheet.answer(("counterweight", c.row), "Mass of the counterweight for one cylinder", mass);
         all.push(mass);
@@ -235,6 +248,9 @@ fn with_rotating_masses<W: Worksheet>(
     let why = "Sum over the rotating masses";
     let x = sheet.step("R_x", "N", sum(W::Num::cos, None), why);
     let y = sheet.step("R_y", "N", sum(W::Num::sin, None), why);
+    sheet.common_error("R", "the centrifugal forces of all cylinders added as numbers", || {
+        W::Num::sum(strengths.iter().copied())
+    });
     let force = sheet.step("R", "N", balance::magnitude(x, y), "Force that turns with the crankshaft");
     sheet.answer("rotating_force", "Force of the rotating masses", force);
     let centrifugal: Vec<f64> = strengths.iter().map(|k| k.value()).collect();

@@ -371,6 +371,7 @@ pub(super) fn reference<W: Worksheet>(
         return None;
     }
     let why = "Reference point for moments: midway between the first and the last cylinder";
+    sheet.common_error("z₀", "the moments taken about the first cylinder", || first);
     Some(sheet.step("z₀", "mm", (first + last) / 2.0, why))
 }
 
@@ -382,6 +383,9 @@ pub(super) fn amplitudes<W: Worksheet>(cylinders: &[Placed<W::Num>], speed: W::N
         _ => {
             let why = ("Amplitude of the primary force of a cylinder", DEN_HARTOG.at("ch. 5"));
             let value = engine::primary_amplitude(c.mass, c.crank, speed);
+            sheet.common_error(("K_I", c.row), "the rotating mass counted as a reciprocating one", || {
+                engine::primary_amplitude(c.mass + c.rotating, c.crank, speed)
+            });
             *last.insert(sheet.step(("K_I", c.row), "N", value, why))
         }
     });

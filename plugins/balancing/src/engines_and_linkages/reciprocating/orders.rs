@@ -140,6 +140,16 @@ pub(super) fn strengths<W: Worksheet>(
                 }
             };
             let why = ("Amplitude of this order of a cylinder", DEN_HARTOG.at("ch. 5"));
+            if order == 2 {
+                let symbol = (names(order).amplitude, c.row);
+                let what =
+                    "λ/4, the coefficient of the displacement of the piston, taken for its acceleration";
+                sheet.common_error(symbol, what, || *primary * (c.crank / rod) / 4.0);
+                if let Terms::Exact = motion {
+                    let what = "the two-term series used, the secondary coefficient taken as λ = r/l";
+                    sheet.common_error(symbol, what, || *primary * (c.crank / rod));
+                }
+            }
             *last.insert(sheet.step((names(order).amplitude, c.row), "N", value, why))
         }
     });
@@ -164,6 +174,9 @@ pub(super) fn of_order<W: Worksheet>(
         "Backward rotating vector of the forces",
     ];
     let force = sums(order, cylinders, &amounts, [names.forward, names.backward], "N", why, sheet);
+    sheet.common_error(names.most[0], "the amplitudes of all cylinders added as numbers", || {
+        W::Num::sum(strengths.iter().map(|strength| strength.abs()))
+    });
     let most = sheet.step(
         names.most[0],
         "N",
@@ -204,6 +217,9 @@ pub(super) fn of_order<W: Worksheet>(
         let why = ["Forward rotating vector of the couples", "Backward rotating vector of the couples"];
         let names_of = [names.couple_forward, names.couple_backward];
         let couple = sums(order, cylinders, &arms, names_of, "N*m", why, sheet);
+        sheet.common_error(names.most[2], "the couples of all cylinders added as numbers", || {
+            W::Num::sum(arms.iter().map(|arm| arm.abs()))
+        });
         let most = sheet.step(
             names.most[2],
             "N*m",
@@ -275,6 +291,19 @@ fn sums<W: Worksheet>(
     let cite = DEN_HARTOG.at("ch. 5");
     let px = sheet.step(forward[0], unit, sum(engine::forward_angle, W::Num::cos), (why_forward, cite));
     let py = sheet.step(forward[1], unit, sum(engine::forward_angle, W::Num::sin), (why_forward, cite));
+    if upright && order > 1 {
+        sheet.verify(|| {
+            let sum = |of: fn(W::Num) -> W::Num| {
+                W::Num::sum(cylinders.iter().zip(amounts).map(|(c, k)| *k * of(c.throw))) / 2.0
+            };
+            let wrong = balance::magnitude(sum(W::Num::cos), sum(W::Num::sin));
+            // What cancels leaves rounding.
+            if wrong.value() > 1e-9 * amounts.iter().map(|k| k.value().abs()).sum::<f64>() {
+                let what = "the crank angles themselves taken, as for the primary order";
+                sheet.common_error(forward[2], what, || wrong);
+            }
+        });
+    }
     let forward_size = size([px, py], forward[2], "Magnitude of the forward vector");
     if upright {
         let why = "All strokes are in one plane: the backward vector is the mirror image of the forward one";

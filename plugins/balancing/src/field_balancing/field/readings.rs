@@ -4,7 +4,10 @@ use dalembert_core::{Inputs, MeasuredQuantity, Refusal, Symbol, Text, Worksheet}
 use dalembert_mechanics::{Real, balance::Phasor};
 
 use crate::{
-    shared::reading::{SensorReading, SensorReadingGiven},
+    shared::{
+        reading::{SensorReading, SensorReadingGiven},
+        rotor,
+    },
     sources::EZ_BALANCE,
 };
 
@@ -269,7 +272,10 @@ impl<N: Real> RunOut<N> {
             let left = Phasor::polar(shown.amplitude, shown.phase).minus(Phasor::polar(*amplitude, *phase));
             let why =
                 ("Reading without run-out: the slow-roll vector is subtracted", EZ_BALANCE.at("p. 4-4"));
+            let what = "the slow-roll amplitude subtracted as a number, its phase ignored";
+            sheet.common_error(symbol("A_c"), what, || (shown.amplitude - *amplitude).abs());
             reading.amplitude = sheet.step(symbol("A_c"), unit, left.size(), why);
+            rotor::quadrant_ignored(sheet, symbol("φ_c"), (left.x, left.y));
             reading.phase = sheet.step(symbol("φ_c"), "deg", left.marked_angle(), "Its phase");
             sheet.verify(|| {
                 let size = (shown.amplitude.value() + amplitude.value()).powi(2);

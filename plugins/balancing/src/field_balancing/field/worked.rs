@@ -11,7 +11,7 @@ use super::{
     Found, Influence, Job,
     readings::{Units, WorkedReading, WorkedRun},
 };
-use crate::sources::RAO;
+use crate::{shared::rotor, sources::RAO};
 
 /// The corrections, worked; `None` where the job is not one of the textbooks'.
 pub(super) fn solve<W: Worksheet>(job: &Job<W::Num>, opposed: bool, sheet: W) -> Option<Vec<Found<W::Num>>> {
@@ -63,7 +63,16 @@ fn triangle<W: Worksheet>(
         x: sheet.step("T_x", units.reading, change.x, why),
         y: sheet.step("T_y", units.reading, change.y, why),
     };
+    let what = "the reading with the trial weight taken for the effect of the weight alone";
+    sheet.common_error("T", what, || trial.amplitude);
+    sheet.common_error("ψ", what, || phase(trial, opposed));
+    let what = "the readings with and without the trial weight added as vectors";
+    sheet.common_error("T", what, || after.plus(before).size());
+    sheet.common_error("ψ", what, || after.plus(before).angle());
+    let what = "the amplitudes subtracted as numbers, the phases ignored";
+    sheet.common_error("T", what, || (trial.amplitude - first.amplitude).abs());
     let effect = sheet.step("T", units.reading, change.size(), "Magnitude of the effect of the trial weight");
+    rotor::quadrant_ignored(sheet, "ψ", (change.x, change.y));
     let direction = sheet.step("ψ", "deg", change.angle(), "Its angle");
     let law_of_cosines = (first.amplitude.powi(2) + trial.amplitude.powi(2)
         - first.amplitude * trial.amplitude * 2.0 * (trial.phase - first.phase).cos())
@@ -90,6 +99,13 @@ fn triangle<W: Worksheet>(
         "From the trial weight, rotate by the angle from its effect to the initial reading, then by 180° to oppose it",
         RAO.at("§9.4.1"),
     );
+    let what = "the angle from the effect to the initial reading laid off in the opposite sense";
+    sheet.common_error("θ_c", what, || {
+        balance::marked_angle(run.angle - (phase(first, opposed) - direction) + PI)
+    });
+    sheet.common_error("θ_c", "the correction placed opposite to the initial reading itself", || {
+        balance::marked_angle(phase(first, opposed) + PI)
+    });
     Found { mass, angle: sheet.step("θ_c", "deg", balance::marked_angle(angle), why) }
 }
 
@@ -154,7 +170,15 @@ fn two_planes<W: Worksheet>(
                 weight,
                 "The correction masses that reduce both readings to zero, by Cramer's rule",
             );
+            let own = || if n == 1 { first[0].over(a11) } else { first[1].over(a22) };
+            let what = "cross effects neglected, each plane corrected by its own sensor alone";
+            sheet.common_error(("m_c", n), what, || own().size());
+            sheet.common_error(("θ_c", n), what, || {
+                let Phasor { x, y } = own();
+                balance::marked_direction(-x, -y)
+            });
             let mass = sheet.step(("m_c", n), "g", weight.size(), "Magnitude of the correction mass");
+            rotor::quadrant_ignored(sheet, ("θ_c", n), (weight.x, weight.y));
             let angle = weight.marked_angle();
             Found { mass, angle: sheet.step(("θ_c", n), "deg", angle, "Its angle from the mark") }
         })

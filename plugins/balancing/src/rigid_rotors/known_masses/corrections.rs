@@ -69,6 +69,7 @@ pub(super) fn find<W: Worksheet>(
     let corrected: Vec<Corrected<W::Num>> = (x.into_iter().zip(y).zip(known).enumerate())
         .map(|(k, ((x, y), plane))| {
             let scale = masses.iter().map(Unbalance::size).sum();
+            other_rules(masses, &at, k, (way, scale), sheet);
             rotor::correct(sheet, k + 1, &SYMBOLS, &KEYS, (x, y), &plane.correction, way, gravity, scale);
             let size = x.value().hypot(y.value());
             Corrected {
@@ -93,6 +94,42 @@ pub(super) fn find<W: Worksheet>(
         });
     }
     Ok(corrected)
+}
+
+/// Declares the rules by which people find another correction in plane `k`, counted from 0, of one plane or of two.
+fn other_rules<W: Worksheet>(
+    masses: &[Unbalance<W::Num>],
+    at: &[W::Num],
+    k: usize,
+    found: (CorrectionMethod, f64),
+    sheet: W,
+) {
+    let (size, angle) = ((SYMBOLS.size, k + 1), (SYMBOLS.angle, k + 1));
+    let declare = |what: &'static str, part: &dyn Fn(W::Num, W::Num) -> W::Num| {
+        let along =
+            |of: fn(&Unbalance<W::Num>) -> W::Num| -W::Num::sum(masses.iter().map(|m| part(of(m), m.z)));
+        rotor::by_another_rule(sheet, (size, angle), found, what, || (along(|m| m.x), along(|m| m.y)));
+    };
+    let sizes = || masses.iter().map(|m| balance::magnitude(m.x, m.y));
+    match *at {
+        [_] => sheet.common_error(size, rotor::AS_NUMBERS, || W::Num::sum(sizes())),
+        [a, b] => {
+            declare(rotor::HALF_EACH, &|u, _| u / 2.0);
+            if k == 0 {
+                declare(rotor::WITHOUT_THE_OTHER, &|u, _| u);
+                return;
+            }
+            declare(rotor::ABOUT_THE_ORIGIN, &|u, z| u * z / (b - a));
+            sheet.common_error(size, rotor::MOMENTS_AS_NUMBERS, || {
+                let arms = masses.iter().map(|m| (m.z - a).abs());
+                W::Num::sum(sizes().zip(arms).map(|(u, arm)| u * arm)) / (b - a).abs()
+            });
+        }
+        _ => {
+            let what = "an equal share of the resultant balanced in each plane, the moments ignored";
+            declare(what, &|u, _| u / at.len() as f64);
+        }
+    }
 }
 
 /// The corrections with the least sum of squares, direction by direction.

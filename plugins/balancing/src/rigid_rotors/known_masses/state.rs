@@ -10,7 +10,10 @@ use super::{
     BearingPositions, BearingPositionsGiven, EquivalentPlanes, EquivalentPlanesGiven, Unbalance, by_pairs,
     corrections::Corrected,
 };
-use crate::sources::{ISO_TERMS, RIUL};
+use crate::{
+    shared::rotor,
+    sources::{ISO_TERMS, RIUL},
+};
 
 /// A component of all unbalances with their positions.
 fn along<'u, N: Real + 'u>(
@@ -25,12 +28,15 @@ pub(super) fn of_the_masses<W: Worksheet>(masses: &[Unbalance<W::Num>], referenc
     let [x, y] = [along(masses, |u| u.x), along(masses, |u| u.y)];
     let sum = |of: &[(W::Num, W::Num)]| balance::resultant(of.iter().map(|(u, _)| *u));
     let why = ("Resultant unbalance of the masses", RIUL.at("eq. 12"));
+    let sizes = || masses.iter().map(|m| balance::magnitude(m.x, m.y));
+    sheet.common_error("U_R", rotor::AS_NUMBERS, || W::Num::sum(sizes()));
     let resultant = sheet.step("U_R", "kg*mm", balance::magnitude(sum(&x), sum(&y)), why);
     let why = ("Moment of the masses", RIUL.at("eq. 13"));
     let moment = |of: &[(W::Num, W::Num)]| match reference {
         Some(reference) => balance::moment(of.iter().copied(), reference),
         None => W::Num::sum(of.iter().map(|(u, z)| *u * *z)),
     };
+    sheet.common_error("M_R", rotor::MOMENTS_AS_NUMBERS, || moments_as_numbers(masses, reference));
     let moment = sheet.step("M_R", "kg*mm^2", balance::magnitude(moment(&x), moment(&y)), why);
     sheet.verify(|| {
         let (squared, scale) = by_pairs(masses, &|_| 1.0);
@@ -57,6 +63,17 @@ pub(super) fn bearing_forces<W: Worksheet>(
     let speed = bearings.speed;
     let moment = |of| balance::moment(along(masses, of), reference);
     let couple = balance::centrifugal_force(balance::magnitude(moment(|u| u.x), moment(|u| u.y)), speed);
+    sheet.common_error("C", rotor::MOMENTS_AS_NUMBERS, || {
+        balance::centrifugal_force(moments_as_numbers(masses, Some(reference)), speed)
+    });
+    let other_point = |what: &'static str, point: W::Num| {
+        sheet.common_error("C", what, || {
+            let moment = |of| balance::moment(along(masses, of), point);
+            balance::centrifugal_force(balance::magnitude(moment(|u| u.x), moment(|u| u.y)), speed)
+        });
+    };
+    other_point("the moments taken about the first bearing", bearings.first);
+    other_point(rotor::ABOUT_THE_ORIGIN, W::Num::from(0.0));
     let couple = sheet.step("C", "N*m", couple, ("Rotating couple of the masses", RIUL.at("eq. 13")));
     sheet.answer("couple", "Rotating couple of the masses", couple);
     sheet.verify(|| {
@@ -81,6 +98,9 @@ pub(super) fn bearing_forces<W: Worksheet>(
     .map(|(symbol, share, why)| sheet.step(symbol, "N", share, why));
     let largest = |symbol, share: W::Num, force: W::Num| {
         let why = "The force turns: at its worst it adds to the load of the weight";
+        sheet.common_error(symbol, "the weight and the rotating force combined at right angles", || {
+            (share.powi(2) + force.powi(2)).sqrt()
+        });
         sheet.step(symbol, "N", share.abs() + force, why)
     };
     let first = largest("R_I", on_first, last[0]);
@@ -175,6 +195,7 @@ fn forces<W: Worksheet>(
         balance::equivalent_in_second(x(), first, second),
         balance::equivalent_in_second(y(), first, second),
     );
+    wrong_forces(all, bearings, written, sheet);
     let [one, other] = [(&written[0], in_first), (&written[1], in_second)].map(|(written, size)| {
         let force = balance::centrifugal_force(size, bearings.speed);
         sheet.step(written.symbol, "N", force, (written.why, RIUL.at("eqs. 7, 13")))
@@ -221,6 +242,52 @@ fn forces<W: Worksheet>(
     [one, other]
 }
 
+/// Declares the rules by which people find other forces on the bearings.
+fn wrong_forces<W: Worksheet>(
+    all: &[&Unbalance<W::Num>],
+    bearings: &BearingPositionsGiven<W>,
+    written: &[Written; 2],
+    sheet: W,
+) {
+    let (first, second, speed) = (bearings.first, bearings.second, bearings.speed);
+    let sizes = || all.iter().map(|u| (balance::magnitude(u.x, u.y), u.z));
+    let what = "the forces of the masses added as numbers, their angles ignored";
+    sheet.common_error(written[0].symbol, what, || {
+        balance::centrifugal_force(balance::equivalent_in_first(sizes(), first, second).abs(), speed)
+    });
+    sheet.common_error(written[1].symbol, what, || {
+        balance::centrifugal_force(balance::equivalent_in_second(sizes(), first, second).abs(), speed)
+    });
+    sheet.verify(|| {
+        let size = |of: &dyn Fn(Vec<(W::Num, W::Num)>) -> W::Num| {
+            let [x, y] = [along(all.iter().copied(), |u| u.x), along(all.iter().copied(), |u| u.y)];
+            balance::magnitude(of(x), of(y))
+        };
+        let half = size(&|of| balance::resultant(of.into_iter().map(|(u, _)| u))) / 2.0;
+        let middle = (first + second) / 2.0;
+        let couple = size(&|of| balance::moment(of, middle)) / (second - first).abs();
+        let scale: f64 = all.iter().map(|u| u.size()).sum();
+        for (what, wrong) in [
+            ("half of the resultant force taken on each bearing, the couple ignored", half),
+            ("only the couple about the midpoint of the bearings taken, the resultant ignored", couple),
+        ] {
+            // What cancels leaves rounding.
+            if wrong.value() > 1e-9 * scale {
+                for bearing in written {
+                    let wrong = || balance::centrifugal_force(wrong, speed);
+                    sheet.common_error(bearing.symbol, what, wrong);
+                }
+            }
+        }
+    });
+}
+
+/// The moments of the masses about a point, or the origin, added without their directions.
+fn moments_as_numbers<N: Real>(masses: &[Unbalance<N>], about: Option<N>) -> N {
+    let arm = |z: N| about.map_or(z, |about| z - about).abs();
+    N::sum(masses.iter().map(|m| balance::magnitude(m.x, m.y) * arm(m.z)))
+}
+
 /// The unbalance reported in two planes, and as a static and a couple part.
 pub(super) fn equivalent<W: Worksheet>(
     masses: &[Unbalance<W::Num>],
@@ -256,6 +323,7 @@ pub(super) fn equivalent<W: Worksheet>(
         if size.value() <= 1e-12 * scale {
             return [x, y];
         }
+        rotor::quadrant_ignored(sheet, angle_symbol, (x, y));
         let angle = sheet.step(angle_symbol, "deg", balance::marked_direction(x, y), angle_label);
         sheet.answer(angle_key, angle_label, angle);
         [size * angle.cos(), size * angle.sin()]
@@ -272,6 +340,10 @@ pub(super) fn equivalent<W: Worksheet>(
         (in_second, "Angle of the equivalent unbalance in the second plane"),
         (x.1, y.1),
     );
+    rotor::parts_of_sizes(sheet, ["U_s", "U_k", "θ_s"], || {
+        [(x.0, y.0), (x.1, y.1)].map(|(x, y)| (balance::magnitude(x, y), balance::marked_direction(x, y)))
+    });
+    sheet.common_error("θ_k", rotor::REVERSED, || balance::marked_direction(x.1 - x.0, y.1 - y.0));
     let fixed = reported(
         ("U_s", "θ_s"),
         ("static_part", "static_angle"),
