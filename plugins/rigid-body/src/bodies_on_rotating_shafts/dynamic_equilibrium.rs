@@ -121,6 +121,11 @@ impl Analysis for DynamicEquilibrium {
             SteadyMotionInputGiven::Speed { speed } => (speed, self.angle_at(speed, out, weight, sheet)?),
         };
         if self.offset == 0.0 && out.value() > 0.0 {
+            if let HangingGiven::Rod { length } = given.body {
+                let pendulum = || (given.gravity / length).sqrt();
+                let what = "the rod treated as a simple pendulum with its mass at the free end";
+                sheet.common_error("ω_c", what, pendulum);
+            }
             let critical = sheet.step(
                 "ω_c",
                 "rad/s",
@@ -151,6 +156,11 @@ impl Analysis for DynamicEquilibrium {
             given.mass * speed.powi(2) * radius,
             ("Force of the pin towards the shaft: it keeps G on its circle", RIUL.at("eqs. 22–23")),
         );
+        if let HangingGiven::Particle { .. } = given.body {
+            let tension = || given.mass * given.gravity / angle.cos();
+            let what = "whole tension of the rod taken as the force upwards";
+            sheet.common_error("R_y", what, tension);
+        }
         let upright = sheet.step("R_y", "N", given.mass * given.gravity, "Force of the pin upwards");
         sheet.answer("force_towards_the_shaft", "Force of the pin towards the shaft", level);
         sheet.answer("force_upwards", "Force of the pin upwards", upright);
@@ -203,10 +213,19 @@ fn shape<W: Worksheet>(given: &DynamicEquilibriumGiven<W>, sheet: W) -> (W::Num,
     match given.body {
         HangingGiven::Rod { length } => {
             let centre = sheet.step("r_G", "m", length / 2.0, "Distance of G from the pin");
+            let about_centre = || rigid::rod_inertia(given.mass, length);
+            sheet.common_error("J_ξ", "moment of inertia of the rod taken about its midpoint", about_centre);
+            let at_centre = || given.mass * centre.powi(2);
+            sheet.common_error("J_ξ", "centrifugal force of the whole body applied at G", at_centre);
             (centre, along_the_line(given.mass * length.powi(2) / 3.0), None)
         }
         HangingGiven::Particle { length } => (length, along_the_line(given.mass * length.powi(2)), None),
         HangingGiven::Symmetric { centre, along, across } => {
+            let shifted = || rigid::parallel_axis(given.mass * along.powi(2), given.mass, centre);
+            let what = "radius of gyration treated as one about G, the parallel-axis term added";
+            sheet.common_error("J_ξ", what, shifted);
+            let at_centre = || given.mass * centre.powi(2);
+            sheet.common_error("J_ξ", "centrifugal force of the whole body applied at G", at_centre);
             let along = along_the_line(given.mass * along.powi(2));
             let across = (across.value() != 0.0).then(|| {
                 sheet.step("J_η", "kg*m^2", given.mass * across.powi(2), "∫ η² dm normal to the line")
@@ -290,6 +309,15 @@ impl DynamicEquilibrium {
                 "no speed holds the body at this angle: the inertia forces lift it away from the shaft, but never to the level of the pin",
             ));
         }
+        if let HangingGiven::Rod { length } = given.body {
+            let conical = || (given.gravity * angle.tan() / (given.offset + length * sin)).sqrt();
+            let what = "the rod treated as a conical pendulum with its mass at the free end";
+            sheet.common_error("ω", what, conical);
+        }
+        if self.offset != 0.0 {
+            let on_axis = || (weight / (out * cos)).sqrt();
+            sheet.common_error("ω", "pin assumed on the axis of the shaft", on_axis);
+        }
         let speed = sheet.step(
             "ω",
             "rad/s",
@@ -309,6 +337,11 @@ impl DynamicEquilibrium {
     ) -> Result<W::Num, Refusal> {
         let found = self.standing(speed.value())?;
         let angle = if self.offset == 0.0 && found > 0.0 {
+            if matches!(self.body, Hanging::Rod { .. }) {
+                let conical = || weight / (out * speed.powi(2)) * 2.0 / 3.0;
+                let what = "the rod treated as a conical pendulum with its mass at the free end";
+                sheet.common_error("c", what, conical);
+            }
             let cosine = sheet.step(
                 "c",
                 "1",
@@ -323,6 +356,8 @@ impl DynamicEquilibrium {
             let how = "Too slow to leave the vertical: cos θ would exceed 1";
             sheet.numerical("θ", "deg", 0.0, how)
         } else {
+            let on_axis = || (weight / (out * speed.powi(2))).acos();
+            sheet.common_error("θ", "pin assumed on the axis of the shaft", on_axis);
             let how = "Root of ω² (m a r cos θ + D sin θ cos θ) = m g r sin θ between the downward vertical and the horizontal";
             sheet.numerical("θ", "deg", found, (how, RIUL.at("eqs. 22–23")))
         };
@@ -353,6 +388,12 @@ impl DynamicEquilibrium {
         let size = weight.value().abs() + (speed.powi(2) * out).value().abs();
         if stiffness.value() > 1e-12 * size {
             let inertia = across.map_or(along, |across| along + across);
+            let at_rest = || (weight / inertia).sqrt();
+            sheet.common_error("p", "frequency of the pendulum on a shaft at rest used", at_rest);
+            if !matches!(self.body, Hanging::Particle { .. }) {
+                let about_centre = || (stiffness / (inertia - given.mass * centre.powi(2))).sqrt();
+                sheet.common_error("p", "moment of inertia of the swinging body taken about G", about_centre);
+            }
             let frequency = sheet.step(
                 "p",
                 "rad/s",

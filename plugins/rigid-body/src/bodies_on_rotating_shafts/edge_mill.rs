@@ -87,6 +87,8 @@ pub enum MillSpeed {
     },
 }
 
+const ABOUT_CONTACT: &str = "moment of inertia of the roller taken about the point of contact";
+
 register!(EdgeMill);
 
 impl Analysis for EdgeMill {
@@ -103,18 +105,24 @@ impl Analysis for EdgeMill {
 
     fn solve<W: Worksheet>(&self, given: &EdgeMillGiven<W>, sheet: W) -> Result<(), Refusal> {
         let inertia = match given.inertia {
-            RollerInertiaGiven::Solid { .. } => sheet.step(
-                "I_a",
-                "kg*m^2",
-                rigid::disc_axial_inertia(given.mass, given.radius),
-                "Moment of inertia of a solid roller about its axis",
-            ),
-            RollerInertiaGiven::RadiusOfGyration { radius_of_gyration } => sheet.step(
-                "I_a",
-                "kg*m^2",
-                given.mass * radius_of_gyration.powi(2),
-                "Moment of inertia about the axis, from the radius of gyration",
-            ),
+            RollerInertiaGiven::Solid { .. } => {
+                let axial = rigid::disc_axial_inertia(given.mass, given.radius);
+                let about_contact = || rigid::parallel_axis(axial, given.mass, given.radius);
+                sheet.common_error("I_a", ABOUT_CONTACT, about_contact);
+                let diametral = || rigid::disc_diametral_inertia(given.mass, given.radius);
+                sheet.common_error("I_a", "moment of inertia of the disc taken about a diameter", diametral);
+                let why = "Moment of inertia of a solid roller about its axis";
+                sheet.step("I_a", "kg*m^2", axial, why)
+            }
+            RollerInertiaGiven::RadiusOfGyration { radius_of_gyration } => {
+                let axial = given.mass * radius_of_gyration.powi(2);
+                let about_contact = || rigid::parallel_axis(axial, given.mass, given.radius);
+                sheet.common_error("I_a", ABOUT_CONTACT, about_contact);
+                let what = "the formula of a disc, mk²/2, used with the radius of gyration";
+                sheet.common_error("I_a", what, || axial / 2.0);
+                let why = "Moment of inertia about the axis, from the radius of gyration";
+                sheet.step("I_a", "kg*m^2", axial, why)
+            }
             RollerInertiaGiven::Given { inertia } => inertia,
         };
         let weight = sheet.step("W", "N", given.mass * given.gravity, "Weight of the roller");
@@ -136,6 +144,9 @@ impl Analysis for EdgeMill {
                 (omega, Some(force))
             }
         };
+        sheet.common_error("ω", "roller assumed to spin at the speed of the shaft", || omega);
+        let resultant = || omega * (given.arm.powi(2) + given.radius.powi(2)).sqrt() / given.radius;
+        sheet.common_error("ω", "resultant angular velocity of the roller used as its spin", resultant);
         let spin = sheet.step(
             "ω",
             "rad/s",
@@ -151,6 +162,9 @@ impl Analysis for EdgeMill {
                 BEER.at("§18.3"),
             ),
         );
+        let slant = || couple / (given.arm.powi(2) + given.radius.powi(2)).sqrt();
+        let what = "straight-line distance from the hinge to the point of contact taken as the lever arm";
+        sheet.common_error("N_g", what, slant);
         let share = sheet.step(
             "N_g",
             "N",
@@ -164,6 +178,9 @@ impl Analysis for EdgeMill {
             ("Force between roller and pan: moments about the hinge", BEER.at("§18.2")),
         );
         let ratio = sheet.step("n", "1", force / weight, "Force as a multiple of the weight");
+        let of_spin = || given.mass * spin.powi(2) * given.arm;
+        let what = "spin of the roller used in place of the speed of the shaft in the centripetal force";
+        sheet.common_error("S", what, of_spin);
         let pull = sheet.step(
             "S",
             "N",
@@ -189,6 +206,11 @@ impl Analysis for EdgeMill {
             sheet.answer("total_force", "Force of all rollers on the pan", total);
         }
         let sliding = given.width.map(|width| {
+            let of_spin = || spin * width / 2.0;
+            sheet.common_error("v_s", "spin of the roller used in place of the speed of the shaft", of_spin);
+            let whole = || omega * (given.arm + width / 2.0);
+            let what = "whole speed of the edge about the shaft taken, that of rolling not subtracted";
+            sheet.common_error("v_s", what, whole);
             let sliding = sheet.step(
                 "v_s",
                 "m/s",

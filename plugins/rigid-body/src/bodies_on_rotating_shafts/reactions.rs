@@ -20,7 +20,7 @@ use crate::{
     sources::{BEER, HIBBELER, KHURMI, MERIAM, RIUL},
 };
 use second_methods::ReactionParts;
-use supports::Held;
+use supports::{Held, common_errors};
 
 pub use supports::{Support, SupportGiven, SupportKind, SupportKindGiven};
 
@@ -435,6 +435,14 @@ impl Reactions {
         };
         // Weight and loads with the body at rest, held by a couple about the axis of the last joint.
         let at_rest = held.reactions(&loads.plain(), true).ok();
+        let mut without_couple = None;
+        if moved.couple.is_none() {
+            sheet.verify(|| {
+                let forces = known + Wrench::couple(-couple.value());
+                without_couple = held.reactions(&forces, true).ok();
+            });
+        }
+        let loaded = self.gravity != Vector3::zeros() || !self.loads.is_empty();
         let mut parts = ReactionParts::default();
         let mut total = all;
         let mut turning = moment;
@@ -447,6 +455,17 @@ impl Reactions {
                 of.force,
                 Named(how, &support.name, Some(BEER.at("§18.2"))),
             );
+            let still = at_rest.as_ref().map(|(all, _)| &all[n]);
+            let mut wrong = Vec::new();
+            sheet.verify(|| {
+                let still = still.filter(|_| loaded).map(|of| of.force);
+                let without = without_couple.as_ref().map(|(all, _)| all[n].force);
+                wrong = common_errors(of.force, still, without);
+            });
+            for &(what, force) in &wrong {
+                let share = force.norm() / of.force.norm();
+                sheet.common_error(("|R|", n + 1), what, || reaction.magnitude() * share);
+            }
             let size = sheet.step(
                 ("|R|", n + 1),
                 "N",
@@ -469,9 +488,8 @@ impl Reactions {
                 turning = turning + couple;
             }
             let fixed = motion.to_fixed * of.force;
-            let still = at_rest.as_ref().map(|(all, _)| &all[n]);
             self.shares(n, fixed, still, reaction, &mut parts, sheet);
-            held.own_numbers(n, of, reaction, &given.supports[n], sheet);
+            held.own_numbers(n, of, reaction, &given.supports[n], &wrong, sheet);
         }
         if let (Some(drive), None) = (drive, moved.couple) {
             let how = "Driving torque about the axis of the last joint, from the same equations";

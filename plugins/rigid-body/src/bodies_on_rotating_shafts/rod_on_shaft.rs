@@ -76,6 +76,10 @@ impl Analysis for RodOnShaft {
             InclinationGiven::FromHorizontal { angle } => (angle.sin(), angle.cos(), (angle * 2.0).sin()),
             InclinationGiven::FromShaft { angle } => (angle.cos(), angle.sin(), (angle * 2.0).sin()),
         };
+        let short = || rigid::rod_inertia(given.mass, given.half_length);
+        sheet.common_error("I", "half of the length inserted as the length of the rod in mL²/12", short);
+        let about_end = || given.mass * (given.half_length * 2.0).powi(2) / 3.0;
+        sheet.common_error("I", "moment of inertia of the rod taken about one end, mL²/3", about_end);
         let inertia = sheet.step(
             "I",
             "kg*m^2",
@@ -138,6 +142,15 @@ impl Analysis for RodOnShaft {
             seen + turned,
             ("Couple that the shaft exerts on the rod: ΣM = dH/dt", RIUL.at("eqs. 4.10, 4.11")),
         );
+        let closed_with = |inertia: W::Num| -(inertia * given.speed.powi(2) * twice / 2.0);
+        let short = || closed_with(rigid::rod_inertia(given.mass, given.half_length));
+        sheet.common_error("M_z", "half of the length inserted as the length of the rod in mL²/12", short);
+        let about_end = || closed_with(given.mass * (given.half_length * 2.0).powi(2) / 3.0);
+        sheet.common_error("M_z", "moment of inertia of the rod taken about one end, mL²/3", about_end);
+        let at_centres = || closed_with(given.mass * (given.half_length / 2.0).powi(2));
+        sheet.common_error("M_z", "centrifugal force of each half applied at its own midpoint", at_centres);
+        let at_ends = || closed_with(given.mass * given.half_length.powi(2));
+        sheet.common_error("M_z", "mass of the rod taken as two particles at its ends", at_ends);
         let closed = sheet.step(
             "M_z",
             "N*m",
@@ -156,6 +169,9 @@ impl Analysis for RodOnShaft {
             rigid::to_fixed_axes(rigid::Axis::Y, given.shaft_angle, couple),
             "Components of the couple in the fixed axes",
         );
+        let transverse = || inertia * given.speed.powi(2) / 2.0;
+        let what = "½Iω² used with the moment of inertia of the rod about a transverse axis";
+        sheet.common_error("T", what, transverse);
         let energy = sheet.step(
             "T",
             "J",

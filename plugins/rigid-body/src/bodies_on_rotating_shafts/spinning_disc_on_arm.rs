@@ -132,6 +132,16 @@ impl Analysis for SpinningDiscOnArm {
             seen + turned,
             ("Couple that the arm exerts on the disc: ΣM = dH/dt", RIUL.at("eqs. 23, 44")),
         );
+        let without_rates = || (axial - diametral) * given.arm_speed * given.spin;
+        let what = "Euler's equations for axes fixed in the disc used with the rates of ω omitted";
+        sheet.common_error("Mₓ", what, without_rates);
+        let resultant = || (given.arm_speed.powi(2) + given.spin.powi(2)).sqrt();
+        let of_resultant = || axial * given.arm_speed * resultant();
+        let what = "magnitude of the resultant angular velocity used as the spin";
+        sheet.common_error("Mₓ", what, of_resultant);
+        let of_both = || (axial + diametral) * given.arm_speed * given.spin;
+        let what = "rotation of the axes counted twice: I_d α added to Ω × H";
+        sheet.common_error("Mₓ", what, of_both);
         let gyroscopic = sheet.step(
             "Mₓ",
             "N*m",
@@ -150,6 +160,11 @@ impl Analysis for SpinningDiscOnArm {
             rigid::to_fixed_axes(rigid::Axis::Y, given.arm_angle, couple),
             "Components of the couple in the fixed axes",
         );
+        let of_spin = || axial * given.spin.powi(2) / 2.0;
+        sheet.common_error("T_rot", "energy of the spin alone taken", of_spin);
+        let of_resultant = || axial * resultant().powi(2) / 2.0;
+        let what = "½I_z ω² used with the resultant angular velocity";
+        sheet.common_error("T_rot", what, of_resultant);
         let rotation_energy = sheet.step(
             "T_rot",
             "J",
@@ -190,6 +205,9 @@ impl Analysis for SpinningDiscOnArm {
             );
         });
         if let Some(distance) = given.centre_distance {
+            let of_resultant = || distance * resultant();
+            let what = "resultant angular velocity of the disc used for the motion of its centre";
+            sheet.common_error("v_A", what, of_resultant);
             let speed = sheet.step(
                 "v_A",
                 "m/s",

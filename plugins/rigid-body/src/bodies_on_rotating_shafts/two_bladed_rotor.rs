@@ -108,6 +108,13 @@ impl Analysis for TwoBladedRotor {
         let (axial_inertia, difference, along_blades) = match given.rotor {
             BladesGiven::Slender { inertia } => (inertia, inertia, zero),
             BladesGiven::Rod { mass, length } => {
+                let about_end = || mass * length.powi(2) / 3.0;
+                let what = "moment of inertia of the rod taken about one end, mL²/3";
+                sheet.common_error("I_a", what, about_end);
+                let disc = || rigid::disc_axial_inertia(mass, length / 2.0);
+                sheet.common_error("I_a", "rotor treated as a solid disc of the same diameter", disc);
+                let tips = || mass * (length / 2.0).powi(2);
+                sheet.common_error("I_a", "mass of the blades taken at their tips", tips);
                 let inertia = sheet.step(
                     "I_a",
                     "kg*m^2",
@@ -158,6 +165,10 @@ impl Analysis for TwoBladedRotor {
             gyroscope::right_angled_couple(axial_inertia, spin, rate),
             "Mean over a revolution: the couple of a symmetric rotor with the same moment of inertia about its axis",
         );
+        if let BladesGiven::Principal { axial, .. } = given.rotor {
+            let what = "moment of inertia about the spin axis used in the pulsating part";
+            sheet.common_error("C_p", what, || spin * rate * axial);
+        }
         let swing = sheet.step(
             "C_p",
             "N*m",
@@ -173,6 +184,8 @@ impl Analysis for TwoBladedRotor {
                 BEVAN.at("ch. 2"),
             ),
         );
+        let with_mean = || mean + swing * (angle * 2.0).sin();
+        sheet.common_error("M_y", "mean couple added to the component about the precession axis", with_mean);
         let along = sheet.step(
             "M_y",
             "N*m",
@@ -197,6 +210,9 @@ impl Analysis for TwoBladedRotor {
             (along.powi(2) + normal.powi(2)).sqrt(),
             "Resultant of the couple normal to the axle: it bends the shaft",
         );
+        let at_right_angles = || (mean.powi(2) + swing.powi(2)).sqrt();
+        let what = "mean and pulsating part combined as components at right angles";
+        sheet.common_error("C_max", what, at_right_angles);
         let largest = sheet.step(
             "C_max",
             "N*m",

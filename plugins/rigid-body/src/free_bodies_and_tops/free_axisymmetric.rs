@@ -166,6 +166,12 @@ impl Analysis for FreeAxisymmetric {
             torque_free::velocity_angle(axial, transverse),
             ("Angle between the axis and the angular velocity", BEER.at("§18.3")),
         );
+        sheet.common_error("φ̇", "H_G divided by the moment of inertia about the axis", || {
+            torque_free::precession(ratio, axial, transverse) / ratio
+        });
+        sheet.common_error("φ̇", "the spin used in place of ω_a in the axial component of H_G", || {
+            ratio * torque_free::spin(ratio, axial) / theta.cos()
+        });
         let precession = sheet.step(
             "φ̇",
             "rad/s",
@@ -173,6 +179,10 @@ impl Analysis for FreeAxisymmetric {
             ("Precession of the axis about the angular momentum, H_G/I_t", BEER.at("§18.3")),
         );
         let r = ratio.value();
+        sheet.common_error("ψ̇", "the whole precession subtracted from ω_a", || axial - precession);
+        sheet.common_error("ψ̇", "the difference of the moments of inertia divided by I_a", || {
+            torque_free::spin(ratio, axial) / ratio
+        });
         let spin = sheet.step(
             "ψ̇",
             "rad/s",
@@ -224,6 +234,9 @@ impl Analysis for FreeAxisymmetric {
             space_cone,
         );
         sheet.answer("precession_period", "Precession period", wobble);
+        sheet.common_error("|ω|", "precession and spin combined as if they were at right angles", || {
+            (precession.powi(2) + spin.powi(2)).sqrt()
+        });
         let speed = sheet.step(
             "|ω|",
             "rad/s",
@@ -271,6 +284,9 @@ impl Analysis for FreeAxisymmetric {
             });
         }
         if let Some((axial_moment, transverse_moment)) = body.moments {
+            sheet.common_error("H_G", "the axial moment of inertia times the whole angular velocity", || {
+                axial_moment * speed
+            });
             let momentum = sheet.step(
                 "H_G",
                 "kg*m^2/s",
@@ -280,6 +296,12 @@ impl Analysis for FreeAxisymmetric {
             let across =
                 sheet.step("H_t", "kg*m^2/s", transverse_moment * transverse, "Its transverse component");
             sheet.answer("transverse_momentum", "Transverse angular momentum", across);
+            sheet.common_error("T", "½ I_a ω² taken, with the whole angular velocity", || {
+                axial_moment * speed.powi(2) / 2.0
+            });
+            sheet.common_error("T", "the spin and the precession used as the two components of ω", || {
+                (axial_moment * spin.powi(2) + transverse_moment * precession.powi(2)) / 2.0
+            });
             let energy = sheet.step(
                 "T",
                 "J",

@@ -1,6 +1,6 @@
 //! Any body on which no moment acts, by Jacobi's elliptic functions.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{
@@ -90,6 +90,7 @@ pub enum PrincipalInertia {
     },
 }
 
+mod inertia;
 mod pictures;
 
 impl PrincipalInertia {
@@ -121,7 +122,7 @@ impl Analysis for FreeTriaxial {
     };
 
     fn solve<W: Worksheet>(&self, given: &FreeTriaxialGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let inertia = moments(&given.inertia, sheet)?;
+        let inertia = inertia::moments(&given.inertia, sheet)?;
         let velocity = given.velocity;
         let plain = inertia.map(Real::value);
         let start = velocity.value();
@@ -149,10 +150,21 @@ impl Analysis for FreeTriaxial {
         let triaxial = order.map(|n| plain[n]).windows(2).all(|pair| pair[0] != pair[1]);
         if triaxial {
             let [a, b, c] = order.map(|n| inertia[n]);
+            let about = omega[order[1]].abs();
+            sheet.common_error(
+                "λ",
+                "the differences of the moments divided by the intermediate one",
+                || ((b - a) * (c - b)).sqrt() / b * about,
+            );
+            sheet.common_error(
+                "λ",
+                "the formula for a rotation about the axis of an extreme moment used",
+                || ((c - a) * (c - b) / (a * b)).sqrt() * about,
+            );
             let growth = sheet.step(
                 "λ",
                 "1/s",
-                ((b - a) * (c - b) / (a * c)).sqrt() * omega[order[1]].abs(),
+                ((b - a) * (c - b) / (a * c)).sqrt() * about,
                 (
                     Text::new(
                         "Growth of a small disturbance of the rotation about {axis}, the intermediate axis, e^(λt)",
@@ -321,6 +333,9 @@ impl FreeTriaxial {
             body.period() * body.argument_rate() / 4.0,
             "Complete elliptic integral of the first kind of this modulus, by the arithmetic–geometric mean",
         );
+        sheet.common_error("T_ω", "a harmonic motion assumed, with the period 2π/p", || {
+            W::Num::from(TAU) / argument_rate
+        });
         let period = sheet.step(
             "T_ω",
             "s",
@@ -341,6 +356,9 @@ impl FreeTriaxial {
         sheet.answer("period", "Period of the angular velocity in body axes", period);
         sheet.answer("flip_interval", "Time between flips", half);
         if let Some(first) = body.first_flip() {
+            sheet.common_error("t₁", "a quarter of the period taken as the time to the first flip", || {
+                period / 4.0
+            });
             let first = sheet.numerical(
                 "t₁",
                 "s",
@@ -450,37 +468,6 @@ fn mean_of(function: impl Fn(f64) -> f64) -> f64 {
     (0..POINTS).map(at).sum::<f64>() / f64::from(POINTS)
 }
 
-fn moments<W: Worksheet>(inertia: &PrincipalInertiaGiven<W>, sheet: W) -> Result<[W::Num; 3], Refusal> {
-    const SYMBOLS: [&str; 3] = ["I_x", "I_y", "I_z"];
-    Ok(match inertia {
-        PrincipalInertiaGiven::Moments { x, y, z } => [*x, *y, *z],
-        PrincipalInertiaGiven::Gyration { mass, x, y, z } => {
-            let radii = [*x, *y, *z];
-            std::array::from_fn(|n| {
-                sheet.step(
-                    SYMBOLS[n],
-                    "kg*m^2",
-                    rigid::moment_by_gyration(*mass, radii[n]),
-                    "Principal moment of inertia from its radius of gyration",
-                )
-            })
-        }
-        PrincipalInertiaGiven::Cuboid { mass, x, y, z } => {
-            let edges = [*x, *y, *z];
-            std::array::from_fn(|n| {
-                let [b, c] = [edges[(n + 1) % 3], edges[(n + 2) % 3]];
-                sheet.step(
-                    SYMBOLS[n],
-                    "kg*m^2",
-                    *mass * (b.powi(2) + c.powi(2)) / 12.0,
-                    "Principal moment of inertia of a homogeneous box",
-                )
-            })
-        }
-        PrincipalInertiaGiven::Shape { mass, shape } => shape.principal_moments(*mass, sheet)?,
-    })
-}
-
 /// Holds a rate of growth beside a rotation about the middle axis to Euler's equations: of what grows, along the polhode
 /// through that axis, the rate needs no moment.
 fn growing<W: Worksheet>(inertia: [f64; 3], [a, b, c]: [usize; 3], rate: W::Num, about: f64, sheet: W) {
@@ -558,7 +545,7 @@ fn at_instant<W: Worksheet>(body: &FreeBody, inertia: Vector3<f64>, t: f64, shee
         axes.set_column(n, &axis.value());
     }
     sheet.verify(|| {
-        let period = body.period().min(std::f64::consts::TAU / body.velocity(0.0).norm());
+        let period = body.period().min(TAU / body.velocity(0.0).norm());
         let speed = body.velocity(0.0).norm();
         let Ok(rate) = rigid::numerical_rate(|time| body.velocity(t + time), period) else { return };
         let now = velocity.value();

@@ -98,6 +98,14 @@ impl Analysis for HeavyTop {
         let (spin, axial_velocity, precession) = match &given.motion {
             TopMotionGiven::Precession { precession } => {
                 goes_around(*precession)?;
+                if !level {
+                    sheet.common_error("ψ̇", FAST_TOP, || couple / (axial * *precession));
+                    sheet.common_error(
+                        "ψ̇",
+                        "the spin taken as the whole angular velocity about the axis",
+                        || (transverse * *precession * theta.cos() + couple / *precession) / axial,
+                    );
+                }
                 let spin = sheet.step(
                     "ψ̇",
                     "rad/s",
@@ -134,6 +142,13 @@ impl Analysis for HeavyTop {
                 (*spin, slow_velocity, slow)
             }
             TopMotionGiven::AxialVelocity { axial_velocity } => {
+                if !level {
+                    sheet.common_error(
+                        "A",
+                        "ω₃ taken as the spin relative to the precessing frame",
+                        || (transverse - axial) * theta.cos(),
+                    );
+                }
                 let square = sheet.step(
                     "A",
                     "kg*m^2",
@@ -172,7 +187,7 @@ impl Analysis for HeavyTop {
                 lagrange(velocity, precession);
             }
         });
-        self.beside_the_exact(spin, precession, &moments, sheet);
+        self.beside_the_exact([spin, precession, theta], &moments, sheet);
         let period = sheet.step(
             "T_φ",
             "s",
@@ -181,6 +196,9 @@ impl Analysis for HeavyTop {
         );
         sheet.answer("precession_period", "Precession period", period);
         let ratio = sheet.step("r", "1", axial / transverse, "Ratio of the moments of inertia");
+        sheet.common_error("ω_n", "the frequency of a fast top, I_a ω₃/I_t, used", || {
+            ratio * axial_velocity
+        });
         let nutation = sheet.step(
             "ω_n",
             "rad/s",
@@ -233,6 +251,9 @@ impl Analysis for HeavyTop {
         Ok(())
     }
 }
+
+const FAST_TOP: &str = "the formula for fast tops used";
+const ONE_SINE: &str = "sin θ kept in the moment of the weight alone";
 
 /// Unknown rate of the quadratic equation.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -295,6 +316,14 @@ impl HeavyTop {
         symbol: &'static str,
         sheet: W,
     ) -> W::Num {
+        sheet.common_error(
+            symbol,
+            "the magnitude of ω taken in place of its component along the axis",
+            || {
+                (top::axial_velocity(spin, precession, theta).powi(2) + (precession * theta.sin()).powi(2))
+                    .sqrt()
+            },
+        );
         sheet.step(
             symbol,
             "rad/s",
@@ -342,6 +371,7 @@ impl HeavyTop {
         let discriminant = sheet.step("Δ", "kg^2*m^4/s^2", discriminant, "Discriminant of the quadratic");
         let root = if momentum.value() < 0.0 { -discriminant.sqrt() } else { discriminant.sqrt() };
         let root = sheet.step("Q", "kg*m^2/s", root, "Its root, with the sign of H");
+        sheet.common_error("φ̇₁", FAST_TOP, || couple / momentum);
         let slow = sheet.step(
             "φ̇₁",
             "rad/s",
@@ -350,6 +380,8 @@ impl HeavyTop {
         );
         sheet.answer("slow_precession", "Slow precession", slow);
         let fast = (square.value() != 0.0).then(|| {
+            sheet
+                .common_error("φ̇₂", "the weight neglected in the fast precession", || momentum / square);
             let fast = sheet.step(
                 "φ̇₂",
                 "rad/s",
@@ -389,15 +421,14 @@ impl HeavyTop {
     /// The formula for fast tops, and how far it is off.
     fn beside_the_exact<W: Worksheet>(
         &self,
-        spin: W::Num,
-        precession: W::Num,
+        [spin, precession, theta]: [W::Num; 3],
         moments: &TopMoments<W::Num>,
         sheet: W,
     ) {
         if spin.value() == 0.0 {
             return;
         }
-        let first = self.first_order(spin, moments, sheet);
+        let first = self.first_order([spin, theta], moments, sheet);
         let error =
             sheet.step("ε", "%", (first - precession) / precession, "Relative error of the fast-top formula");
         sheet.answer("first_order_precession", "Precession by the fast-top formula", first);
@@ -411,7 +442,15 @@ impl HeavyTop {
         }
     }
 
-    fn first_order<W: Worksheet>(&self, spin: W::Num, moments: &TopMoments<W::Num>, sheet: W) -> W::Num {
+    fn first_order<W: Worksheet>(
+        &self,
+        [spin, theta]: [W::Num; 2],
+        moments: &TopMoments<W::Num>,
+        sheet: W,
+    ) -> W::Num {
+        sheet.common_error("φ̇₀", ONE_SINE, || {
+            top::first_order_precession(moments.couple * theta.sin(), moments.axial, spin)
+        });
         sheet.step(
             "φ̇₀",
             "rad/s",
@@ -439,12 +478,16 @@ impl HeavyTop {
                         "a top that does not spin has no steady precession: it falls; give a spin",
                     ));
                 }
-                let precession = self.first_order(*rate, moments, sheet);
+                let precession = self.first_order([*rate, given.nutation], moments, sheet);
                 sheet.answer("first_order_precession", "Precession by the fast-top formula", precession);
                 (*rate, precession)
             }
             TopMotionGiven::Precession { precession } => {
                 goes_around(*precession)?;
+                sheet.common_error("ψ̇", ONE_SINE, || {
+                    let weight = moments.couple * given.nutation.sin();
+                    top::first_order_precession(weight, moments.axial, *precession)
+                });
                 let spin = sheet.step(
                     "ψ̇",
                     "rad/s",

@@ -105,6 +105,11 @@ impl Analysis for TopNutation {
                 ),
             ),
         };
+        if let TopSpinGiven::Spin { spin } = given.spin {
+            sheet.common_error("H₃", "I_a multiplied by the spin alone, without the precession", || {
+                axial * spin
+            });
+        }
         let own = sheet.step(
             "H₃",
             "kg*m^2/s",
@@ -123,6 +128,10 @@ impl Analysis for TopNutation {
                 GOLDSTEIN.at("§5-7"),
             ),
         );
+        sheet.common_error("E", "the kinetic energy of the rotation about the axis included", || {
+            let across = theta_rate.powi(2) + (phi_rate * theta.sin()).powi(2);
+            (transverse * across + own * axial_velocity) / 2.0 + couple * theta.cos()
+        });
         let energy = sheet.step(
             "E",
             "J",
@@ -148,6 +157,11 @@ impl Analysis for TopNutation {
                 GOLDSTEIN.at("§5-7"),
             ),
         );
+        if self.nutation_rate == 0.0 && self.precession == 0.0 {
+            sheet.common_error("θ₂", "the nutation taken as that of a fast top", || {
+                theta + transverse * couple * theta.sin() * 2.0 / own.powi(2)
+            });
+        }
         let low =
             sheet.numerical("θ₂", "deg", low, "Lowest position of the axis: the next zero of the cubic");
         let third = sheet.numerical(
@@ -211,6 +225,12 @@ impl Analysis for TopNutation {
             Text::new("Complete elliptic integral of the first kind, of the modulus k = √((u₁ − u₂)/(u₃ − u₂)) = {k}")
                 .with_quantity("k", motion.modulus(), "1"),
         );
+        sheet.common_error("T_n", "the formula for fast tops, 2π I_t/(I_a ω₃), used", || {
+            transverse * TAU / own.abs()
+        });
+        sheet.common_error("T_n", "a harmonic motion assumed, with the period π/p", || {
+            W::Num::from(TAU) / (argument_rate * 2.0)
+        });
         let period = sheet.step(
             "T_n",
             "s",
@@ -224,6 +244,12 @@ impl Analysis for TopNutation {
             motion.advance(),
             "Precession angle per nutation: φ̇ integrated over time, two elliptic integrals of the third kind",
         );
+        sheet.common_error("Ω", "the steady precession of a fast top, m g l/(I_a ω₃), used", || {
+            couple / own
+        });
+        sheet.common_error("Ω", "the mean of the precessions at the two limits taken", || {
+            (rate_high + rate_low) / 2.0
+        });
         let mean = sheet.step("Ω", "rad/s", advance / period, "Mean precession");
         sheet.answer("nutation_period", "Period of the nutation", period);
         sheet.answer("nutation_frequency", "Frequency of the nutation", frequency);

@@ -102,6 +102,7 @@ impl Analysis for DippingRail {
                 sheet.step("t", "s", length / given.speed, "Time to pass the dip")
             }
         };
+        sheet.common_error("a", "whole depth of the dip taken as the amplitude", || given.depth);
         let amplitude =
             sheet.step("a", "m", given.depth / 2.0, "Amplitude of the harmonic motion: half of the depth");
         let frequency = sheet.step(
@@ -110,12 +111,17 @@ impl Analysis for DippingRail {
             W::Num::from(TAU) / time,
             "Angular frequency: the whole dip is one period",
         );
+        let average = || given.depth * 2.0 / time;
+        sheet.common_error("V", "average speed of the descent used in place of the maximum", average);
         let fall = sheet.step(
             "V",
             "m/s",
             amplitude * frequency,
             "Maximum speed of the descending wheel, half way down",
         );
+        let about_middle = || fall * 2.0 / given.gauge;
+        let what = "axle assumed to tilt about its midpoint, half of the gauge used";
+        sheet.common_error("ω_p", what, about_middle);
         let rate = sheet.step(
             "ω_p",
             "rad/s",
@@ -128,6 +134,10 @@ impl Analysis for DippingRail {
             gyroscope::right_angled_couple(given.axial_inertia, spin, rate),
             ("Maximum gyroscopic couple, about the vertical", KHURMI.at("example 14.14")),
         );
+        let shared = || couple / (given.gauge * 2.0);
+        sheet.common_error("P", "couple divided between the wheels: half of the force at each", shared);
+        let by_radius = || couple * 2.0 / given.diameter;
+        sheet.common_error("P", "radius of the wheels taken as the lever arm of the couple", by_radius);
         let force = sheet.step(
             "P",
             "N",
@@ -137,6 +147,9 @@ impl Analysis for DippingRail {
                 KHURMI.at("example 14.14"),
             ),
         );
+        let average = || rate * 4.0 / time;
+        let what = "average angular acceleration over a quarter of the dip used in place of the maximum";
+        sheet.common_error("α", what, average);
         let acceleration = sheet.step(
             "α",
             "rad/s^2",
@@ -155,6 +168,9 @@ impl Analysis for DippingRail {
         if let Some(transverse) = given.transverse_inertia {
             let tilting =
                 sheet.step("C_α", "N*m", transverse * acceleration, "Couple that tilts the pair of wheels");
+            let with_gyroscopic = || (tilting + couple) / given.gauge;
+            let what = "gyroscopic couple, which acts about the vertical, added to the tilting couple";
+            sheet.common_error("ΔN", what, with_gyroscopic);
             let load = sheet.step("ΔN", "N", tilting / given.gauge, "Corresponding change of the wheel load");
             sheet.answer("tilting_couple", "Maximum couple that tilts the pair of wheels", tilting);
             sheet.answer("load_change", "Maximum change of each wheel load", load);

@@ -208,6 +208,8 @@ impl<N: Real> Rates<N> {
             "Angular velocity of Earth and vessel about the axis of the Earth",
         );
         let along = sheet.step("Ω_N", "rad/s", about * cos, "Its horizontal component, to the north");
+        let of_parallel = || north / (vessel.radius * cos);
+        sheet.common_error("Ω_W", "radius of the parallel used for the motion to the north", of_parallel);
         let west = sheet.step(
             "Ω_W",
             "rad/s",

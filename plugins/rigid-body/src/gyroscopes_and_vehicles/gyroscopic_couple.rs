@@ -279,6 +279,23 @@ impl Analysis for GyroscopicCouple {
                 BEER.at("§18.2"),
             ),
         );
+        let oblique = is_oblique(axle.value(), precession.value());
+        if oblique {
+            let product = || rotor.momentum * rate;
+            let what = "couple taken as H times Ω, without the sine of the angle between them";
+            sheet.common_error("C", what, product);
+        }
+        if let (Some(transverse), Some(axial)) = (given.transverse_inertia, rotor.axial) {
+            if oblique {
+                let of_spin = || (precession.cross(axle) * rotor.momentum).magnitude();
+                let what = "angular momentum due to the rotation of the carrier omitted";
+                sheet.common_error("C", what, of_spin);
+            } else {
+                let of_transverse = || transverse * rotor.momentum / axial * rate;
+                let what = "transverse moment of inertia used for the angular momentum of the spin";
+                sheet.common_error("C", what, of_transverse);
+            }
+        }
         let size = sheet.step("C", "N*m", couple.magnitude(), ("Gyroscopic couple", KHURMI.at("§14.3")));
         sheet.answer("precession_rate", "Angular velocity of the precession", rate);
         sheet.answer_vector("angular_momentum", "Angular momentum of the rotor", momentum);
@@ -307,7 +324,7 @@ impl Analysis for GyroscopicCouple {
             })?;
             self.bearing_reactions(bearings, given, given_bearings, mass, axle, couple, sheet)?;
         }
-        if self.transverse_inertia.is_none() && is_oblique(axle.value(), precession.value()) {
+        if self.transverse_inertia.is_none() && oblique {
             sheet.warn(|| {
                 "the carrier turns about an axis that is not normal to the axle: without the transverse moment of inertia the term (I_a − I_t) Ω² sin θ cos θ of the couple is missing".into()
             });
@@ -363,6 +380,9 @@ impl GyroscopicCouple {
         else {
             return;
         };
+        let average = || *amplitude * TAU * 4.0 / period.powi(2);
+        let what = "average angular acceleration over a quarter of a period used in place of the maximum";
+        sheet.common_error("α", what, average);
         let acceleration = sheet.step(
             "α",
             "rad/s^2",

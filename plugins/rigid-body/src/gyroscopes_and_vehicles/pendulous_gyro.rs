@@ -81,7 +81,8 @@ impl Analysis for PendulousGyro {
     };
 
     fn solve<W: Worksheet>(&self, given: &PendulousGyroGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let momentum = given.wheel.spinning(given.spin, sheet)?.momentum;
+        let wheel = given.wheel.spinning(given.spin, sheet)?;
+        let momentum = wheel.momentum;
         let rate = sheet.step("Ω", "rad/s", given.speed / given.radius, "Rate of turn");
         let gyroscopic = sheet.step(
             "C_g",
@@ -115,6 +116,14 @@ impl Analysis for PendulousGyro {
             ),
         };
         let moment = sheet.step("C", "N*m", moment, (why, BEER.at("§18.3")));
+        let constant = || (moment / weight).asin();
+        sheet.common_error("θ", "couples assumed constant, not reduced by cos θ: sin θ = C/K", constant);
+        sheet.common_error("θ", "small inclination assumed: tan θ replaced by θ", || moment / weight);
+        if let Some(mass) = wheel.mass {
+            let heavier = |of_frame: W::Num| of_frame * (given.frame + mass) / given.frame;
+            let with_wheel = || (moment - centrifugal + heavier(centrifugal)).atan2(heavier(weight));
+            sheet.common_error("θ", "mass of the wheel added to that of the frame", with_wheel);
+        }
         let tilt = sheet.step(
             "θ",
             "deg",
@@ -129,6 +138,9 @@ impl Analysis for PendulousGyro {
         );
         sheet.answer("inclination", "Inclination of the frame, outward", tilt);
         if self.sense == WheelSense::AsRoadWheels {
+            let against_weight = || weight * given.radius / momentum;
+            let what = "gyroscopic couple set equal to the moment of the weight";
+            sheet.common_error("v₀", what, against_weight);
             let upright = sheet.step(
                 "v₀",
                 "m/s",

@@ -88,6 +88,9 @@ pub enum Turn {
     },
 }
 
+const FIXED_ARM: &str = "lever arm of the springs not reduced by cos θ";
+const FIXED_COUPLE: &str = "gyroscopic couple not reduced by cos θ";
+
 register!(TurnIndicator);
 
 impl Analysis for TurnIndicator {
@@ -105,6 +108,10 @@ impl Analysis for TurnIndicator {
     fn solve<W: Worksheet>(&self, given: &TurnIndicatorGiven<W>, sheet: W) -> Result<(), Refusal> {
         let (axial, transverse) = match given.rotor {
             IndicatorRotorGiven::Disc { mass, radius } => {
+                let diametral = || rigid::disc_diametral_inertia(mass, radius);
+                sheet.common_error("I_a", "moment of inertia of the disc taken about a diameter", diametral);
+                let of_rim = || mass * radius.powi(2);
+                sheet.common_error("I_a", "whole mass of the disc taken at its rim", of_rim);
                 let axial = sheet.step(
                     "I_a",
                     "kg*m^2",
@@ -123,6 +130,11 @@ impl Analysis for TurnIndicator {
             }
             IndicatorRotorGiven::Moments { axial, transverse } => (axial, transverse),
         };
+        let whole = || given.stiffness * 2.0 * given.spacing.powi(2);
+        let what = "whole distance between the springs taken as the lever arm of each";
+        sheet.common_error("K", what, whole);
+        let in_series = || given.stiffness / 2.0 * (given.spacing / 2.0).powi(2);
+        sheet.common_error("K", "the two springs taken in series", in_series);
         let spring = sheet.step(
             "K",
             "N*m",
@@ -134,6 +146,12 @@ impl Analysis for TurnIndicator {
                 let sine = sheet.step("s", "1", angle.sin(), "Sine of the angle of the yoke");
                 let momentum =
                     sheet.step("h", "kg*m^2/s", axial * given.spin, "Angular momentum of the spin");
+                let fixed_arm = || spring * angle.tan() / momentum;
+                sheet.common_error("Ω", FIXED_ARM, fixed_arm);
+                let fixed_couple = || spring * sine * angle.cos() / momentum;
+                sheet.common_error("Ω", FIXED_COUPLE, fixed_couple);
+                let small = || spring * angle / momentum;
+                sheet.common_error("Ω", "small angle of the yoke assumed: sin θ replaced by θ", small);
                 let rate = sheet.step(
                     "Ω",
                     "rad/s",
@@ -170,6 +188,11 @@ impl Analysis for TurnIndicator {
                         "the springs are too soft: the rotor tilts the yoke until its axle is vertical; a slower rotor, a wider spacing or stiffer springs hold it",
                     ));
                 }
+                let ratio = || gyroscope::right_angled_couple(axial, given.spin, rate) / spring;
+                sheet.common_error("θ", FIXED_ARM, || ratio().atan2(W::Num::from(1.0)));
+                sheet.common_error("θ", FIXED_COUPLE, || (ratio() * 2.0).asin() / 2.0);
+                let what = "small angle of the yoke assumed: sin θ replaced by θ";
+                sheet.common_error("θ", what, || sine);
                 (rate, sine, sheet.step("θ", "deg", sine.asin(), "Angle of the yoke"))
             }
         };

@@ -108,6 +108,9 @@ pub enum KnownMotion {
     },
 }
 
+const ON_TRACK: &str = "radius of the wheel path used for the centre of mass";
+const UPRIGHT_COUPLE: &str = "gyroscopic couple of the upright vehicle used, not reduced by cos θ";
+
 register!(TwoWheelerLean);
 
 impl Analysis for TwoWheelerLean {
@@ -131,6 +134,14 @@ impl Analysis for TwoWheelerLean {
             }
             _ => wheels,
         };
+        if let (Some(engine), Some(given_engine)) = (&self.engine, &given.engine) {
+            let squared = || {
+                let share = given_engine.inertia * given_engine.ratio.powi(2);
+                if engine.sense == Sense::Like { wheels + share } else { wheels - share }
+            };
+            let what = "gear ratio squared, as for the moment of inertia referred by kinetic energy";
+            sheet.common_error("I", what, squared);
+        }
         let inertia = sheet.step(
             "I",
             "kg*m^2",
@@ -189,6 +200,8 @@ impl Analysis for TwoWheelerLean {
             (rate.powi(2) * path / given.gravity).atan2(W::Num::from(1.0)),
             "Lean angle of a vehicle without rotating parts on the same circle",
         );
+        let what = "tangent of the lean angle taken as the friction required";
+        sheet.common_error("µ₀", what, || lean.tan());
         let needed = sheet.step(
             "µ₀",
             "1",
@@ -210,6 +223,10 @@ impl Analysis for TwoWheelerLean {
                         .with_quantity("needed", needed.value(), "1")
                         .with_quantity("friction", friction.value(), "1")
                 });
+            }
+            if self.measured == Measured::Track {
+                let on_track = || (friction * given.gravity * given.radius).sqrt();
+                sheet.common_error("v_s", ON_TRACK, on_track);
             }
             let sliding = sheet.step(
                 "v_s",
@@ -273,6 +290,13 @@ impl TwoWheelerLean {
                         * (inertia / (given.mass * given.wheel_radius * given.centre_height) + 1.0),
                     ("Tangent of the lean: m g h sin θ = (m v² h/R + I v²/(r R)) cos θ", KHURMI.at("§14.10")),
                 );
+                let upright = || {
+                    let ratio = speed.powi(2) / (given.gravity * given.radius);
+                    let slant = (ratio.powi(2) + 1.0).sqrt();
+                    ratio.atan2(W::Num::from(1.0)) + ((tangent - ratio) / slant).asin()
+                };
+                sheet.common_error("θ", UPRIGHT_COUPLE, upright);
+                sheet.common_error("θ", "small lean assumed: tan θ replaced by θ", || tangent);
                 sheet.step("θ", "deg", tangent.atan2(W::Num::from(1.0)), "Lean angle from the vertical")
             }
             (measured, _) => {
@@ -291,6 +315,14 @@ impl TwoWheelerLean {
                             "no lean balances the couples: the speed is too high for this radius",
                         )
                     })?;
+                if self.inertia_difference.is_none() {
+                    let plain = || {
+                        let gyroscopic = inertia / (given.mass * given.wheel_radius * given.centre_height);
+                        let tangent = speed.powi(2) / (given.gravity * given.radius) * (gyroscopic + 1.0);
+                        tangent.atan2(W::Num::from(1.0))
+                    };
+                    sheet.common_error("θ", ON_TRACK, plain);
+                }
                 sheet.numerical(
                     "θ",
                     "deg",
@@ -339,6 +371,15 @@ impl TwoWheelerLean {
             Some(difference) => couples + difference * lean.sin() / given.radius.powi(2),
             None => couples,
         };
+        let moment = || given.mass * given.gravity * given.centre_height;
+        if self.measured == Measured::Track {
+            let more = || given.mass * given.centre_height * (given.radius - path) / given.radius.powi(2);
+            let on_track = || moment() * lean.tan() / (couples + more());
+            sheet.common_error("q", ON_TRACK, on_track);
+        }
+        let spin = || inertia / (given.wheel_radius * given.radius);
+        let upright = || moment() * lean.sin() / ((couples - spin()) * lean.cos() + spin());
+        sheet.common_error("q", UPRIGHT_COUPLE, upright);
         let square = sheet.step(
             "q",
             "m^2/s^2",

@@ -214,6 +214,8 @@ impl Analysis for WheelLoads {
     }
 }
 
+const GEAR_SQUARED: &str = "gear ratio squared, as for the moment of inertia referred by kinetic energy";
+
 impl GearedInertia {
     fn lies_along(&self) -> bool {
         matches!(
@@ -249,6 +251,12 @@ impl WheelLoads {
                 mass * radius_of_gyration.powi(2) * axles
             }
         };
+        if let WheelInertiaGiven::EachWheelGyration { .. } | WheelInertiaGiven::EachPairGyration { .. } =
+            given.wheels
+        {
+            let what = "the formula of a disc, mk²/2, used with the radius of gyration";
+            sheet.common_error("I_W", what, || all / 2.0);
+        }
         sheet.step("I_W", "kg*m^2", all, "Moment of inertia of all wheels about their axles")
     }
 
@@ -287,12 +295,22 @@ impl WheelLoads {
         } else {
             given.mass * given.gravity
         };
+        if banked {
+            let upright = || given.mass * given.gravity / given.bank.cos();
+            let what = "vertical equilibrium written with the wheel loads alone, the side force omitted";
+            sheet.common_error("P", what, upright);
+        }
         let normal = sheet.step("P", "N", normal, "Sum of the wheel loads, normal to the road");
         let side = if banked {
             given.mass * (speed.powi(2) / given.radius * given.bank.cos() - given.gravity * given.bank.sin())
         } else {
             given.mass * speed.powi(2) / given.radius
         };
+        if banked {
+            let level = || given.mass * speed.powi(2) / given.radius;
+            let what = "whole centripetal force taken as the side force, as on a level road";
+            sheet.common_error("S", what, level);
+        }
         let side =
             sheet.step("S", "N", side, "Side force of the road, parallel to its surface, towards the inside");
         let overturning = sheet.step(
@@ -311,6 +329,13 @@ impl WheelLoads {
             Some(engine) => Couples { tilting: wheels + engine + overturning, pitching: None },
             None => Couples { tilting: wheels + overturning, pitching: None },
         };
+        let half_track = || couples.tilting * 2.0 / given.track;
+        sheet.common_error("ΔN", "half of the track taken as the arm of the couple of the loads", half_track);
+        if let Some(pitching) = couples.pitching {
+            let all = || (couples.tilting + pitching.abs()) / given.track;
+            let what = "couple of the longitudinal engine, about another axis, added to the tilting couple";
+            sheet.common_error("ΔN", what, all);
+        }
         let transfer = sheet.step(
             "ΔN",
             "N",
@@ -401,6 +426,8 @@ impl WheelLoads {
                 "Gyroscopic couple of the engine: in this turn it loads the rear axle and unloads the front one"
             }
         };
+        let squared = || couple * given_engine.ratio;
+        sheet.common_error("C_E", GEAR_SQUARED, squared);
         let couple = sheet.step("C_E", "N*m", couple, (why, KHURMI.at("§14.9")));
         sheet.answer("engine_couple", "Gyroscopic couple of the engine", couple);
         Some(couple)
@@ -448,6 +475,11 @@ impl WheelLoads {
                     Some(couple) => front + couple / wheelbase,
                     None => front,
                 };
+                let equal = || match pitching {
+                    Some(couple) => normal / 2.0 + couple / wheelbase,
+                    None => normal / 2.0,
+                };
+                sheet.common_error("P_f", "weight divided equally between the axles", equal);
                 let front =
                     sheet.step("P_f", "N", front, "Load of the front axle: moments about the rear one");
                 let rear = sheet.step("P_r", "N", normal - front, "Load of the rear axle");
@@ -467,6 +499,9 @@ impl WheelLoads {
                 let (axle, shifted) =
                     if wheel.front { (front, front_transfer) } else { (rear, rear_transfer) };
                 let load = if wheel.outer { axle / 2.0 + shifted } else { axle / 2.0 - shifted };
+                let halved = || if wheel.outer { (axle + shifted) / 2.0 } else { (axle - shifted) / 2.0 };
+                let what = "load transfer divided between the inner and the outer wheel";
+                sheet.common_error(wheel.symbol, what, halved);
                 let load = sheet.step(wheel.symbol, "N", load, wheel.label);
                 (wheel, load)
             })

@@ -146,6 +146,13 @@ impl Analysis for ImpactOfTwoBodies {
             ImpactOutcomeGiven::Separate { restitution } => Some(*restitution),
             ImpactOutcomeGiven::Stick {} => None,
         };
+        if let Some(e) = restitution {
+            sheet.common_error("J", "the struck body taken as a fixed wall", || {
+                (e + 1.0) * given.mass * approach
+            });
+            sheet.common_error("J", "body A taken to stop at the impact", || given.mass * first[0]);
+            sheet.common_error("J", "a perfectly elastic impact assumed", || reduced * approach * 2.0);
+        }
         let impulse = match restitution {
             Some(e) => sheet.step(
                 "J",
@@ -249,12 +256,19 @@ impl<N: Real> Impact<N> {
         }
         let (first_mass, second_mass) = (self.mass, self.struck);
         let free = second_mass.filter(|_| !is_hinged);
-        if self.restitution.is_some() {
+        if let Some(e) = self.restitution {
+            reduced_across(e, ["v_A′", "φ_A′"], after[0], sheet);
             direction(["v_A′", "φ_A′"], ["speed_a", "angle_a"], SPEED_A, after[0], sheet);
             if free.is_some() {
+                reduced_across(e, ["v_B′", "φ_B′"], after[1], sheet);
                 direction(["v_B′", "φ_B′"], ["speed_b", "angle_b"], SPEED_B, after[1], sheet);
             }
         } else if let Some(mass) = free {
+            sheet.common_error(
+                "v_s",
+                "the component of A across the line of impact taken as unchanged",
+                || self.first[1],
+            );
             let across = sheet.step(
                 "v_s",
                 "m/s",
@@ -296,6 +310,19 @@ impl<N: Real> Impact<N> {
                 "Energy lost: that of the approach, and that of A across the line of impact",
             ),
         };
+        match self.restitution {
+            Some(e) => {
+                sheet.common_error("ΔT", "1 − e² of the whole kinetic energy taken", || {
+                    (W::Num::from(1.0) - e.powi(2)) * before
+                });
+            }
+            None if !self.is_oblique() => {
+                sheet.common_error("ΔT", "the mass of A used in place of the reduced mass", || {
+                    first_mass * self.approach.powi(2) / 2.0
+                });
+            }
+            None => {}
+        }
         let lost = sheet.step("ΔT", "J", lost, (why, BEER.at("§13.4")));
         let share = sheet.step("q", "%", lost / before, "Share of the kinetic energy that is lost");
         sheet.answer("energy_lost", "Kinetic energy lost", lost);
@@ -364,6 +391,20 @@ impl<N: Real> Impact<N> {
 const SPEED_A: [&str; 2] = ["Speed of A after", "Angle of A to the line of impact after"];
 const SPEED_B: [&str; 2] = ["Speed of B after", "Angle of B to the line of impact after"];
 const SPEED_BOTH: [&str; 2] = ["Common speed after", "Angle of both to the line of impact"];
+
+/// Records the error of a coefficient of restitution that is applied across the line of impact as well.
+fn reduced_across<W: Worksheet>(
+    e: W::Num,
+    [speed, angle]: [&'static str; 2],
+    [normal, across]: [W::Num; 2],
+    sheet: W,
+) {
+    const WHAT: &str = "the component across the line of impact multiplied by e as well";
+    if across.holds(|across| across != 0.0) {
+        sheet.common_error(speed, WHAT, || (normal.powi(2) + (e * across).powi(2)).sqrt());
+        sheet.common_error(angle, WHAT, || (e * across).atan2(normal));
+    }
+}
 
 /// Answers speed and direction of a body. Without friction the component across the line of impact is as before.
 fn direction<W: Worksheet>(

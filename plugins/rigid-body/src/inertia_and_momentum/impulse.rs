@@ -2,6 +2,7 @@
 
 mod after;
 mod checks;
+mod common_errors;
 mod free;
 
 use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, register};

@@ -143,6 +143,13 @@ fn show_principal<W: Worksheet>(body: &WorkedBody<W>, principal: &Principal, she
         } else {
             "The next root"
         };
+        if body.products.iter().any(|product| product.holds(|x| x != 0.0)) {
+            sheet.common_error(("I_p", n + 1), "the products of inertia ignored", || {
+                let [x, y, z] = body.moments;
+                let (least, most) = (x.min(y).min(z), x.max(y).max(z));
+                [least, x + y + z - least - most, most][n]
+            });
+        }
         let moment =
             sheet.numerical(("I_p", n + 1), "kg*m^2", principal.moments[n], (reason, MERIAM.at("App. B/2")));
         let axis = sheet.numerical_vector(
@@ -273,12 +280,27 @@ impl BodyLine {
             given.direction / given.direction.magnitude(),
             "Direction cosines of the line",
         );
+        let between = along.components().into_iter().filter(|cos| cos.holds(|cos| cos != 0.0)).count() > 1;
+        if between {
+            let about = |products: [W::Num; 3]| about_line(body.moments, products, along);
+            sheet.common_error("I_λ", "the products of inertia ignored", || about([0.0.into(); 3]));
+            sheet.common_error("I_λ", "the products of inertia taken with the opposite sign", || {
+                about(body.products.map(|product| -product))
+            });
+            sheet.common_error("I_λ", "the direction cosines not squared", || {
+                let terms = body.moments.into_iter().zip(along.components());
+                W::Num::sum(terms.map(|(moment, cos)| moment * cos))
+            });
+        }
         let through_g = sheet.step(
             "I_λ",
             "kg*m^2",
             about_line(body.moments, body.products, along),
             ("Moment of inertia about the parallel line through G", MERIAM.at("App. B/2")),
         );
+        sheet.common_error("δ", "the distance of G from the given point of the line used", || {
+            (body.centre - given.through).magnitude()
+        });
         let distance = sheet.step(
             "δ",
             "m",
@@ -293,6 +315,11 @@ impl BodyLine {
         );
         sheet.answer("line_inertia", "Moment of inertia about the line", about);
         let radius = if about.value() > 1e-14 * body.properties.inertia.amax() {
+            sheet.common_error(
+                "k_L",
+                "the distance of the line added to the radius of gyration about its parallel through G",
+                || (through_g / body.mass).sqrt() + distance,
+            );
             sheet.step("k_L", "m", (about / body.mass).sqrt(), "Radius of gyration about the line")
         } else {
             sheet.numerical("k_L", "m", 0.0, "Radius of gyration about the line")

@@ -6,7 +6,10 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::{
     shared::{
-        body::{Body, BodyLine, BodyLineGiven, BodyRotation, BodyVelocity, WorkedBody, directed, refused},
+        body::{
+            Body, BodyLine, BodyLineGiven, BodyRotation, BodyVelocity, WorkedBody, directed, matrix_times,
+            refused,
+        },
         scene::Scene,
     },
     sources::{BEER, MERIAM, RIUL},
@@ -70,6 +73,19 @@ impl Analysis for Momentum {
             ("Angular momentum about G: the inertia matrix times ω", BEER.at("§18.1A")),
         );
         sheet.answer_vector("momentum_g", "Angular momentum about G", about_g);
+        let without_products = || matrix_times(body.moments, [W::Num::from(0.0); 3], omega);
+        let is_oblique = omega.cross(about_g).magnitude().holds(|size| size > 0.0);
+        sheet.common_error("H_m", "the products of inertia ignored", || without_products().magnitude());
+        sheet.common_error("H_m", "the products of inertia taken with the opposite sign", || {
+            matrix_times(body.moments, body.products.map(|product| -product), omega).magnitude()
+        });
+        if is_oblique {
+            sheet.common_error(
+                "H_m",
+                "the moment of inertia about the axis of rotation multiplied by ω alone",
+                || omega.dot(about_g) / omega.magnitude(),
+            );
+        }
         let size =
             sheet.step("H_m", "kg*m^2/s", about_g.magnitude(), "Magnitude of the angular momentum about G");
         sheet.answer("momentum_g_size", "Magnitude of the angular momentum about G", size);
@@ -100,6 +116,9 @@ impl Analysis for Momentum {
             ),
         );
         sheet.answer_vector("momentum_a", "Angular momentum about A", about_a);
+        sheet.common_error("H_Am", "the magnitudes of the two parts added as numbers", || {
+            about_g.magnitude() + arm.cross(linear).magnitude()
+        });
         let size =
             sheet.step("H_Am", "kg*m^2/s", about_a.magnitude(), "Magnitude of the angular momentum about A");
         sheet.answer("momentum_a_size", "Magnitude of the angular momentum about A", size);
@@ -113,12 +132,29 @@ impl Analysis for Momentum {
             body.mass * speed.powi(2) / 2.0,
             ("Kinetic energy of the motion of G", BEER.at("§18.1C")),
         );
+        sheet.common_error("T_ω", "the products of inertia ignored", || {
+            rigid::rotational_energy(omega, without_products())
+        });
+        if is_oblique {
+            sheet.common_error(
+                "T_ω",
+                "½ H ω taken with the magnitudes, the angle between them ignored",
+                || about_g.magnitude() * omega.magnitude() / 2.0,
+            );
+        }
         let rotation = sheet.step(
             "T_ω",
             "J",
             rigid::rotational_energy(omega, about_g),
             ("Kinetic energy of the rotation about G", BEER.at("§18.1C")),
         );
+        if matches!(self.going, BodyVelocity::Fixed { .. }) {
+            sheet.common_error(
+                "T",
+                "½ m v_G² added to the energy of the rotation about the fixed point",
+                || translation * 2.0 + rotation,
+            );
+        }
         let total = sheet.step("T", "J", translation + rotation, "Kinetic energy");
         if let Some(angle) = angle {
             sheet.check_sum(
@@ -186,6 +222,11 @@ fn line_momentum<W: Worksheet>(
         about_g + (body.centre - given.through).cross(linear),
         "Angular momentum about a point of the line",
     );
+    if along.cross(about).magnitude().holds(|size| size > 0.0) {
+        sheet.common_error("H_λ", "the whole angular momentum about the point of the line taken", || {
+            about.magnitude()
+        });
+    }
     let component = sheet.step(
         "H_λ",
         "kg*m^2/s",
@@ -246,6 +287,14 @@ impl Momentum {
             principal.moments.z,
             ("Maximum principal moment of inertia", MERIAM.at("App. B/2")),
         );
+        sheet.common_error(
+            "ω_f",
+            "the kinetic energy taken as conserved in place of the angular momentum",
+            || (rotation * 2.0 / largest).sqrt(),
+        );
+        sheet.common_error("ω_f", "the final rotation taken about the axis of the smallest moment", || {
+            about_g.magnitude() / largest * (principal.moments.z / principal.moments.x)
+        });
         let rate = sheet.step(
             "ω_f",
             "rad/s",

@@ -97,6 +97,7 @@ impl Analysis for MomentumOfASystem {
             ));
         }
         let own: Vec<W::Num> = bodies.iter().filter_map(|body| body.after.own_momentum()).collect();
+        let is_alone = self.impulse == 0.0 && own.is_empty();
         let mut available = before;
         if self.impulse != 0.0 {
             available = available + given.impulse;
@@ -110,6 +111,7 @@ impl Analysis for MomentumOfASystem {
             );
             available = available - own;
         }
+        common_errors(&bodies, is_alone, [available, inertia], sheet);
         let speed = sheet.step(
             "ω",
             "rad/s",
@@ -187,6 +189,14 @@ impl<N: Real> After<N> {
         }
     }
 
+    /// Moment of inertia of what turns relative to the common angular velocity.
+    fn relative_inertia(self) -> Option<N> {
+        match self {
+            After::Common { inertia, relative: Some(_) } => Some(inertia),
+            _ => None,
+        }
+    }
+
     /// Angular momentum that does not depend on the common angular velocity.
     fn own_momentum(self) -> Option<N> {
         match self {
@@ -224,6 +234,34 @@ impl SystemBody {
         let (before, inertia) = given.before.work(momentum, name, n, sheet);
         let after = given.after.work(inertia, name, n, sheet);
         WorkedBody { before, after }
+    }
+}
+
+/// Records the errors of the common angular velocity; `is_alone` where all turn with it and no impulse acts from outside.
+fn common_errors<W: Worksheet>(
+    bodies: &[WorkedBody<W::Num>],
+    is_alone: bool,
+    [available, inertia]: [W::Num; 2],
+    sheet: W,
+) {
+    if is_alone {
+        sheet.common_error(
+            "ω",
+            "the kinetic energy taken as conserved in place of the angular momentum",
+            || (W::Num::sum(bodies.iter().map(|body| body.before.energy)) * 2.0 / inertia).sqrt(),
+        );
+    }
+    if is_alone && bodies.iter().all(|body| body.before.turning.is_some()) {
+        sheet.common_error("ω", "the mean of the angular velocities taken", || {
+            let speeds = bodies.iter().filter_map(|body| body.before.turning);
+            W::Num::sum(speeds.map(|[_, speed]| speed)) / bodies.len() as f64
+        });
+    }
+    if bodies.iter().any(|body| body.after.relative_inertia().is_some()) {
+        sheet.common_error("ω", "the relative angular velocity taken as absolute", || {
+            let moving = bodies.iter().filter_map(|body| body.after.relative_inertia());
+            available / (inertia - W::Num::sum(moving))
+        });
     }
 }
 
@@ -275,7 +313,7 @@ impl MomentumOfASystem {
         };
         let (
             Some([inertia, start]),
-            Some(_),
+            Some([_, other]),
             After::Common { relative: None, .. },
             After::Common { relative: None, .. },
         ) = (first.before.turning, second.before.turning, first.after, second.after)
@@ -289,6 +327,9 @@ impl MomentumOfASystem {
                 "the time of the slip is found without an external angular impulse: write zero for it, or leave the torque out",
             ));
         }
+        sheet.common_error("t_s", "the first body taken to reach the initial speed of the second", || {
+            inertia * (other - start).abs() / torque
+        });
         let time = sheet.step(
             "t_s",
             "s",

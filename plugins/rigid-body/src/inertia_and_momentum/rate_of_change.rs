@@ -151,6 +151,20 @@ impl Analysis for RateOfChange {
             about.dot(worked.last_axis),
             "Angular momentum along the axis of the last joint",
         );
+        if from.is_none() && axes != last {
+            sheet.common_error(
+                "M",
+                "the moments of inertia multiplied by α alone, without the gyroscopic terms",
+                || inertia.times(alpha).magnitude(),
+            );
+            if axes != 0 {
+                sheet.common_error(
+                    "M",
+                    "the angular velocity of the body used in place of that of the moving frame",
+                    || (rate - worked.omega[axes].cross(momentum) + omega.cross(momentum)).magnitude(),
+                );
+            }
+        }
         let moment_size = sheet.step("M", "N*m", moment.magnitude(), "Magnitude of the moment");
         sheet.answer_vector("angular_momentum", "Angular momentum about the point", about);
         sheet.answer("angular_momentum_size", "Magnitude of the angular momentum", size);
@@ -174,6 +188,7 @@ impl Analysis for RateOfChange {
                 let why = "Over half a revolution the transverse component reverses";
                 (axis.cross(about).magnitude(), why)
             };
+            sheet.common_error("ΔH", "the whole angular momentum reversed", || about.magnitude() * 2.0);
             let change = sheet.step("ΔH", "kg*m^2/s", turning * 2.0, (why, IRODOV.at("")));
             sheet.answer("half_turn_change", "Change of the angular momentum over half a revolution", change);
             change

@@ -113,6 +113,13 @@ impl Motion {
         );
         let principal = self.principal(given, sheet);
         let momentum = momentum(sheet, body, principal, omega);
+        if let PivotGiven::FixedPoint { mass, centre, .. } = given.pivot {
+            let what = "kinetic energy of translation added to that of the rotation about the fixed point";
+            sheet.common_error("T_0", what, || {
+                rigid::rotational_energy(omega, momentum)
+                    + mass * omega.cross(centre).magnitude().powi(2) / 2.0
+            });
+        }
         let kinetic = sheet.step(
             "T_0",
             "J",
@@ -167,6 +174,8 @@ impl Motion {
                 up,
                 "The upward vertical at the start, in the axes of the body",
             );
+            let what = "the distance of the centre of mass from the fixed point taken as its height";
+            sheet.common_error("V_0", what, || mass * gravity * centre.magnitude());
             let potential = sheet.step(
                 "V_0",
                 "J",

@@ -9,7 +9,7 @@ use dalembert_core::{
     register,
 };
 use dalembert_mechanics::{
-    Vector,
+    Real, Vector,
     rigid::{self, chain},
 };
 use nalgebra::{Matrix3, Vector3};
@@ -88,6 +88,7 @@ impl Analysis for RotationChain {
                 );
             }
         }
+        sheet.verify(|| wrong_magnitudes(&worked, last, sheet));
         let speed = sheet.step(
             "ω",
             "rad/s",
@@ -265,6 +266,30 @@ impl RotationChain {
             Axis::linear("angular velocity", "rad/s"),
             vec![Series::line("ωₓ", x), Series::line("ω_y", y), Series::line("ω_z", z)],
         )
+    }
+}
+
+/// Declares what people find for the magnitudes of angular velocity and acceleration of the last frame.
+fn wrong_magnitudes<W: Worksheet>(worked: &WorkedChain<'_, W>, last: usize, sheet: W) {
+    if last == 1 {
+        return;
+    }
+    let (omega, alpha) = (&worked.omega, &worked.alpha);
+    let relative = |n: usize| if n == 1 { omega[1] } else { omega[n] - omega[n - 1] };
+    let speeds = || (1..=last).map(|n| relative(n).magnitude());
+    sheet.common_error("ω", "the angular speeds of the joints added as numbers", || W::Num::sum(speeds()));
+    sheet.common_error("ω", "the axes of the joints taken as perpendicular", || {
+        W::Num::sum(speeds().map(|speed| speed.powi(2))).sqrt()
+    });
+    sheet.common_error("ω", "the angular velocity relative to the preceding frame taken", || {
+        relative(last).magnitude()
+    });
+    let carried = W::Vec::sum((2..=last).map(|n| omega[n - 1].cross(relative(n))));
+    let own = alpha[last] - carried;
+    // Joints that turn steadily leave rounding.
+    if own.value().norm() > 1e-9 * carried.value().norm() {
+        let what = "the angular accelerations of the joints added, the rotation of their axes neglected";
+        sheet.common_error("α", what, || own.magnitude());
     }
 }
 

@@ -116,6 +116,12 @@ impl Analysis for BallOnTurntable {
             }
             BallGiven::Given { ratio } => ratio,
         };
+        sheet.common_error("ω_c", "the angular velocity of the turntable taken as that of the path", || {
+            given.turntable
+        });
+        sheet.common_error("ω_c", "the factor of rolling down an incline, 1/(1 + κ), used", || {
+            given.turntable / (ratio + 1.0)
+        });
         let rate = sheet.step(
             "ω_c",
             "rad/s",
@@ -297,6 +303,9 @@ impl BallOnTurntable {
         } else {
             (central / given.gravity, "Coefficient of friction that it takes to keep the ball on its circle")
         };
+        sheet.common_error("µ", "the ball taken to rest on the turntable, at its initial radius", || {
+            given.turntable.powi(2) * given.start.magnitude() / given.gravity
+        });
         let needed = sheet.step("µ", "1", needed, why);
         sheet.answer("friction", "Coefficient of friction needed", needed);
         sheet.verify(|| {

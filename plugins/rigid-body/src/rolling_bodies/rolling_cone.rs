@@ -96,6 +96,7 @@ impl Analysis for RollingCone {
         let (sin, cos, tan) = (angle.sin(), angle.cos(), angle.tan());
         let radius = sheet.step("r", "m", height * tan, "Radius of the base");
         let slant = sheet.step("s", "m", height / cos, "Length of the line of contact");
+        cone_errors(&given.cone, mass, [radius, height], sheet);
         let (centre, axial, transverse) = match given.cone {
             ConeGiven::Given { centre, axial, transverse } => (centre, axial, transverse),
             ConeGiven::Solid {} => (
@@ -136,6 +137,7 @@ impl Analysis for RollingCone {
         }
         let (precession, omega) = match given.known {
             ConeMotionInputGiven::Precession { precession } => {
+                sheet.common_error("ω", SPIN, || precession / sin);
                 let omega = sheet.step(
                     "ω",
                     "rad/s",
@@ -148,6 +150,7 @@ impl Analysis for RollingCone {
                 (precession, omega)
             }
             ConeMotionInputGiven::Omega { omega } => {
+                sheet.common_error("φ̇", SPIN, || omega * sin);
                 let precession = sheet.step(
                     "φ̇",
                     "rad/s",
@@ -162,6 +165,13 @@ impl Analysis for RollingCone {
         };
         let along = sheet.step("ω_a", "rad/s", omega * cos, "Component of ω along the axis of the cone");
         let across = sheet.step("ω_t", "rad/s", omega * sin, "Transverse component of ω");
+        sheet.common_error("T", "½ m v_G² added, although the moments are about the apex", || {
+            let rotation = axial * along.powi(2) + transverse * across.powi(2);
+            (rotation + mass * (precession * centre * cos).powi(2)) / 2.0
+        });
+        sheet.common_error("T", "½ I_a ω² taken, as if ω lay along the axis of the cone", || {
+            axial * omega.powi(2) / 2.0
+        });
         let energy = sheet.step(
             "T",
             "J",
@@ -190,12 +200,16 @@ impl Analysis for RollingCone {
         let [_, couple, _] = rate.components();
         let normal = sheet.step("N", "N", mass * gravity, "Total normal force of the plane");
         let lever = sheet.step("x_G", "m", centre * cos, "Centre of mass, along the line of contact");
+        sheet.common_error("x_N", NO_COUPLE, || lever + precession.powi(2) * lever * centre * sin / gravity);
         let place = sheet.step(
             "x_N",
             "m",
             lever - couple / normal,
             "Distance of the normal force from the apex: moments about y, m g x_G − N x_N = Ḣ_y",
         );
+        sheet.common_error("F", "the angular velocity of the cone used in place of its precession", || {
+            mass * omega.powi(2) * lever
+        });
         let force = sheet.step(
             "F",
             "N",
@@ -215,6 +229,9 @@ impl Analysis for RollingCone {
             (axial * cos.powi(2) + transverse * sin.powi(2)) * cos / sin,
             "Couple divided by the square of the precession rate: |Ḣ|/φ̇² = (I_a cos² α + I_t sin² α) cot α",
         );
+        sheet.common_error("φ̇_max", NO_COUPLE, || {
+            (gravity * (slant - lever) / (lever * centre * sin)).sqrt()
+        });
         let tipping = sheet.step(
             "φ̇_max",
             "rad/s",
@@ -302,6 +319,43 @@ impl Analysis for RollingCone {
     }
 }
 
+const NO_COUPLE: &str = "the moment of m a_G alone taken, without the couple of the rotation about G";
+const SPIN: &str = "the spin about the axis of the cone taken as its angular velocity";
+
+/// Records the errors of the centre of mass and of the moments of inertia of a cone.
+fn cone_errors<W: Worksheet>(cone: &ConeGiven<W>, mass: W::Num, [radius, height]: [W::Num; 2], sheet: W) {
+    match cone {
+        ConeGiven::Given { .. } => {}
+        ConeGiven::Solid {} => {
+            sheet.common_error("l", "the centroid of a triangle used for the cone", || height * 2.0 / 3.0);
+            sheet.common_error("l", "the centre of mass measured from the base", || height / 4.0);
+            sheet.common_error(
+                "I_a",
+                "the moment of inertia of a cylinder about its axis used for the cone",
+                || mass * radius.powi(2) / 2.0,
+            );
+            sheet.common_error(
+                "I_t",
+                "the transverse moment of inertia taken about the centre of mass",
+                || mass * (radius.powi(2) * 4.0 + height.powi(2)) * 3.0 / 80.0,
+            );
+        }
+        ConeGiven::Shell {} => {
+            sheet.common_error("l", "the centre of mass of a solid cone used for the shell", || {
+                height * 3.0 / 4.0
+            });
+            sheet.common_error("I_a", "the moment of inertia of a solid cone used for the shell", || {
+                mass * radius.powi(2) * 3.0 / 10.0
+            });
+            sheet.common_error(
+                "I_t",
+                "the transverse moment of inertia taken about the centre of mass",
+                || mass * (radius.powi(2) * 9.0 + height.powi(2) * 2.0) / 36.0,
+            );
+        }
+    }
+}
+
 fn at_point(speed: f64, lever: f64, part: f64, normal: f64) -> (f64, f64) {
     (speed, lever + part * speed * speed / normal)
 }
@@ -335,7 +389,6 @@ impl RollingCone {
         );
     }
 
-    /// One turn about the vertical.
     /// The letters of what is given of its mass.
     fn letters(&self) -> &'static str {
         match self.cone {
@@ -344,6 +397,7 @@ impl RollingCone {
         }
     }
 
+    /// One turn about the vertical.
     fn animation(&self) -> Exhibit {
         let (sin, cos) = self.half_angle.sin_cos();
         let slant = self.height / cos;

@@ -120,13 +120,24 @@ impl Analysis for RollingMotion {
             transverse + mass * radius.powi(2),
             "Moment of inertia about the tangent at the contact",
         );
-        let tilt = sheet.step(
-            "θ̈",
-            "rad/s^2",
+        let acceleration = |third: W::Num| {
             (transverse * second.powi(2) * theta.cos() / theta.sin()
                 - rolling * second * third
                 - mass * gravity * radius * theta.cos())
-                / tilting,
+                / tilting
+        };
+        sheet.common_error(
+            "θ̈",
+            "the moment of the weight alone taken, without the gyroscopic terms",
+            || -(mass * gravity * radius * theta.cos() / tilting),
+        );
+        sheet.common_error("θ̈", "the spin used in place of the angular velocity about the axis", || {
+            acceleration(given.spin)
+        });
+        let tilt = sheet.step(
+            "θ̈",
+            "rad/s^2",
+            acceleration(third),
             (
                 "Angular acceleration of the tilt at the start: moments about the tangent at the contact, about which normal force and friction have no moment",
                 ROUTH.at("ch. V"),

@@ -87,6 +87,17 @@ impl Analysis for RollingStability {
         };
         let (critical, judged) = match given.motion {
             UprightGiven::Rolling { speed } => {
+                sheet.common_error(
+                    "v_c",
+                    "the moment of inertia about the tangent at the contact used, not that about a diameter",
+                    || {
+                        let moments = [axial, transverse + mass * radius.powi(2)];
+                        rolling::least_rolling_speed(mass, radius, moments, gravity)
+                    },
+                );
+                sheet.common_error("v_c", "the condition v² = g r of a circular path used", || {
+                    (gravity * radius).sqrt()
+                });
                 let critical = sheet.step(
                     "v_c",
                     "m/s",
@@ -106,6 +117,15 @@ impl Analysis for RollingStability {
                 (critical, judged)
             }
             UprightGiven::Spinning { spin } => {
+                sheet.common_error(
+                    "Ω_c",
+                    "the moment of inertia about the axis of the disc used, not that about a diameter",
+                    || rolling::least_upright_spin(mass, radius, axial, gravity),
+                );
+                sheet.common_error("Ω_c", "the condition of a sleeping top used", || {
+                    let tangent = transverse + mass * radius.powi(2);
+                    (tangent * mass * gravity * radius).sqrt() * 2.0 / transverse
+                });
                 let critical = sheet.step(
                     "Ω_c",
                     "rad/s",

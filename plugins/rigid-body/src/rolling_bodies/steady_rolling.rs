@@ -86,6 +86,9 @@ pub enum RollingMotionInput {
 
 register!(SteadyRolling);
 
+const PARTICLE: &str = "the disc taken as a particle, tan λ = v²/(g a)";
+const ON_FLOOR: &str = "the circle on the floor used in place of that of the centre";
+
 impl Analysis for SteadyRolling {
     const ABOUT: About = About {
         id: "rigid-body/steady-rolling",
@@ -111,6 +114,11 @@ impl Analysis for SteadyRolling {
         let precession = |inclination: W::Num, centre: W::Num| {
             let squared =
                 rolling::steady_precession_squared(mass, radius, moments, gravity, inclination, centre);
+            sheet.common_error("φ̇", PARTICLE, || (gravity / (centre * inclination.tan())).sqrt());
+            sheet.common_error("φ̇", "the moment of the friction about the centre of mass omitted", || {
+                let own = moments[0] * centre / radius + moments[1] * inclination.cos();
+                (mass * gravity * radius / (inclination.tan() * own)).sqrt()
+            });
             sheet.step(
                 "φ̇",
                 "rad/s",
@@ -140,6 +148,7 @@ impl Analysis for SteadyRolling {
                 (inclination, centre, precession(inclination, centre))
             }
             RollingMotionInputGiven::Precession { inclination, precession } => {
+                sheet.common_error("a", PARTICLE, || gravity / (precession.powi(2) * inclination.tan()));
                 let centre = sheet.step(
                     "a",
                     "m",
@@ -165,6 +174,8 @@ impl Analysis for SteadyRolling {
                         "no angle was found for this rolling motion; the speed is too small or too large for the circle",
                     ));
                 };
+                sheet.common_error("λ", PARTICLE, || speed.powi(2).atan2(gravity * centre));
+                sheet.common_error("θ", PARTICLE, || (gravity * centre).atan2(speed.powi(2)));
                 let inclination = sheet.numerical(
                     "θ",
                     "deg",
@@ -187,6 +198,7 @@ impl Analysis for SteadyRolling {
             "Radius of the circle on the floor: the contact lies outward of the centre",
         );
         let speed = sheet.step("v", "m/s", (centre * precession).abs(), "Speed of the centre");
+        sheet.common_error("ω₃", ON_FLOOR, || -(precession * floor / radius));
         let third = sheet.step(
             "ω₃",
             "rad/s",
@@ -207,6 +219,7 @@ impl Analysis for SteadyRolling {
         );
         let normal =
             sheet.step("N", "N", mass * gravity, "Normal force: the height of the centre is constant");
+        sheet.common_error("F", ON_FLOOR, || mass * floor * precession.powi(2));
         let force = sheet.step(
             "F",
             "N",

@@ -1,6 +1,7 @@
 //! Inputs of a rigid body: its parts or its inertia, its rotation, a line in it.
 
 mod alone;
+mod common_errors;
 mod description;
 mod motion;
 mod outline;

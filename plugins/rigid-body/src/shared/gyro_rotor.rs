@@ -106,6 +106,12 @@ impl<W: Worksheet> GyroRotorGiven<W> {
                 return Ok(SpinningRotor { momentum: *momentum, axial: None, mass: *mass });
             }
             GyroRotorGiven::RadiusOfGyration { mass, radius_of_gyration } => {
+                let disc = || *mass * radius_of_gyration.powi(2) / 2.0;
+                sheet.common_error(
+                    "I_a",
+                    "the formula of a disc, mk²/2, used with the radius of gyration",
+                    disc,
+                );
                 let inertia = sheet.step(
                     "I_a",
                     "kg*m^2",
@@ -115,6 +121,10 @@ impl<W: Worksheet> GyroRotorGiven<W> {
                 (inertia, Some(*mass))
             }
             GyroRotorGiven::Disc { mass, radius } => {
+                let diametral = || rigid::disc_diametral_inertia(*mass, *radius);
+                sheet.common_error("I_a", "moment of inertia of the disc taken about a diameter", diametral);
+                let of_rim = || *mass * radius.powi(2);
+                sheet.common_error("I_a", "whole mass of the disc taken at its rim", of_rim);
                 let inertia = sheet.step(
                     "I_a",
                     "kg*m^2",

@@ -1,6 +1,6 @@
 //! A chain of joints as a user describes it, and its angular velocities and accelerations worked joint by joint.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use dalembert_core::{Cite, Ink, Inputs, Reason, Reference, Refusal, Text, Worksheet};
 use dalembert_mechanics::{
@@ -394,6 +394,8 @@ pub(crate) fn carried<V: Vector>(origin: Option<[V; 2]>, omega: V, alpha: V, arm
     }
 }
 
+const IN_DEGREES: &str = "the phase in radians evaluated with the calculator in degrees";
+
 /// Angle, rate and acceleration of joint `n`, counted from 1.
 fn motion<W: Worksheet>(n: usize, given: &JointGiven<W>, sheet: W) -> [W::Num; 3] {
     match given.motion {
@@ -403,6 +405,10 @@ fn motion<W: Worksheet>(n: usize, given: &JointGiven<W>, sheet: W) -> [W::Num; 3
             let speed = sheet.step(("p", n), "rad/s", turn / period, "Angular frequency of the oscillation");
             let phase = turn * time / period;
             let swing = amplitude * phase.sin();
+            let wrong = || phase * (PI / 180.0);
+            sheet.common_error(("θ", n), IN_DEGREES, || middle + amplitude * wrong().sin());
+            sheet.common_error(("θ̇", n), IN_DEGREES, || amplitude * speed * wrong().cos());
+            sheet.common_error(("θ̈", n), IN_DEGREES, || -(speed.powi(2) * amplitude * wrong().sin()));
             [
                 sheet.step(("θ", n), "deg", middle + swing, "Angle of the oscillation at this time"),
                 sheet.step(

@@ -137,6 +137,19 @@ impl<W: Worksheet> TopBodyGiven<W> {
                 (axial, Some(about_point(transverse)))
             }
             TopInertiaGiven::Gyration { axial, transverse } => {
+                sheet.common_error(
+                    "I_a",
+                    "the radius of gyration used as the radius of a disc, ½ m k²",
+                    || rigid::disc_axial_inertia(self.mass, *axial),
+                );
+                sheet.common_error(
+                    "I_t",
+                    "m l² added, as if the radius of gyration were about the centre of mass",
+                    || {
+                        let own = rigid::moment_by_gyration(self.mass, *transverse);
+                        rigid::parallel_axis(own, self.mass, self.distance)
+                    },
+                );
                 let about = |symbol, radius: W::Num, why| {
                     sheet.step(symbol, "kg*m^2", rigid::moment_by_gyration(self.mass, radius), why)
                 };

@@ -47,6 +47,34 @@ pub(crate) fn moments<W: Worksheet>(
         WheelGiven::Moments { axial, transverse } => return [axial, transverse],
         WheelGiven::Radii { axial, transverse } => [mass * axial.powi(2), mass * transverse.powi(2)],
     };
+    match *wheel {
+        WheelGiven::Disc {} => {
+            let about_contact = || rigid::parallel_axis(moments[0], mass, radius);
+            let what =
+                "moment of inertia of the disc taken about a parallel axis through the point of contact";
+            sheet.common_error("I_a", what, about_contact);
+            let of_rim = || mass * radius.powi(2);
+            sheet.common_error("I_a", "whole mass of the disc taken at its rim", of_rim);
+            let axial = || moments[0];
+            let what = "moment of inertia of the disc about its axis taken for that about a diameter";
+            sheet.common_error("I_t", what, axial);
+        }
+        WheelGiven::Hoop {} => {
+            let about_contact = || rigid::parallel_axis(moments[0], mass, radius);
+            let what =
+                "moment of inertia of the hoop taken about a parallel axis through the point of contact";
+            sheet.common_error("I_a", what, about_contact);
+            let disc = || rigid::disc_axial_inertia(mass, radius);
+            sheet.common_error("I_a", "moment of inertia of a solid disc used for the hoop", disc);
+            let disc = || rigid::disc_diametral_inertia(mass, radius);
+            sheet.common_error("I_t", "moment of inertia of a solid disc used for the hoop", disc);
+        }
+        WheelGiven::Radii { .. } => {
+            let what = "the formula of a disc, mk²/2, used with the radius of gyration";
+            sheet.common_error("I_a", what, || moments[0] / 2.0);
+        }
+        WheelGiven::Moments { .. } => {}
+    }
     [sheet.step("I_a", "kg*m^2", moments[0], reason[0]), sheet.step("I_t", "kg*m^2", moments[1], reason[1])]
 }
 

@@ -224,11 +224,20 @@ impl<'a> Held<'a> {
         of: &Wrench,
         reaction: W::Vec,
         given: &SupportGiven<W>,
+        common_errors: &[(&'static str, Vector3<f64>)],
         sheet: W,
     ) {
         let name = &self.all[n].name;
+        let errors_along = |symbol: &'static str, along: W::Vec| {
+            for &(what, force) in common_errors {
+                let share = force.dot(along.value()) / of.force.dot(along.value());
+                let wrong = || reaction.dot(along) / along.magnitude() * share;
+                sheet.common_error((symbol, n + 1), what, wrong);
+            }
+        };
         match given.kind {
             SupportKindGiven::Wire { direction } => {
+                errors_along("S", direction);
                 let tension = sheet.step(
                     ("S", n + 1),
                     "N",
@@ -243,6 +252,7 @@ impl<'a> Held<'a> {
                 });
             }
             SupportKindGiven::Contact { normal, .. } | SupportKindGiven::RoughContact { normal } => {
+                errors_along("N", normal);
                 let force = sheet.step(
                     ("N", n + 1),
                     "N",
@@ -342,6 +352,28 @@ impl<'a> Held<'a> {
             foot: Vec::new(),
         }
     }
+}
+
+/// Common errors in a reaction, in words, and the force that each gives: from its part at rest, and from the reaction
+/// without the inertia couple.
+pub(super) fn common_errors(
+    reaction: Vector3<f64>,
+    at_rest: Option<Vector3<f64>>,
+    without_couple: Option<Vector3<f64>>,
+) -> Vec<(&'static str, Vector3<f64>)> {
+    let mut common_errors = Vec::new();
+    if let Some(at_rest) = at_rest {
+        common_errors.push(("dynamic part alone taken, without weight and loads", reaction - at_rest));
+        common_errors.push(("static part alone taken, without inertia force and couple", at_rest));
+    }
+    if let Some(force) = without_couple {
+        common_errors.push(("inertia couple omitted: the inertia force at G alone considered", force));
+    }
+    if let (Some(at_rest), Some(_)) = (at_rest, without_couple) {
+        let what = "inertia force and couple applied in the sense of the acceleration";
+        common_errors.push((what, at_rest * 2.0 - reaction));
+    }
+    common_errors
 }
 
 /// Message for reactions that the six equations do not determine, in the words of the form.

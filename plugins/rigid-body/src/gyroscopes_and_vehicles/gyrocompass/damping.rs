@@ -75,12 +75,16 @@ pub(super) fn answer<W: Worksheet>(
         "Angular frequency with damping: α̈ + 2 ζ ω₀ α̇ + ω₀² α = 0",
     );
     let damped_period = sheet.step("T_d", "s", W::Num::from(TAU) / damped, "Damped period");
+    let light = || ratio * TAU;
+    sheet.common_error("δ_L", "logarithmic decrement of light damping, δ = 2πζ, used", light);
     let decrement = sheet.step(
         "δ_L",
         "1",
         sdof::decrement_from_damping_ratio(ratio),
         "Logarithmic decrement over a whole period",
     );
+    let whole = || (-decrement).exp();
+    sheet.common_error("r_s", "swings on opposite sides taken as a whole period apart", whole);
     let swings =
         sheet.step("r_s", "1", (-decrement / 2.0).exp(), "Ratio of successive swings, on opposite sides");
     sheet.answer("damping_ratio", "Damping ratio", ratio);
@@ -100,6 +104,10 @@ pub(super) fn answer<W: Worksheet>(
         start / root,
         "Amplitude of the envelope A e^(−ζ ω₀ t), from rest at the deviation at the start",
     );
+    let decadic = || (amplitude / settled).log10() / (ratio * natural);
+    sheet.common_error("t_s", "log₁₀ used in place of the natural logarithm", decadic);
+    let two_percent = || W::Num::from(4.0) / (ratio * natural);
+    sheet.common_error("t_s", "the rule for settling to within 2%, 4/(ζω₀), used", two_percent);
     let time = sheet.step(
         "t_s",
         "s",
@@ -141,6 +149,8 @@ fn ratio<W: Worksheet>(
     sheet: W,
 ) -> Result<W::Num, Refusal> {
     let by_decrement = |decrement: W::Num| {
+        let light = || decrement / TAU;
+        sheet.common_error("ζ", "the formula for light damping, ζ = δ/(2π), used", light);
         let why = "Damping ratio from the logarithmic decrement";
         sheet.step("ζ", "1", sdof::damping_ratio_from_decrement(decrement), why)
     };
@@ -150,6 +160,10 @@ fn ratio<W: Worksheet>(
         }
         CompassDampingMeasureGiven::Decrement { decrement } => by_decrement(*decrement),
         CompassDampingMeasureGiven::Swings { ratio } => {
+            let half = || -ratio.ln();
+            sheet.common_error("δ_d", "swings on opposite sides taken as a whole period apart", half);
+            let decadic = || -ratio.log10() * 2.0;
+            sheet.common_error("δ_d", "log₁₀ used in place of the natural logarithm", decadic);
             let why = "Logarithmic decrement: two swings make up a period";
             by_decrement(sheet.step("δ_d", "1", -ratio.ln() * 2.0, why))
         }

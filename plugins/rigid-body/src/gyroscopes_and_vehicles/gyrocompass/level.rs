@@ -32,6 +32,8 @@ pub(super) fn answer<'a, W: Worksheet>(
             "the rotor is too slow for a compass: beside h_s the transverse moment of inertia turns the axle away from the meridian; write a larger angular momentum",
         ));
     }
+    let nutation = || transverse / momentum * TAU;
+    sheet.common_error("T₀", "period of nutation of a free gyroscope, 2πI_t/h_s, used", nutation);
     let period = sheet.step(
         "T₀",
         "s",
@@ -91,6 +93,8 @@ impl Swing {
         rate: W::Num,
         sheet: W,
     ) {
+        let small = || (momentum - transverse * rate) * rate * deviation;
+        sheet.common_error("C₀", "couple of a small deviation used: sin α₀ replaced by α₀", small);
         let couple = sheet.step(
             "C₀",
             "N*m",
@@ -115,11 +119,19 @@ impl Swing {
             elliptic::agm(first.value(), second.value()),
             "Arithmetic–geometric mean of a and b, which is the complete elliptic integral of the motion",
         );
+        let small = || (transverse / ((momentum - transverse * rate) * rate)).sqrt() * TAU;
+        sheet.common_error("T", "period of small oscillations used at a large deviation", small);
         let period = sheet.step(
             "T",
             "s",
             (transverse / (momentum * rate)).sqrt() * TAU / mean,
             "Period of the oscillation from the initial deviation",
+        );
+        let small = || deviation * ((momentum - transverse * rate) * rate / transverse).sqrt();
+        sheet.common_error(
+            "α̇_m",
+            "harmonic motion of small oscillations assumed at a large deviation",
+            small,
         );
         let fastest = sheet.step(
             "α̇_m",

@@ -30,12 +30,18 @@ impl<N: Real> Pendulum<N> {
             weight + momentum * rates.horizontal,
             "Moment that holds the axle level: that of the weight, and the gyroscopic one",
         );
+        let latitude = || rates.vertical.atan2(rates.horizontal);
+        sheet.common_error("θ₀", "axle assumed parallel to the axis of the Earth", latitude);
         let tilt = sheet.step(
             "θ₀",
             "deg",
             (momentum * rates.vertical).atan2(directing),
             "Tilt, north end upwards: the moment of the weight turns the axle with the meridian, B sin θ₀ = h_s (Ω_v cos θ₀ − Ω_h sin θ₀)",
         );
+        let pendulum = || (depth / gravity).sqrt() * TAU;
+        sheet.common_error("T₀", "period of a simple pendulum of the length l used", pendulum);
+        let precession = || momentum / weight * TAU;
+        sheet.common_error("T₀", "period of precession under the weight, 2πh_s/B, used", precession);
         let period = sheet.step(
             "T₀",
             "s",

@@ -88,6 +88,18 @@ impl GyroscopicCouple {
         sheet.answer_vector("bearing_a", "Force of bearing A on the rotor (forward, left, up)", rear);
         sheet.answer_vector("bearing_b", "Force of bearing B on the rotor (forward, left, up)", front);
         if !upright {
+            let (behind, ahead) = (given_bearings.behind, given_bearings.ahead);
+            let half = || force / W::Num::from(2.0);
+            let pair = || couple.cross(along) / (behind + ahead);
+            let what = "transverse force divided equally between the bearings";
+            sheet.common_error("R_A", what, || (half() - pair()).components()[2]);
+            sheet.common_error("R_B", what, || (half() + pair()).components()[2]);
+            let share = |of: W::Num| force * (of / (behind + ahead));
+            let what = "gyroscopic couple divided by the distance of the bearing from G";
+            let at_a = || share(ahead) - couple.cross(along) / behind;
+            sheet.common_error("R_A", what, || at_a().components()[2]);
+            let at_b = || share(behind) + couple.cross(along) / ahead;
+            sheet.common_error("R_B", what, || at_b().components()[2]);
             let rear =
                 sheet.step("R_A", "N", rear.components()[2], "Vertical reaction at A, positive upwards");
             let front =

@@ -67,6 +67,9 @@ impl GyroscopicCouple {
                 W::Num::from(TAU) / period,
                 "Angular frequency of the harmonic motion",
             );
+            let average = || amplitude * 4.0 / period;
+            let what = "average angular velocity over a quarter of a period used in place of the maximum";
+            sheet.common_error("ω_p", what, average);
             sheet.step(
                 "ω_p",
                 "rad/s",
@@ -171,6 +174,11 @@ impl GyroscopicCouple {
                     mass * *gravity * *arm,
                     "Moment of the weight about the support",
                 );
+                if let Some(axial) = rotor.axial {
+                    let about_support = || moment * axial / (rotor.momentum * (axial + mass * arm.powi(2)));
+                    let what = "moment of inertia of the spin transferred to the support by the parallel-axis theorem";
+                    sheet.common_error("ω_p", what, about_support);
+                }
                 let rate = sheet.step(
                     "ω_p",
                     "rad/s",

@@ -4,7 +4,7 @@ use dalembert_core::Worksheet;
 use dalembert_mechanics::Real;
 
 use super::{
-    AxleLayout, AxleLayoutGiven, GearedInertia, WheelLoads, WheelLoadsGiven,
+    AxleLayout, AxleLayoutGiven, GEAR_SQUARED, GearedInertia, WheelLoads, WheelLoadsGiven,
     wheels::{self, Constants, Wheel},
 };
 use crate::sources::KHURMI;
@@ -43,6 +43,10 @@ impl WheelLoads {
         } else {
             given.gravity * given.radius * (sin + friction * cos) / (cos - friction * sin)
         };
+        if self.bank != 0.0 {
+            let added = || (given.gravity * given.radius * (friction + sin / cos)).sqrt();
+            sheet.common_error("v_s", "tangent of the bank simply added to the friction coefficient", added);
+        }
         let sliding = sheet.step(
             "v_s",
             "m/s",
@@ -89,6 +93,17 @@ impl WheelLoads {
             }
             _ => per_square,
         };
+        if let Some(engine) = &given.engine
+            && !self.engine.as_ref().is_some_and(GearedInertia::lies_along)
+        {
+            let squared = || {
+                let more = engine.ratio * (engine.ratio - 1.0) * engine.inertia
+                    / (given.wheel_radius * given.radius);
+                let more = if banked { more * given.bank.cos() } else { more };
+                if self.engine_sign() > 0.0 { per_square + more } else { per_square - more }
+            };
+            sheet.common_error("K", GEAR_SQUARED, squared);
+        }
         let per_square = sheet.step(
             "K",
             "kg",
@@ -140,6 +155,11 @@ impl WheelLoads {
             _ => loss,
         };
         let loss = sheet.step("n", "kg/m", loss, "Load reduction per unit of speed squared");
+        if !banked && matches!(self.layout, AxleLayout::TwoAxles { .. }) {
+            let as_a_whole = || (weight * given.track / (per_square * 2.0)).sqrt();
+            let what = "vehicle assumed to overturn as a whole, without regard to the load of each axle";
+            sheet.common_error("v_l", what, as_a_whole);
+        }
         sheet.step("v_l", "m/s", (rest / loss).sqrt(), "Speed at which the load vanishes: N₀ = n v²")
     }
 

@@ -90,6 +90,21 @@ impl<W: Worksheet> HingedTargetGiven<W> {
     pub(super) fn work(&self, sheet: W) -> Result<WorkedHinge<W::Num>, Refusal> {
         const WHY: &str = "Moment of inertia about the hinge";
         let inertia = |value| sheet.step("I_O", "kg*m^2", value, WHY);
+        let wrong = |what: &'static str, value: &dyn Fn() -> W::Num| sheet.common_error("I_O", what, value);
+        match self.kind {
+            HingedBodyGiven::Rod { mass, length } => {
+                wrong("the moment of inertia of the rod about its centre used", &|| {
+                    mass * length.powi(2) / 12.0
+                });
+                wrong("the mass of the rod taken at its centre", &|| mass * length.powi(2) / 4.0);
+            }
+            HingedBodyGiven::RadiusOfGyration { mass, gyration, centre } => {
+                wrong("M h² added, as if the radius of gyration were about G", &|| {
+                    mass * (gyration.powi(2) + centre.powi(2))
+                });
+            }
+            _ => {}
+        }
         let (body, inertia, centre) = match self.kind {
             HingedBodyGiven::Rod { mass, length } => (
                 mass,
@@ -106,6 +121,9 @@ impl<W: Worksheet> HingedTargetGiven<W> {
             return Err(Refusal::because(
                 "the moment of inertia about the hinge is less than that of the mass at G, M h²: write a larger one, or G closer to the hinge",
             ));
+        }
+        if !matches!(self.kind, HingedBodyGiven::Bob { .. }) {
+            sheet.common_error("m_B", "the mass of the hinged body used, as if it were free", || body);
         }
         let mass = sheet.step(
             "m_B",
@@ -145,6 +163,9 @@ impl<N: Real> WorkedHinge<N> {
         sheet: W,
     ) {
         let &Self { body, inertia, centre, arm, speed, .. } = self;
+        sheet.common_error("ω", "the velocity of the struck point divided by the distance of G", || {
+            velocity / centre
+        });
         let omega = sheet.step(
             "ω",
             "rad/s",
@@ -175,6 +196,16 @@ impl<N: Real> WorkedHinge<N> {
         if centre.value() <= 0.0 {
             return;
         }
+        if inertia.holds_with(body * centre.powi(2), |whole, at_g| whole > at_g * (1.0 + 1e-9)) {
+            sheet.common_error("r_P", "the radius of gyration about the hinge taken", || {
+                (inertia / body).sqrt()
+            });
+            sheet.common_error(
+                "r_P",
+                "the moment of inertia about G used, or the distance measured from G",
+                || inertia / (body * centre) - centre,
+            );
+        }
         let percussion = sheet.step(
             "r_P",
             "m",
@@ -189,11 +220,11 @@ impl<N: Real> WorkedHinge<N> {
             let what = "a blow at that distance gives G its velocity by itself";
             sheet.check(what, percussion * body * centre / inertia, W::Num::from(1.0));
         });
-        self.swing(omega, embedded, sheet);
+        self.swing(omega, impulse, embedded, sheet);
     }
 
     /// Answers how far the body swings that hung from the hinge.
-    fn swing<W: Worksheet<Num = N>>(&self, omega: N, embedded: Option<N>, sheet: W) {
+    fn swing<W: Worksheet<Num = N>>(&self, omega: N, impulse: N, embedded: Option<N>, sheet: W) {
         let &Self { body, inertia, centre, arm, gravity, .. } = self;
         if gravity.value() <= 0.0 || omega.value() <= 0.0 {
             return;
@@ -210,6 +241,19 @@ impl<N: Real> WorkedHinge<N> {
             ),
             None => (inertia, sheet.step("S", "kg*m", body * centre, "Moment of the mass about the hinge")),
         };
+        if inertia.holds_with(moment * centre, |whole, at_g| whole > at_g * (1.0 + 1e-9)) {
+            sheet.common_error(
+                "c",
+                "v_G²/(2 g) used as the rise of G, the energy of the rotation omitted",
+                || centre * omega.powi(2) / (gravity * 2.0),
+            );
+        }
+        if let (Some(mass), None) = (embedded, self.velocity) {
+            sheet.common_error("c", "the kinetic energy of A before the impact taken as conserved", || {
+                let before = impulse * (mass + self.mass) / self.mass;
+                before.powi(2) / (mass * 2.0) / (moment * gravity)
+            });
+        }
         let rise = sheet.step(
             "c",
             "1",

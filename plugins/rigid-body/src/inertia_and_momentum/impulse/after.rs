@@ -9,7 +9,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::{
     BodyConstraint, BodyConstraintGiven, Impulse, ImpulseGiven, MassAfter, MassAfterGiven, Strength,
-    StrengthGiven,
+    StrengthGiven, common_errors,
     free::{self, After},
 };
 use crate::{
@@ -110,6 +110,7 @@ impl Impulse {
         );
         let after = self.after(given, after_body, linear_after, momentum_after, sheet)?;
         sheet.answer_vector("angular_velocity", "Angular velocity immediately after impact", after.omega);
+        self.by_energy(&body, [omega, velocity], &after, sheet);
         let speed =
             sheet.step("ω_1", "rad/s", after.omega.magnitude(), "Angular speed immediately after impact");
         sheet.answer("angular_speed", "Angular speed immediately after impact", speed);
@@ -222,6 +223,7 @@ impl Impulse {
             .collect();
         let inertia = |symbol: &'static str, own: W::Num, gain: &dyn Fn(W::Num, W::Vec) -> Option<W::Num>| {
             let value = arms.iter().fold(own, |sum, (mass, arm)| transferred_sum(sum, gain(*mass, *arm)));
+            common_errors::joined(symbol, own, &arms, gain, sheet);
             sheet.step(
                 symbol,
                 "kg*m^2",
@@ -298,6 +300,7 @@ impl Impulse {
                     momentum + arm.cross(linear),
                     "Angular momentum about the point on the axis, excluding the reaction of the axis",
                 );
+                common_errors::along_axis(momentum, cosines, sheet);
                 let component = sheet.step(
                     "H_λ",
                     "kg*m^2/s",
@@ -307,6 +310,7 @@ impl Impulse {
                         BEER.at("§18.1B"),
                     ),
                 );
+                common_errors::about_axis(body, cosines, sheet);
                 let through_g = sheet.step(
                     "I_λG",
                     "kg*m^2",

@@ -25,6 +25,9 @@ impl Impulse {
                 "the mass for a required angular speed is calculated only for a body at rest that is held by an axis and struck by blows: otherwise leave the required angular speed out",
             ));
         }
+        sheet.common_error("m*", "the ratio of the angular speeds inverted", || {
+            body.mass * wanted / after.omega.magnitude()
+        });
         let mass = sheet.step(
             "m*",
             "kg",

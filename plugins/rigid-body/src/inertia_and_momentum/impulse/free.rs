@@ -103,12 +103,19 @@ pub(super) fn precession<W: Worksheet>(
         to_axis(momentum),
         ("Angle between the axis and H: the nutation", BEER.at("§18.3C")),
     );
+    sheet.common_error("φ̇", "H divided by the moment of inertia about the axis", || {
+        momentum.magnitude() / axial
+    });
     let rate = sheet.step(
         "φ̇",
         "rad/s",
         momentum.magnitude() / transverse,
         ("Rate of precession about H", BEER.at("§18.3C")),
     );
+    sheet.common_error("ψ̇", "the whole precession subtracted from ω_a", || axis.dot(after.omega) - rate);
+    sheet.common_error("ψ̇", "the difference of the moments of inertia divided by I_a", || {
+        axis.dot(after.omega) * (transverse - axial) / axial
+    });
     let spin = sheet.step(
         "ψ̇",
         "rad/s",

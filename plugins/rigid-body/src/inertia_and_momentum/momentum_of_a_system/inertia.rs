@@ -144,6 +144,23 @@ pub enum MotionAfter {
 
 impl<W: Worksheet> AxisInertiaGiven<W> {
     fn inertia(&self, symbol: &'static str, name: &str, n: usize, sheet: W) -> W::Num {
+        let symbol = (symbol, n + 1);
+        match *self {
+            AxisInertiaGiven::Disc { mass, radius } => {
+                sheet.common_error(symbol, "the moment of inertia of the disc about a diameter used", || {
+                    rigid::disc_diametral_inertia(mass, radius)
+                });
+                sheet.common_error(symbol, "the whole mass of the disc taken at its rim", || {
+                    mass * radius.powi(2)
+                });
+            }
+            AxisInertiaGiven::RadiusOfGyration { mass, gyration } => sheet.common_error(
+                symbol,
+                "the radius of gyration used as the radius of a disc, ½ m k²",
+                || rigid::disc_axial_inertia(mass, gyration),
+            ),
+            _ => {}
+        }
         let value = match *self {
             AxisInertiaGiven::MomentOfInertia { inertia } => return inertia,
             AxisInertiaGiven::Disc { mass, radius } => rigid::disc_axial_inertia(mass, radius),
@@ -152,7 +169,7 @@ impl<W: Worksheet> AxisInertiaGiven<W> {
             AxisInertiaGiven::Beside { inertia, mass, distance } => inertia + mass * distance.powi(2),
         };
         let reason = Named("Moment of inertia of {name} about the axis", name, None);
-        sheet.step((symbol, n + 1), "kg*m^2", value, reason)
+        sheet.step(symbol, "kg*m^2", value, reason)
     }
 }
 

@@ -118,6 +118,10 @@ impl<W: Worksheet> KnownAcceleration<'_, W> {
             "Acceleration of an Euler angle: what is left, resolved along the axes of the three rotations";
         let [one, two, three] = along(left, self.axes, triple);
         let found = [("θ̈₁", one), ("θ̈₂", two), ("θ̈₃", three)];
+        let what = "the angular acceleration projected orthogonally onto the axis of the rotation";
+        for (symbol, axis) in [("θ̈₁", a), ("θ̈₃", c)] {
+            sheet.common_error(symbol, what, || left.dot(axis));
+        }
         let found = found.map(|(symbol, acceleration)| sheet.step(symbol, "rad/s^2", acceleration, why));
         for (n, acceleration) in found.into_iter().enumerate() {
             sheet.answer(("euler_acceleration", n + 1), "Acceleration of the Euler angle", acceleration);

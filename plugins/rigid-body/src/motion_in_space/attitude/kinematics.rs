@@ -99,6 +99,12 @@ impl<W: Worksheet> Known<'_, W> {
             row_times(omega, rows),
             "Angular velocity in components in N: [BN]ᵀ times that in B",
         );
+        if let AngularRateGiven::EulerRates { first, second, third } = self.given.velocity {
+            sheet.common_error("|ω|", "the axes of the three rates taken as perpendicular", || {
+                (first.powi(2) + second.powi(2) + third.powi(2)).sqrt()
+            });
+            sheet.common_error("|ω|", "the rates of the angles added as numbers", || first + second + third);
+        }
         let speed = sheet.step("|ω|", "rad/s", omega.magnitude(), "Its magnitude");
         sheet.answer_vector("angular_velocity", "Angular velocity in B", omega);
         sheet.answer_vector("angular_velocity_fixed", "Angular velocity in N", in_fixed);
@@ -317,6 +323,12 @@ fn euler_rates<W: Worksheet>(
         "Triple product of the axes of the three rotations: zero at gimbal lock",
     );
     let why = ("Rate of an Euler angle: ω resolved along the axes of the three rotations", SCHAUB.at("§3.3"));
+    let what = "the component of ω along the body axis of that rotation taken";
+    for (symbol, axis) in ["θ̇₁", "θ̇₂", "θ̇₃"].into_iter().zip(sequence.axes()) {
+        sheet.common_error(symbol, what, || omega.components()[axis]);
+    }
+    let what = "ω projected orthogonally onto the axis of the rotation";
+    sheet.common_error("θ̇₁", what, || omega.dot(first));
     let [one, two, three] = along(omega, [first, second, third], triple);
     let rates = [("θ̇₁", one), ("θ̇₂", two), ("θ̇₃", three)];
     let rates = rates.map(|(symbol, rate)| sheet.step(symbol, "rad/s", rate, why));

@@ -157,7 +157,7 @@ pub(crate) fn plain_angles(sequence: EulerSequence, c: &Matrix3<f64>) -> Reporte
 }
 
 /// The angles, with true first at gimbal lock.
-fn from_elements<N: Real>(sequence: EulerSequence, c: [[N; 3]; 3]) -> (bool, [N; 3]) {
+pub(super) fn from_elements<N: Real>(sequence: EulerSequence, c: [[N; 3]; 3]) -> (bool, [N; 3]) {
     let ([i, j, k], sign) = sequence.order();
     let signed = |x: N| if sign < 0.0 { -x } else { x };
     let size = |a: N, b: N| (a.powi(2) + b.powi(2)).sqrt();
@@ -178,7 +178,19 @@ pub(crate) fn angles_of<W: Worksheet>(
     rows: [W::Vec; 3],
     sheet: W,
 ) -> ReportedAngles<W::Num> {
-    let (gimbal_lock, [first, second, third]) = from_elements(sequence, rows.map(Vector::components));
+    let elements = rows.map(Vector::components);
+    let (gimbal_lock, [first, second, third]) = from_elements(sequence, elements);
+    if !gimbal_lock {
+        let transposed = [0, 1, 2].map(|n| elements.map(|row| row[n]));
+        for (n, symbol) in ["θ₁", "θ₂", "θ₃"].into_iter().enumerate() {
+            // The middle angle of a sequence that repeats its axis is the same.
+            if n != 1 || !sequence.repeats() {
+                sheet.common_error(symbol, "the transposed matrix, [NB], used", || {
+                    from_elements(sequence, transposed).1[n]
+                });
+            }
+        }
+    }
     let second_why = if sequence.repeats() {
         "Second Euler angle, from 0° to 180°, from the element of [BN] that is its cosine"
     } else {

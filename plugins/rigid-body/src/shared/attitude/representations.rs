@@ -8,7 +8,7 @@ use dalembert_mechanics::{Real, Vector};
 use nalgebra::{Matrix3, Quaternion, Rotation3, Unit, UnitQuaternion};
 
 use super::{
-    euler::{EulerSequence, ReportedAngles, angles_of},
+    euler::{EulerSequence, ReportedAngles, angles_of, from_elements},
     rotations::{matrix, off_cayley_formula, off_rotation},
 };
 use crate::sources::{SCHAUB, SHUSTER};
@@ -44,6 +44,10 @@ pub(crate) fn answer_representations<W: Worksheet>(
     sheet.answer("euler_parameter_scalar", "Euler parameter β₀, scalar part", scalar);
     sheet.answer_vector("euler_parameter_vector", "Euler parameters β₁, β₂, β₃", vector);
     let half = sheet.step("s", "1", vector.magnitude(), "Length of the vector part: sin(Φ/2)");
+    sheet.common_error("Φ", "the three Euler angles combined as the components of a vector", || {
+        let [first, second, third] = from_elements(sequence, rows.map(Vector::components)).1;
+        (first.powi(2) + second.powi(2) + third.powi(2)).sqrt()
+    });
     let angle = sheet.step(
         "Φ",
         "deg",
@@ -190,6 +194,7 @@ fn euler_parameters<W: Worksheet>(rows: [W::Vec; 3], sheet: W) -> (W::Num, W::Ve
             (-scalar, parts.map(|part| -part))
         }
     };
+    sheet.common_error("β₀", "the cosine of the whole principal angle used", || (trace - 1.0) / 2.0);
     let scalar = sheet.step(
         "β₀",
         "1",

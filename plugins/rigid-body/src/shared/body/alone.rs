@@ -3,7 +3,7 @@
 use dalembert_core::{Refusal, Worksheet};
 use dalembert_mechanics::{Real, Vector, rigid::primitive::ShapeError};
 
-use super::{ShapeGiven, shape::Described, working::MOMENTS};
+use super::{ShapeGiven, common_errors::of_moment, shape::Described, working::MOMENTS};
 use crate::sources::MERIAM;
 
 /// Below this share of the larger one, two moments of inertia differ by rounding alone.
@@ -22,6 +22,7 @@ impl<W: Worksheet> ShapeGiven<W> {
                 "Principal moment of inertia of the shape, about its axis through G",
                 MERIAM.at("table D/4"),
             );
+            of_moment(self.described(), n, MOMENTS[n], [mass, self.length()], sheet);
             sheet.step(MOMENTS[n], "kg*m^2", moments[n], why)
         }))
     }
@@ -43,12 +44,13 @@ impl<W: Worksheet> ShapeGiven<W> {
                 "the moments of inertia of this shape about its x and y axes differ, so its z axis is no axis of symmetry: use a shape of revolution about z",
             ));
         }
-        let step = |symbol: &'static str, value, why: &'static str| {
+        let step = |symbol: &'static str, axis, value, why: &'static str| {
+            of_moment(self.described(), axis, symbol, [mass, self.length()], sheet);
             sheet.step(symbol, "kg*m^2", value, (why, MERIAM.at("table D/4")))
         };
         Ok([
-            step("I_a", z, "Moment of inertia of the shape about its axis of symmetry"),
-            step(transverse, x, "Moment of inertia of the shape about a transverse axis through G"),
+            step("I_a", 2, z, "Moment of inertia of the shape about its axis of symmetry"),
+            step(transverse, 0, x, "Moment of inertia of the shape about a transverse axis through G"),
         ])
     }
 
@@ -66,16 +68,20 @@ impl<W: Worksheet> ShapeGiven<W> {
                 })
             })?;
         }
-        let length = match shape {
-            Described::Between(from, to) => (to - from).magnitude(),
-            _ => 0.0.into(),
-        };
-        let inertia = shape.inertia(mass, length);
+        let inertia = shape.inertia(mass, self.length());
         if inertia.products.is_some_and(|products| products.iter().any(|product| product.value() != 0.0)) {
             return Err(Refusal::because(
                 "the axes of this shape are not principal axes of inertia: calculate them by rigid-body/mass-properties",
             ));
         }
         Ok(inertia.moments)
+    }
+
+    /// The length of a rod between two points; else zero.
+    fn length(&self) -> W::Num {
+        match self.described() {
+            Described::Between(from, to) => (to - from).magnitude(),
+            _ => 0.0.into(),
+        }
     }
 }

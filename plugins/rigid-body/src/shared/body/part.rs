@@ -1,15 +1,13 @@
 //! A part of a body, written down step by step: its mass, its centre of mass, its inertia in the axes of the body.
 
 use dalembert_core::{Refusal, Worksheet};
-use dalembert_mechanics::{
-    Real, Vector,
-    rigid::primitive::{Extent, OwnInertia},
-};
+use dalembert_mechanics::{Real, Vector, rigid::primitive::Extent};
 use nalgebra::{Matrix3, Vector3};
 
 use super::{
     Amount, AmountGiven, BodyPart, BodyPartGiven, Presence, ReferencePoint, ShapeOrientation,
     ShapeOrientationGiven,
+    common_errors::of_moment,
     shape::Described,
     working::{MOMENTS, Named, PAIRS, PRODUCTS, WorkedPart},
 };
@@ -77,8 +75,7 @@ impl BodyPart {
         } else {
             centre
         };
-        let (moments, products) =
-            self.inertia(shape.inertia(mass, length), shape, axes, rotation, row, sheet);
+        let (moments, products) = self.inertia([mass, length], shape, axes, rotation, row, sheet);
         let named = axes.is_some() || (!turned && !shape.is_round());
         Ok(WorkedPart { mass, centre, moments, products, named })
     }
@@ -171,7 +168,7 @@ impl BodyPart {
     /// Moments and products about the axes of the body through the centre of mass of the part.
     fn inertia<W: Worksheet>(
         &self,
-        own: OwnInertia<W::Num>,
+        [mass, length]: [W::Num; 2],
         shape: Described<W::Vec>,
         axes: Option<[W::Vec; 3]>,
         rotation: Matrix3<f64>,
@@ -184,15 +181,19 @@ impl BodyPart {
             (value.value() != 0.0)
                 .then(|| sheet.step((symbol, row), "kg*m^2", value, why(reason, "table D/4")))
         };
-        let [x, y, z] = own.moments;
+        let own = shape.inertia(mass, length);
+        let about = |symbol: &'static str, axis: usize, reason: &'static str| {
+            of_moment(shape, axis, (symbol, row), [mass, length], sheet);
+            table(symbol, own.moments[axis], reason)
+        };
         if shape.is_ball() {
             let any =
-                table("I_G", x, "Moment of inertia of {name} about any axis through its centre of mass");
+                about("I_G", 0, "Moment of inertia of {name} about any axis through its centre of mass");
             return ([any; 3], [None; 3]);
         }
         if shape.is_round() {
-            let across = table("I_t", x, "Transverse moment of inertia of {name}, about its centre of mass");
-            let along = table("I_a", z, "Moment of inertia of {name} about its own axis");
+            let across = about("I_t", 0, "Transverse moment of inertia of {name}, about its centre of mass");
+            let along = about("I_a", 2, "Moment of inertia of {name} about its own axis");
             let Some([_, _, axis]) = axes else {
                 // The axis lies along one of the axes of the body.
                 let moment = |n: usize| if rotation[(n, 2)] == 0.0 { across } else { along };
@@ -239,7 +240,7 @@ impl BodyPart {
             if rotation == Matrix3::identity() { (MOMENTS, PRODUCTS) } else { (OWN_MOMENTS, OWN_PRODUCTS) };
         let reason = "Moment of inertia of {name} about one of its own axes through its centre of mass";
         let moments =
-            [table(names.0[0], x, reason), table(names.0[1], y, reason), table(names.0[2], z, reason)];
+            [about(names.0[0], 0, reason), about(names.0[1], 1, reason), about(names.0[2], 2, reason)];
         let products = own.products.map_or([None; 3], |[yz, zx, xy]| {
             let reason = "Product of inertia of {name} in its own axes through its centre of mass";
             [table(names.1[0], yz, reason), table(names.1[1], zx, reason), table(names.1[2], xy, reason)]

@@ -389,7 +389,6 @@ impl Shape {
         self.ends().map_or(0.0, |(from, to)| (to - from).norm())
     }
 
-    /// The ends of a rod between two points.
     /// The letters of its lengths.
     pub(crate) fn letters(&self) -> &'static [&'static str] {
         match self {
@@ -422,6 +421,7 @@ impl Shape {
         }
     }
 
+    /// The ends of a rod between two points.
     pub(super) fn ends(&self) -> Option<(Vector3<f64>, Vector3<f64>)> {
         match *self {
             Shape::RodBetween { from, to } => Some((from, to)),

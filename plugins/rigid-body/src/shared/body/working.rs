@@ -124,6 +124,9 @@ impl Body {
                         Some(shift) => from[n] - shift,
                         None => from[n],
                     };
+                    if let Some(arm) = arm {
+                        sheet.common_error(MOMENTS[n], WHOLE_DISTANCE, || from[n] - *mass * arm.dot(arm));
+                    }
                     sheet.step(MOMENTS[n], "kg*m^2", value, (reason, MERIAM.at("App. B/1")))
                 };
                 let moments = [moment(0), moment(1), moment(2)];
@@ -146,6 +149,11 @@ impl Body {
             (Body::Radii { .. }, BodyGiven::Radii { mass, centre, radii }) => {
                 let radii = radii.components();
                 let moment = |n: usize| {
+                    sheet.common_error(
+                        MOMENTS[n],
+                        "the radius of gyration used as the radius of a disc, ½ m k²",
+                        || *mass * radii[n].powi(2) / 2.0,
+                    );
                     sheet.step(
                         MOMENTS[n],
                         "kg*m^2",
@@ -172,6 +180,9 @@ impl Body {
         Ok(worked)
     }
 }
+
+const WHOLE_DISTANCE: &str = "the distance of the points used in place of that of the parallel axes";
+const FROM_ORIGIN: &str = "the distances of the parts measured from the origin O";
 
 const NO_PRODUCT: &str = "No product of inertia: the axes through G are principal";
 
@@ -272,27 +283,48 @@ fn composed<W: Worksheet>(
     let moment = |n: usize| {
         let sum = together(&|piece| piece.moments[n], &|piece, arm| transferred(piece.mass, arm, n));
         match sum {
-            Some(sum) => sheet.step(
-                MOMENTS[n],
-                "kg*m^2",
-                sum,
-                (
-                    "Moment of inertia about an axis through G: those of the parts, by the parallel-axis theorem",
-                    MERIAM.at("App. B/1"),
-                ),
-            ),
+            Some(sum) => {
+                let wrong =
+                    |what: &'static str,
+                     own: &dyn Fn(&WorkedPart<W>) -> Option<W::Num>,
+                     shift: &dyn Fn(&WorkedPart<W>, W::Vec) -> Option<W::Num>| {
+                        sheet.common_error(MOMENTS[n], what, || together(own, shift).unwrap_or(sum));
+                    };
+                let own = |piece: &WorkedPart<W>| piece.moments[n];
+                wrong("the parallel-axis terms of all parts omitted", &own, &|_, _| None);
+                wrong("all parts taken as particles at their centres of mass", &|_| None, &|piece, arm| {
+                    transferred(piece.mass, arm, n)
+                });
+                wrong(FROM_ORIGIN, &own, &|piece, _| transferred(piece.mass, piece.centre, n));
+                wrong(WHOLE_DISTANCE, &own, &|piece, arm| Some(piece.mass * arm.dot(arm)));
+                sheet.step(
+                    MOMENTS[n],
+                    "kg*m^2",
+                    sum,
+                    (
+                        "Moment of inertia about an axis through G: those of the parts, by the parallel-axis theorem",
+                        MERIAM.at("App. B/1"),
+                    ),
+                )
+            }
             None => zero(MOMENTS[n], "All parts lie on the axis"),
         }
     };
     let product = |n: usize| {
         let sum = together(&|piece| piece.products[n], &|piece, arm| crossed(piece.mass, arm, n));
         match sum {
-            Some(sum) => sheet.step(
-                PRODUCTS[n],
-                "kg*m^2",
-                sum,
-                ("Product of inertia about G, I_xy = ∫ xy dm; it enters the inertia matrix with a minus sign", MERIAM.at("App. B/2")),
-            ),
+            Some(sum) => {
+                sheet.common_error(PRODUCTS[n], FROM_ORIGIN, || {
+                    let shift = |piece: &WorkedPart<W>, _: W::Vec| crossed(piece.mass, piece.centre, n);
+                    together(&|piece| piece.products[n], &shift).unwrap_or(sum)
+                });
+                sheet.step(
+                    PRODUCTS[n],
+                    "kg*m^2",
+                    sum,
+                    ("Product of inertia about G, I_xy = ∫ xy dm; it enters the inertia matrix with a minus sign", MERIAM.at("App. B/2")),
+                )
+            }
             None => zero(PRODUCTS[n], NO_PRODUCT),
         }
     };
@@ -349,6 +381,9 @@ pub(crate) fn about_point<W: Worksheet>(
     }
     let moment = |own: W::Num, n: usize| {
         let value = transferred_sum(own, transferred(body.mass, arm, n));
+        sheet.common_error(named.symbols[n], WHOLE_DISTANCE, || {
+            transferred_sum(own, Some(body.mass * arm.dot(arm)))
+        });
         sheet.step(named.symbols[n], "kg*m^2", value, (named.moment, MERIAM.at("App. B/1")))
     };
     let product = |own: W::Num, n: usize| {
