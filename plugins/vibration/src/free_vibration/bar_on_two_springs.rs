@@ -93,14 +93,20 @@ impl Analysis for BarOnTwoSprings {
         let moment = match &given.inertia {
             BarInertiaGiven::Moment { moment } => *moment,
             BarInertiaGiven::Radius { radius } => {
+                let disc = || mass * radius.powi(2) / 2.0;
+                sheet.common_error("J", "the radius of gyration taken as the radius of a solid disc", disc);
                 sheet.step("J", "kg*m^2", mass * radius.powi(2), "Moment of inertia about the centre of mass")
             }
-            BarInertiaGiven::Slender { length } => sheet.step(
-                "J",
-                "kg*m^2",
-                mass * length.powi(2) / 12.0,
-                "Moment of inertia of a slender uniform bar about its centre",
-            ),
+            BarInertiaGiven::Slender { length } => {
+                let about_end = || mass * length.powi(2) / 3.0;
+                sheet.common_error("J", "the moment of inertia about the end of the rod taken", about_end);
+                sheet.step(
+                    "J",
+                    "kg*m^2",
+                    mass * length.powi(2) / 12.0,
+                    "Moment of inertia of a slender uniform bar about its centre",
+                )
+            }
         };
         let (front, rear, a, b) = (given.front, given.rear, given.front_distance, given.rear_distance);
         let up = sheet.step(
@@ -115,8 +121,14 @@ impl Analysis for BarOnTwoSprings {
             rear * b - front * a,
             "Moment for that displacement, and force for a unit rotation that lowers the front",
         );
+        let middle = || (front + rear) * ((a + b) / 2.0).powi(2);
+        sheet.common_error("K₂₂", "both arms taken as half the distance between the springs", middle);
         let turning =
             sheet.step("K₂₂", "N*m/rad", front * a.powi(2) + rear * b.powi(2), "Moment for a unit rotation");
+        let carried = || [front * (a + b) / (mass * b), rear * (a + b) / (mass * a)].map(Real::sqrt);
+        let what = "each spring taken alone with the mass that it carries at rest";
+        sheet.common_error(("ω", 1), what, || carried()[0].min(carried()[1]));
+        sheet.common_error(("ω", 2), what, || carried()[0].max(carried()[1]));
         let two = two_degrees::solve([mass, moment], [up, mixed, turning], "rad/m", sheet)?;
         for (mode, frequency) in two.frequencies.iter().enumerate() {
             sheet.answer(("frequency", mode + 1), "Natural frequency", *frequency);
@@ -128,6 +140,9 @@ impl Analysis for BarOnTwoSprings {
                     if ratio.value() == 0.0 {
                         continue;
                     }
+                    let elastic_centre = || mixed / up;
+                    let what = "the elastic centre of the springs taken as the node";
+                    sheet.common_error(("x", mode + 1), what, elastic_centre);
                     let node = sheet.step(
                         ("x", mode + 1),
                         "m",

@@ -18,7 +18,10 @@ use dalembert_numerics::quadrature::integral;
 
 mod fitted;
 
-use crate::sources::{GROVER, RAO};
+use crate::{
+    shared::decay::ratio_errors,
+    sources::{GROVER, RAO},
+};
 
 /// A decay record, and what is known of the system.
 #[derive(Clone, Debug, Inputs)]
@@ -182,10 +185,15 @@ fn forces<W: Worksheet>(
     let [zeta, offset] = of_both(fits, points, sheet);
     let size = points.iter().map(|point| point.1).fold(0.0, f64::max);
     let half = HalfCycle::of(zeta.value(), offset.value(), size);
+    let alone = || offset * (fits.friction.loss / 4.0 / offset.value());
     if let Some(stiffness) = given.stiffness {
+        sheet.common_error("F", "F/k of the fit with friction alone used", || stiffness * alone());
         let force = sheet.step("F", "N", stiffness * offset, ("Friction force", RAO.at("§2.9")));
         sheet.answer("friction", "Friction force", force);
         if let Some(natural) = natural {
+            let of_viscous =
+                || stiffness * 2.0 / natural * sdof::damping_ratio_from_decrement(fits.viscous.decrement);
+            sheet.common_error("c", "the damping ratio of the viscous fit alone used", of_viscous);
             let damping = sheet.step(
                 "c",
                 "N*s/m",
@@ -204,6 +212,8 @@ fn forces<W: Worksheet>(
         }
     }
     if let Some(natural) = natural {
+        let of_friction = || alone() * natural.powi(2) / given.gravity;
+        sheet.common_error("µ", "F/k of the fit with friction alone used", of_friction);
         let coefficient = sheet.step(
             "µ",
             "1",
@@ -258,6 +268,8 @@ fn period<W: Worksheet>([first, last]: [f64; 2], strokes: usize, fits: &DecayFit
     let damped = sheet.step("ω_d", "rad/s", W::Num::from(PI) / half, "Frequency of the decaying motion");
     let zeta = sdof::damping_ratio_from_decrement(fits.both.decrement);
     let zeta = sheet.numerical("ζ₀", "1", zeta, "Viscous damping ratio, from the combined fit below");
+    let what = "the frequency of the decaying motion taken as the natural frequency";
+    sheet.common_error("ωₙ", what, || damped);
     let natural = sheet.step(
         "ωₙ",
         "rad/s",
@@ -315,6 +327,7 @@ fn viscous<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) {
         fit.normal_equations,
         1.0,
     );
+    ratio_errors("ζᵥ", decrement, sheet);
     let ratio = sheet.step(
         "ζᵥ",
         "1",
@@ -348,6 +361,7 @@ fn friction<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) {
         fit.normal_equations,
         1.0,
     );
+    sheet.common_error("f_f", "the friction loss of a half-cycle used for a whole cycle", || loss / 2.0);
     let offset =
         sheet.step("f_f", "mm", loss / 4.0, ("Amplitude decrease per cycle: 4F/k; F/k", RAO.at("§2.9")));
     let scatter = sheet.numerical("ε_f", "mm", fit.scatter, "Its rms deviation from the amplitudes");
@@ -386,6 +400,7 @@ fn both<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) {
 fn of_both<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) -> [W::Num; 2] {
     let fit = &fits.both;
     let decrement = sheet.numerical("δ", "1", fit.decrement, "Combined fit: viscous decrement");
+    ratio_errors("ζ", decrement, sheet);
     let ratio = sheet.step(
         "ζ",
         "1",

@@ -139,6 +139,7 @@ fn events<W: Worksheet>(
     // Without damping, and while it grows, no turning point is the largest; the first one still says most.
     match turning {
         Some((time, at)) if at.value().abs() > x0.value().abs() => {
+            form.maximum_errors(sheet);
             let largest = sheet.step(
                 "Xₘₐₓ",
                 units.displacement,

@@ -14,7 +14,7 @@ mod fit;
 use crate::{
     shared::{
         continuous::{ShearModulus, shear_modulus},
-        decay::{Decay, decrement},
+        decay::{Decay, decrement, ratio_errors},
         inertia::{Inertia, TranslatingBody, moment_of_inertia},
         oscillator::{
             SpringData, frequency_of,
@@ -171,6 +171,9 @@ impl Analysis for LogarithmicDecrement {
                 decrement.exp(),
                 ("Ratio of successive amplitudes", RAO.at("§2.6.3")),
             );
+            sheet.common_error("ψ", "twice the decrement taken, as for light damping", || decrement * 2.0);
+            let first_loss = || W::Num::from(1.0) - (-decrement).exp();
+            sheet.common_error("ψ", "the loss of amplitude taken for that of energy", first_loss);
             let lost = sheet.step(
                 "ψ",
                 "%",
@@ -186,6 +189,8 @@ impl Analysis for LogarithmicDecrement {
                 W::Num::from(2.0),
                 "Half the amplitude: the ratio of the amplitudes is 2",
             );
+            let linear = || W::Num::from(0.5) / first_loss();
+            sheet.common_error("n½", "the loss of the first cycle assumed in every cycle", linear);
             let half = sheet.step("n½", "1", two.ln() / decrement, "Cycles to half amplitude");
             sheet.verify(|| {
                 let root = (W::Num::from(1.0) - zeta.powi(2)).sqrt();
@@ -214,6 +219,11 @@ impl Analysis for LogarithmicDecrement {
         if let Some(fall) = given.fall
             && decrement.value() > 0.0
         {
+            let one = W::Num::from(1.0);
+            let linear = || (one - one / fall) / (one - (-decrement).exp());
+            sheet.common_error("n", "the loss of the first cycle assumed in every cycle", linear);
+            let decimal = || fall.log10() / decrement;
+            sheet.common_error("n", "the logarithm to base 10 used in place of the natural one", decimal);
             let cycles = sheet.step(
                 "n",
                 "1",
@@ -222,6 +232,8 @@ impl Analysis for LogarithmicDecrement {
             );
             sheet.answer("fall_cycles", "Cycles of that decay", cycles);
             if let Some(Oscillation { period, natural }) = period {
+                let undamped = || cycles * 2.0 * PI / natural;
+                sheet.common_error("t", "the period without damping used", undamped);
                 let time = sheet.step("t", "s", cycles * period, "Duration of these cycles");
                 sheet.check("the same time from the envelope e^(−ζωₙt)", fall.ln() / (zeta * natural), time);
                 sheet.answer("fall_time", "Duration of that decay", time);
@@ -264,6 +276,8 @@ impl LogarithmicDecrement {
                          write a ratio below 1",
                     ));
                 }
+                let light = || *ratio * 2.0 * PI;
+                sheet.common_error("δ", "2π times the damping ratio taken, as for light damping", light);
                 let decrement = sheet.step(
                     "δ",
                     "1",
@@ -395,6 +409,8 @@ fn system<W: Worksheet>(
         }
         SystemDataGiven::Shaft { inertia, shear, length, diameter } => {
             let shear = shear_modulus(shear, sheet, "G");
+            let bending = || area::round_second_moment(*diameter);
+            sheet.common_error("I_p", "the second moment of area for bending used in torsion", bending);
             let polar = sheet.step(
                 "I_p",
                 "cm^4",
@@ -460,6 +476,7 @@ fn light<W: Worksheet>(decrement: W::Num, zeta: W::Num, sheet: W) {
 }
 
 fn ratio_of<W: Worksheet>(decrement: W::Num, sheet: W) -> W::Num {
+    ratio_errors("ζ", decrement, sheet);
     let zeta = sheet.step(
         "ζ",
         "1",
@@ -491,6 +508,8 @@ fn elastic<W: Worksheet>(
     kind: Kind,
     sheet: W,
 ) -> Oscillation<W::Num> {
+    let peak = || natural * (W::Num::from(1.0) - zeta.powi(2) * 2.0).sqrt();
+    sheet.common_error("ω_d", "the frequency of the resonance peak taken, ωₙ√(1 − 2ζ²)", peak);
     let damped = sheet.step(
         "ω_d",
         "rad/s",
@@ -513,6 +532,8 @@ fn natural_of_period<W: Worksheet>(period: W::Num, zeta: W::Num, symbol: &'stati
         sdof::angular_frequency(period),
         ("Frequency of the decaying motion", RAO.at("§2.6")),
     );
+    let what = "the frequency of the decaying motion taken as the natural frequency";
+    sheet.common_error(symbol, what, || damped);
     let natural = sheet.step(
         symbol,
         "rad/s",
@@ -534,6 +555,8 @@ fn coefficients<W: Worksheet>([mass, stiffness, zeta, period]: [W::Num; 4], kind
         sdof::critical_damping(stiffness, mass),
         ("Critical damping", RAO.at("§2.6")),
     );
+    let decrement = || sdof::decrement_from_damping_ratio(zeta) * critical;
+    sheet.common_error(kind.symbol, "the decrement used in place of the damping ratio", decrement);
     let damping =
         sheet.step(kind.symbol, kind.unit, zeta * critical, ("Damping coefficient", RAO.at("§2.6")));
     sheet.check(

@@ -222,6 +222,10 @@ fn base<W: Worksheet>(given: &BaseGiven<W>, sheet: W) -> (W::Num, W::Num) {
 
 /// The speeds at which the road meets the natural frequency and the largest transmissibility.
 fn critical_speed<W: Worksheet>(suspension: &Suspension<W::Num>, wavelength: W::Num, sheet: W) {
+    if let Loss::Viscous(zeta, _) = suspension.loss {
+        let damped = || sdof::damped_frequency(suspension.natural, zeta) * wavelength / TAU;
+        sheet.common_error("v_c", "the damped natural frequency used", damped);
+    }
     let critical = sheet.step(
         "v_c",
         "km/h",
@@ -237,6 +241,11 @@ fn critical_speed<W: Worksheet>(suspension: &Suspension<W::Num>, wavelength: W::
     if let Loss::Viscous(zeta, _) = suspension.loss
         && zeta.value() > 0.0
     {
+        sheet.common_error(
+            "rₚ",
+            "the peak of the magnification factor for a force on the mass taken",
+            || sdof::magnification_peak_ratio(zeta),
+        );
         let peak = sheet.step(
             "rₚ",
             "1",
@@ -273,6 +282,15 @@ fn steady_motion<W: Worksheet>(
 ) -> (W::Num, W::Num) {
     let AtFrequency { ratio, damping_ratio, damping } = at;
     let motion = suspension.motion;
+    sheet.common_error("TR", "the magnification factor for a force on the mass used", || {
+        sdof::magnification(ratio, damping_ratio)
+    });
+    sheet.common_error("TR", "the ratio of the relative motion to that of the base used", || {
+        sdof::unbalance_magnification(ratio, damping_ratio)
+    });
+    sheet.common_error("TR", "the transmissibility without damping used", || {
+        W::Num::from(1.0) / (W::Num::from(1.0) - ratio.powi(2)).abs()
+    });
     let transmissibility = sheet.step(
         "TR",
         "1",
@@ -281,6 +299,11 @@ fn steady_motion<W: Worksheet>(
     );
     let words = motion.of("Amplitude of the mass", "Amplitude of the body");
     let unit = motion.displacement_unit();
+    sheet.common_error(
+        motion.of("X", "Θ"),
+        "the amplitudes of base and relative motion added without their phases",
+        || base * (sdof::unbalance_magnification(ratio, damping_ratio) + 1.0),
+    );
     let amplitude = sheet.step(motion.of("X", "Θ"), unit, base * transmissibility, words);
     let lag = sheet.step(
         "ψ",
@@ -302,6 +325,7 @@ fn steady_motion<W: Worksheet>(
     );
     let label = motion.of("Acceleration of the mass", "Angular acceleration of the body");
     let (symbol, per_second) = motion.of(("A", "m/s^2"), ("α", "rad/s^2"));
+    sheet.common_error(symbol, "the amplitude of the relative motion used", || relative * frequency.powi(2));
     let acceleration = sheet.step(symbol, per_second, amplitude * frequency.powi(2), label);
     sheet.verify(|| {
         let scale = amplitude.value() + base.value() + relative.value();
@@ -329,6 +353,14 @@ fn steady_motion<W: Worksheet>(
             "Amplitude of the torque in spring and damper: it accelerates the body",
         );
         let unit = motion.force_unit();
+        sheet.common_error(motion.of("F", "T"), "the damper omitted: the spring alone taken", || {
+            body.stiffness * relative
+        });
+        sheet.common_error(
+            motion.of("F", "T"),
+            "the absolute motion taken as the deformation of spring and damper",
+            || sdof::transmitted_force(amplitude, body.stiffness, c, frequency),
+        );
         let force = sheet.step(motion.of("F", "T"), unit, body.mass * acceleration, (why, RAO.at("§3.6")));
         sheet.check(
             motion.of("force from the relative motion", "torque from the relative motion"),

@@ -143,6 +143,12 @@ impl Analysis for EquivalentDamping {
                         "Torque of spring and inertia per radian of amplitude",
                     ),
                 );
+                sheet.common_error("A", "the drag linearized at the largest velocity of the cycle", || {
+                    *drag * frequency.powi(2)
+                });
+                sheet.common_error("A", "the drag linearized at the mean velocity of the cycle", || {
+                    *drag * frequency.powi(2) * 2.0 / PI
+                });
                 let first = sheet.step(
                     "A",
                     motion.of("N/m^2", "N*m/rad^2"),
@@ -167,6 +173,14 @@ impl Analysis for EquivalentDamping {
                         "Steady-state amplitude: (K_t Θ)² + (A Θ²)² = T₀², a quadratic equation in Θ²",
                     ),
                 );
+                sheet.common_error(
+                    "c_eq",
+                    "the drag linearized at the largest velocity of the cycle",
+                    || *drag * frequency * amplitude,
+                );
+                sheet.common_error("c_eq", "the drag linearized at the mean velocity of the cycle", || {
+                    *drag * frequency * amplitude * 2.0 / PI
+                });
                 let damping = sheet.step(
                     "c_eq",
                     motion.damping_unit(),
@@ -188,27 +202,41 @@ impl Analysis for EquivalentDamping {
                 let loss = match other {
                     DampingLawGiven::LossFactor { loss_factor } => *loss_factor,
                     DampingLawGiven::LoopArea { energy, amplitude }
-                    | DampingLawGiven::RotationLoop { energy, amplitude } => sheet.step(
-                        "η",
-                        "1",
-                        *energy / (stiffness * amplitude.powi(2) * PI),
-                        (
-                            motion.of(
-                                "Loss factor: the area of the loop is πηkX²",
-                                "Loss factor: the area of the loop is πηk_tΘ²",
+                    | DampingLawGiven::RotationLoop { energy, amplitude } => {
+                        sheet.common_error(
+                            "η",
+                            "the specific damping capacity taken as the loss factor",
+                            || *energy * 2.0 / (stiffness * amplitude.powi(2)),
+                        );
+                        sheet.step(
+                            "η",
+                            "1",
+                            *energy / (stiffness * amplitude.powi(2) * PI),
+                            (
+                                motion.of(
+                                    "Loss factor: the area of the loop is πηkX²",
+                                    "Loss factor: the area of the loop is πηk_tΘ²",
+                                ),
+                                RAO.at("§2.10"),
                             ),
-                            RAO.at("§2.10"),
-                        ),
-                    ),
-                    DampingLawGiven::StiffnessMultiplier { multiplier } => sheet.step(
-                        "η",
-                        "1",
-                        frequency * *multiplier,
-                        motion.of(
-                            "Loss factor at this frequency: the damping force βωkX over the elastic one",
-                            "Loss factor at this frequency: the damping torque βωk_tΘ over the elastic one",
-                        ),
-                    ),
+                        )
+                    }
+                    DampingLawGiven::StiffnessMultiplier { multiplier } => {
+                        sheet.common_error(
+                            "η",
+                            "the natural frequency used in place of that of the excitation",
+                            || natural * *multiplier,
+                        );
+                        sheet.step(
+                            "η",
+                            "1",
+                            frequency * *multiplier,
+                            motion.of(
+                                "Loss factor at this frequency: the damping force βωkX over the elastic one",
+                                "Loss factor at this frequency: the damping torque βωk_tΘ over the elastic one",
+                            ),
+                        )
+                    }
                     DampingLawGiven::QuadraticDrag { .. } | DampingLawGiven::TorsionalDrag { .. } => {
                         unreachable!("done above")
                     }
@@ -221,7 +249,29 @@ impl Analysis for EquivalentDamping {
                 }
                 let amplitude = force
                     / ((stiffness - mass * frequency.powi(2)).powi(2) + (loss * stiffness).powi(2)).sqrt();
+                sheet.common_error(
+                    amplitude_symbol,
+                    "the viscous damping equivalent at resonance used at this frequency",
+                    || {
+                        let damping = loss * stiffness / natural;
+                        sdof::forced_amplitude(force, stiffness, mass, damping, frequency)
+                    },
+                );
                 let amplitude = sheet.step(amplitude_symbol, amplitude_unit, amplitude, why);
+                sheet.common_error(
+                    "c_eq",
+                    "the natural frequency used in place of that of the excitation",
+                    || loss * stiffness / natural,
+                );
+                if let DampingLawGiven::LoopArea { energy, .. }
+                | DampingLawGiven::RotationLoop { energy, .. } = other
+                {
+                    sheet.common_error(
+                        "c_eq",
+                        "the energy measured at another amplitude used with the amplitude of this motion",
+                        || *energy / (frequency * amplitude.powi(2) * PI),
+                    );
+                }
                 let damping = sheet.step(
                     "c_eq",
                     motion.damping_unit(),
@@ -236,12 +286,26 @@ impl Analysis for EquivalentDamping {
             sdof::forced_amplitude(force, stiffness, mass, damping, frequency),
             amplitude,
         );
+        let is_drag = matches!(
+            given.damping,
+            DampingLawGiven::QuadraticDrag { .. } | DampingLawGiven::TorsionalDrag { .. }
+        );
+        if !is_drag {
+            sheet.common_error(
+                "φ",
+                "the phase with the viscous damping equivalent at resonance taken",
+                || (loss * frequency / natural).atan2(W::Num::from(1.0) - (frequency / natural).powi(2)),
+            );
+        }
         let phase = sheet.step(
             "φ",
             "deg",
             (loss * stiffness).atan2(stiffness - mass * frequency.powi(2)),
             (motion.of("The motion lags the force by", "The motion lags the torque by"), RAO.at("§3.9")),
         );
+        sheet.common_error("W", "the elastic energy of the spring taken as the energy lost", || {
+            stiffness * amplitude.powi(2) / 2.0
+        });
         let energy = sheet.step(
             "W",
             "J",
@@ -269,6 +333,13 @@ impl Analysis for EquivalentDamping {
                 RAO.at("§2.6.4"),
             ),
         );
+        if !is_drag {
+            sheet.common_error(
+                "ζ_eq",
+                "the relation ζ = η/2, which holds at resonance, used at another frequency",
+                || loss / 2.0,
+            );
+        }
         let ratio = sheet.step(
             "ζ_eq",
             "1",

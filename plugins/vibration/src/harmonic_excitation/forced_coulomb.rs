@@ -179,6 +179,15 @@ fn amplitude_of<W: Worksheet>(system: &Excited<W::Num>, force: W::Num, sheet: W)
     }
     let by_viscous = 4.0 * friction.value() < PI * force.value() && ratio.value() != 1.0;
     let equivalent = if by_viscous {
+        let detuned = || (W::Num::from(1.0) - ratio.powi(2)).abs();
+        sheet.common_error("X_eq", "the friction force subtracted from the amplitude of the force", || {
+            (deflection - offset) / detuned()
+        });
+        sheet.common_error(
+            "X_eq",
+            "the equivalent damping force subtracted from the force as if in phase with it",
+            || (deflection - offset * 4.0 / PI) / detuned(),
+        );
         let amplitude = sheet.step(
             "X_eq",
             "mm",
@@ -186,6 +195,9 @@ fn amplitude_of<W: Worksheet>(system: &Excited<W::Num>, force: W::Num, sheet: W)
             ("Amplitude by equivalent viscous damping", RAO.at("§3.8")),
         );
         equivalent_damping(system, amplitude, force, sheet);
+        sheet.common_error("φ′", "the ratio of the forces taken as the tangent of the angle", || {
+            (friction * 4.0).atan2(force * PI)
+        });
         let angle = sheet.step(
             "φ′",
             "deg",
@@ -324,6 +336,11 @@ fn force_of<W: Worksheet>(system: &Excited<W::Num>, amplitude: W::Num, sheet: W)
         stiffness * amplitude * (W::Num::from(1.0) - ratio.powi(2)).abs(),
         ("Part of the force that balances spring and inertia", RAO.at("§3.8")),
     );
+    sheet.common_error(
+        "F₀",
+        "the friction added to the force of spring and inertia as if in phase",
+        || spring + friction,
+    );
     let force = sheet.step(
         "F₀",
         "N",
@@ -385,6 +402,12 @@ fn force_of<W: Worksheet>(system: &Excited<W::Num>, amplitude: W::Num, sheet: W)
 /// Coefficient and ratio of the equivalent damping, compared with the viscous oscillator.
 fn equivalent_damping<W: Worksheet>(system: &Excited<W::Num>, amplitude: W::Num, force: W::Num, sheet: W) {
     let Excited { mass, stiffness, frequency, friction, .. } = *system;
+    sheet.common_error("c_eq", "the friction force divided by the largest velocity", || {
+        friction / (frequency * amplitude)
+    });
+    sheet.common_error("c_eq", "the natural frequency used in place of that of the excitation", || {
+        forced_coulomb::equivalent_damping(friction, sdof::natural_frequency(stiffness, mass), amplitude)
+    });
     let damping = sheet.step(
         "c_eq",
         "N*s/m",

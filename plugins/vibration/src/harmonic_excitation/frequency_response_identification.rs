@@ -261,6 +261,9 @@ fn from_points<W: Worksheet>(
     peak: Peak<W::Num>,
     sheet: W,
 ) -> Result<IdentifiedSystem<W::Num>, Refusal> {
+    sheet.common_error("k", "the receptance at the peak taken as that of the spring alone", || {
+        W::Num::from(1.0) / peak.receptance
+    });
     let stiffness = sheet.step(
         "k",
         "N/m",
@@ -278,12 +281,20 @@ fn from_points<W: Worksheet>(
             "the peak is not above the static value, so there is no resonance: write the larger receptance as the peak",
         )
     })?;
+    sheet.common_error("ζ", "the formula for light damping, ζ = 1/(2M), used", || {
+        W::Num::from(0.5) / magnification
+    });
     let damping_ratio = sheet.step(
         "ζ",
         "1",
         damping_ratio,
         ("The peak is 1/(2ζ√(1 − ζ²)), a quadratic equation in ζ²; its smaller root", RAO.at("§3.4")),
     );
+    let at_peak = || peak.frequency;
+    sheet.common_error("ωₙ", "the frequency of the peak taken as the natural frequency", at_peak);
+    sheet.common_error("ωₙ", "the frequency of the peak taken as the damped natural frequency", || {
+        sdof::natural_frequency_from_damped(peak.frequency, damping_ratio)
+    });
     let natural = sheet.step(
         "ωₙ",
         "rad/s",

@@ -110,6 +110,16 @@ impl Analysis for HarmonicAnalysis {
         let values: Vec<f64> = ordinates.iter().map(|ordinate| ordinate.value()).collect();
         let why = ("Mean: the sum of the ordinates over their number", RAO.at("§1.11"));
         let mean = if count <= WRITTEN {
+            sheet.common_error(
+                "y_m",
+                "the midpoint between the largest and the smallest ordinate taken as the mean",
+                || {
+                    let of = |choose: fn(W::Num, W::Num) -> W::Num| {
+                        ordinates.iter().copied().fold(ordinates[0], choose)
+                    };
+                    (of(W::Num::max) + of(W::Num::min)) / 2.0
+                },
+            );
             sheet.step("y_m", unit, W::Num::sum(ordinates.iter().copied()) / count as f64, why)
         } else {
             sheet.numerical("y_m", unit, values.iter().sum::<f64>() / count as f64, why)
@@ -183,12 +193,23 @@ fn harmonic<W: Worksheet>(
                 y * factor
             }
         });
+        sheet.common_error(
+            (symbol, n),
+            "the first ordinate taken at T/N and not at the start of the period",
+            || {
+                let terms = ordinates.iter().zip(1..).map(|(y, place)| *y * factor(place % count));
+                W::Num::sum(terms) * fourier::factor(count, n)
+            },
+        );
         sheet.step((symbol, n), unit, W::Num::sum(terms) * fourier::factor(count, n), why)
     };
     let found = fourier::harmonic(values, n);
     let a = coefficient("a", &|j| fourier::cosine_and_sine(count, n, j).0, found.0, COSINE);
     let b = coefficient("b", &|j| fourier::cosine_and_sine(count, n, j).1, found.1, SINE);
     let why = ("Amplitude of the harmonic", RAO.at("§1.11"));
+    sheet.common_error(("A", n), "the root mean square of the harmonic taken as its amplitude", || {
+        ((a.powi(2) + b.powi(2)) / 2.0).sqrt()
+    });
     let amplitude = sheet.step(("A", n), unit, (a.powi(2) + b.powi(2)).sqrt(), why);
     sheet.answer(("cosine", n), "Cosine coefficient of harmonic", a);
     sheet.answer(("sine", n), "Sine coefficient of harmonic", b);

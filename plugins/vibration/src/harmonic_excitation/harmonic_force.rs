@@ -114,6 +114,9 @@ impl Analysis for HarmonicForce {
         let c = at.damping.expect("the mass is given");
         let system = ForcedOscillator { motion, frequency: given.frequency, body, c, at };
         let (force, amplitude) = strength(given, &system, sheet)?;
+        sheet.common_error("φ", "the phase of a mass on a moving base taken", || {
+            sdof::transmissibility_phase(at.ratio, at.damping_ratio)
+        });
         let phase = sheet.step(
             "φ",
             "deg",
@@ -236,6 +239,12 @@ fn strength<W: Worksheet>(
 ) -> Result<(W::Num, W::Num), Refusal> {
     let ForcedOscillator { motion, frequency, body: MassAndStiffness { mass, stiffness: k }, c, at } =
         *system;
+    sheet.common_error("M", "the transmissibility used", || {
+        sdof::transmissibility(at.ratio, at.damping_ratio)
+    });
+    sheet.common_error("M", "the response to a rotating unbalance used", || {
+        sdof::unbalance_magnification(at.ratio, at.damping_ratio)
+    });
     let magnification = sheet.step(
         "M",
         "1",
@@ -246,12 +255,24 @@ fn strength<W: Worksheet>(
     let sought = |amplitude: W::Num| {
         let why = motion.of("Force required for this amplitude", "Torque required for this amplitude");
         let force = amplitude * k / magnification;
+        sheet.common_error(
+            motion.of("F₀", "T₀"),
+            "the parts of spring, damper and inertia added without their phases",
+            || amplitude * (k + c * frequency + mass * frequency.powi(2)),
+        );
         sheet.step(motion.of("F₀", "T₀"), motion.force_unit(), force, (why, RAO.at("§3.4")))
     };
     let symbol = motion.of("X", "Θ");
     let (force, amplitude) = match &given.excitation {
         ForceStrengthGiven::Force { force } | ForceStrengthGiven::Torque { torque: force } => {
             let why = ("Steady-state amplitude", RAO.at("§3.4"));
+            if c.value() > 0.0 {
+                sheet.common_error(
+                    symbol,
+                    "the damper alone assumed to balance the excitation, as at resonance",
+                    || *force / (c * frequency),
+                );
+            }
             (*force, sheet.step(symbol, motion.displacement_unit(), *force / k * magnification, why))
         }
         ForceStrengthGiven::Motion { amplitude } | ForceStrengthGiven::Rotation { amplitude } => {
@@ -310,6 +331,14 @@ impl<N: Real> ForcedOscillator<N> {
             "Amplitude of the torque transmitted to the foundation",
         );
         let transmitted = sdof::transmitted_force(amplitude, k, c, frequency);
+        sheet.common_error(motion.of("F_T", "T_T"), "the transmissibility without damping used", || {
+            force / (N::from(1.0) - self.at.ratio.powi(2)).abs()
+        });
+        sheet.common_error(
+            motion.of("F_T", "T_T"),
+            "inertia times acceleration taken as the load on the foundation",
+            || mass * acceleration,
+        );
         let transmitted = sheet.step(motion.of("F_T", "T_T"), unit, transmitted, (why, RAO.at("§3.6")));
         let (name, label) = motion.of(
             ("transmitted_force", "Force transmitted to the foundation"),
@@ -344,6 +373,11 @@ impl<N: Real> ForcedOscillator<N> {
             "J",
             c * frequency * amplitude.powi(2) * PI,
             ("Energy dissipated by the damper per cycle", RAO.at("§2.6")),
+        );
+        sheet.common_error(
+            "P",
+            "the amplitudes of excitation and velocity multiplied without the phase between them",
+            || force * velocity / 2.0,
         );
         let power = sheet.step(
             "P",
@@ -396,6 +430,11 @@ fn resonances<W: Worksheet>(
                 });
                 return;
             }
+            sheet.common_error(
+                motion.of("ω_x", "ω_θ"),
+                "the damped natural frequency taken as that of the peak",
+                || sdof::damped_frequency(natural, zeta),
+            );
             let displacement = sheet.step(
                 motion.of("ω_x", "ω_θ"),
                 "rad/s",

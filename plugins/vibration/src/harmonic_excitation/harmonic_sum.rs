@@ -133,6 +133,9 @@ fn sum<W: Worksheet>(
         [one, other] => beats(one, other, sheet),
         _ => {
             let largest = W::Num::sum(groups.iter().map(|group| group.amplitude));
+            sheet.common_error("A_max", "the amplitudes combined as perpendicular components", || {
+                W::Num::sum(groups.iter().map(|group| group.amplitude.powi(2))).sqrt()
+            });
             let largest = sheet.step(
                 "A_max",
                 "mm",
@@ -143,6 +146,11 @@ fn sum<W: Worksheet>(
         }
     }
     let half = W::Num::sum(groups.iter().map(|group| group.amplitude.powi(2))) / 2.0;
+    if groups.len() > 1 {
+        sheet.common_error("x_rms", "the root mean squares of the motions added", || {
+            W::Num::sum(groups.iter().map(|group| group.amplitude)) / 2.0_f64.sqrt()
+        });
+    }
     let rms = sheet.step("x_rms", "mm", half.sqrt(), ("Root mean square over a long time", RAO.at("§1.10")));
     sheet.answer("rms", "Root mean square", rms);
     let of = |amplitude: W::Num, frequency: W::Num, phase: W::Num, time: W::Num| {
@@ -225,12 +233,25 @@ fn groups<W: Worksheet>(given: &[HarmonicGiven<W>], sheet: W) -> Result<Vec<Resu
             ),
         );
         let across = sheet.step(symbol("R_y"), "mm", part(W::Num::sin), "Transverse components");
+        if group.len() > 1 {
+            sheet.common_error(symbol("R"), "the amplitudes added without their phases", || {
+                W::Num::sum(group.iter().map(|one| one.amplitude))
+            });
+            sheet.common_error(symbol("R"), "the amplitudes combined as perpendicular components", || {
+                W::Num::sum(group.iter().map(|one| one.amplitude.powi(2))).sqrt()
+            });
+        }
         let amplitude = sheet.step(
             symbol("R"),
             "mm",
             (along.powi(2) + across.powi(2)).sqrt(),
             "Length of the resulting vector",
         );
+        if group.len() > 1 {
+            sheet.common_error(symbol("θ"), "the mean of the phases taken", || {
+                W::Num::sum(group.iter().map(|one| one.phase)) / group.len() as f64
+            });
+        }
         let phase = sheet.step(symbol("θ"), "deg", across.atan2(along), "Its angle");
         resultants.push(Resultant { amplitude, phase, frequency });
     }
@@ -244,6 +265,9 @@ fn beats<W: Worksheet>(one: Resultant<W::Num>, other: Resultant<W::Num>, sheet: 
     let (large, small) =
         if one.amplitude.value() < other.amplitude.value() { (other, one) } else { (one, other) };
     let cite = || RAO.at("§1.10");
+    sheet.common_error("A_max", "the amplitudes combined as perpendicular components", || {
+        (large.amplitude.powi(2) + small.amplitude.powi(2)).sqrt()
+    });
     let largest = sheet.step(
         "A_max",
         "mm",
@@ -256,12 +280,18 @@ fn beats<W: Worksheet>(one: Resultant<W::Num>, other: Resultant<W::Num>, sheet: 
         large.amplitude - small.amplitude,
         ("Minimum amplitude, when they are in opposite phase", cite()),
     );
+    sheet.common_error("ω_b", "the mean of the two frequencies taken", || {
+        (fast.frequency + slow.frequency) / 2.0
+    });
     let beat = sheet.step(
         "ω_b",
         "Hz",
         fast.frequency - slow.frequency,
         ("Beat frequency: rate at which the faster vector overtakes the slower one", cite()),
     );
+    sheet.common_error("T_b", "the difference of the two periods taken", || {
+        W::Num::from(TAU) / slow.frequency - W::Num::from(TAU) / fast.frequency
+    });
     let period = sheet.step("T_b", "s", W::Num::from(TAU) / beat, "Time between two maxima of the amplitude");
     let mean = sheet.step(
         "ω_m",

@@ -165,6 +165,17 @@ fn rigid<W: Worksheet>(
         "At the top the surface accelerates downwards with A ω²; the contact force N₀ + k A − m A ω² is zero there",
         NORTON.at("ch. 15"),
     );
+    if let Some(spring) = spring {
+        sheet.common_error("ω_c", "the spring omitted: the weight alone taken", || {
+            (given.gravity / given.amplitude).sqrt()
+        });
+        sheet.common_error("ω_c", "the compression of the spring by the motion omitted", || {
+            (still / (mass * given.amplitude)).sqrt()
+        });
+        sheet.common_error("ω_c", "the natural frequency of mass and spring taken", || {
+            sdof::natural_frequency(spring.stiffness, mass)
+        });
+    }
     let lost = sheet.step("ω_c", "Hz", square.sqrt(), why);
     sheet.verify(|| {
         let held = spring.map_or(mean, |spring| mean + spring.stiffness * given.amplitude);
@@ -223,6 +234,12 @@ fn wheel<W: Worksheet>(
             "the wheel keeps contact at all frequencies that can be examined: check masses, stiffness and amplitude",
         ));
     };
+    sheet.common_error("ω_c", "both masses assumed to follow the road", || {
+        (given.gravity / given.amplitude).sqrt()
+    });
+    sheet.common_error("ω_c", "the sprung mass assumed at rest and the damping omitted", || {
+        ((stiffness + mean / given.amplitude) / mass).sqrt()
+    });
     let lost = sheet.numerical(
         "ω_c",
         "Hz",
@@ -297,6 +314,12 @@ impl LossOfContact {
                 let imaginary = *sprung * (loss * held - *stiffness * loss) / size;
                 let unit = square * (real.powi(2) + imaginary.powi(2)).sqrt();
                 let why = "Amplitude of the contact force for each metre of the road: ω²|m + M(k + icω)/(k − Mω² + icω)|";
+                sheet.common_error("D", "both masses assumed to follow the road", || {
+                    (*mass + *sprung) * square
+                });
+                sheet.common_error("D", "the sprung mass assumed at rest", || {
+                    sdof::dynamic_stiffness(*stiffness, *mass, *damping, frequency)
+                });
                 sheet.step("D", "N/m", unit, why)
             }
         };
@@ -305,6 +328,11 @@ impl LossOfContact {
             value if value < 0.0 => -dynamic,
             _ => dynamic,
         };
+        if let ContactBodyGiven::Rigid { spring: Some(_), .. } = &given.body {
+            sheet.common_error("N_min", "the contact force at the lowest position taken as the mean", || {
+                contact.still - size
+            });
+        }
         let least = sheet.step("N_min", "N", mean - size, "Least contact force; below zero, contact is lost");
         let largest = sheet.step("N_max", "N", mean + size, "Largest contact force while contact lasts");
         sheet.answer("least_force", "Least contact force", least);
@@ -327,6 +355,14 @@ impl LossOfContact {
             _ => unit,
         };
         if loss.value() > 0.0 {
+            if let ContactBodyGiven::Rigid { spring: Some(_), .. } = &given.body {
+                sheet.common_error("A_c", "the spring omitted: the weight alone taken", || {
+                    given.gravity / square
+                });
+                sheet.common_error("A_c", "the mean contact force of the given amplitude used", || {
+                    mean / unit
+                });
+            }
             let most = sheet.step(
                 "A_c",
                 "mm",

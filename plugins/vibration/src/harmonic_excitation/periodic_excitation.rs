@@ -319,8 +319,20 @@ impl<N: Real> ExcitedOscillator<N> {
                 ("Response to this harmonic: transmitted motion of the base", RAO.at("§4.2")),
             ),
         };
-        let amplitude =
-            sheet.step((self.motion.of("X", "Θ"), index), self.motion.displacement_unit(), amplitude, why);
+        let symbol = (self.motion.of("X", "Θ"), index);
+        match self.excited {
+            ExcitedSystem::Mass { stiffness } => {
+                sheet.common_error(symbol, "the transmissibility used", || {
+                    source / stiffness * sdof::transmissibility(ratio, self.zeta)
+                });
+            }
+            ExcitedSystem::Base => {
+                sheet.common_error(symbol, "the magnification factor for a force on the mass used", || {
+                    source * sdof::magnification(ratio, self.zeta)
+                });
+            }
+        }
+        let amplitude = sheet.step(symbol, self.motion.displacement_unit(), amplitude, why);
         let why = ("Its lag behind this harmonic of the wave", RAO.at("§4.2"));
         let lag = sheet.step(("φ", index), "deg", self.lag(ratio, self.zeta), why);
         sheet.answer(("harmonic", index), "Amplitude of harmonic", amplitude);
@@ -447,8 +459,22 @@ impl PeriodicExcitation {
             });
             return;
         };
+        let mean = || periodic::mean(pieces);
+        // Order, amplitude over the deflection at rest, and lag.
+        let harmonics = || {
+            let (ratio, zeta) = (system.ratio.value(), system.zeta.value());
+            written(&self.waveform, pieces).into_iter().map(move |n| {
+                let (a, b) = periodic::harmonic(pieces, n);
+                let r = f64::from(n) * ratio;
+                (n, a.hypot(b) * system.factor(r, zeta), b.atan2(a) + system.lag(r, zeta))
+            })
+        };
+        let first = || harmonics().next().map_or(f64::NAN, |(_, amplitude, _)| amplitude);
         let how = "Root mean square over the static deflection, of the exact motion: piece by piece, closed over a period";
         let share = sheet.numerical("q_rms", "1", square.sqrt(), (how, RAO.at("§4.3")));
+        sheet.common_error(motion.of("x_rms", "θ_rms"), "the first harmonic alone taken", || {
+            height * (first() / 2.0_f64.sqrt())
+        });
         let rms = sheet.step(
             motion.of("x_rms", "θ_rms"),
             unit,
@@ -473,12 +499,17 @@ impl PeriodicExcitation {
             least,
             "Minimum displacement of the exact motion, over the static deflection",
         );
-        let largest = sheet.step(
-            motion.of("x_max", "θ_max"),
-            unit,
-            height * largest,
-            motion.of("Maximum displacement", "Maximum angle"),
+        let symbol = motion.of("x_max", "θ_max");
+        sheet.common_error(symbol, "the mean and the first harmonic alone taken", || {
+            height * (mean() + first())
+        });
+        sheet.common_error(
+            symbol,
+            "the amplitudes of the first few harmonics added without their phases",
+            || height * (mean() + harmonics().map(|(_, amplitude, _)| amplitude).sum::<f64>()),
         );
+        let largest =
+            sheet.step(symbol, unit, height * largest, motion.of("Maximum displacement", "Maximum angle"));
         let least = sheet.step(
             motion.of("x_min", "θ_min"),
             unit,
@@ -508,23 +539,21 @@ impl PeriodicExcitation {
             let why = "Displacement of the exact motion at that time, over the static deflection";
             let at = sheet.numerical("q", "1", steady.displacement(share), (why, RAO.at("§4.3")));
             let label = motion.of("Displacement at that time", "Angle at that time");
+            sheet.common_error(motion.displacement(), "the mean and the first harmonic alone taken", || {
+                let at = |(n, amplitude, late): (u32, f64, f64)| {
+                    amplitude * (std::f64::consts::TAU * f64::from(n) * share - late).cos()
+                };
+                height * (mean() + harmonics().next().map_or(f64::NAN, at))
+            });
             let x = sheet.step(motion.displacement(), unit, height * at, label);
             sheet.answer("displacement", label, x);
             sheet.verify(|| checks::displacement(&circle, share, x.value() / height.value(), sheet));
         }
         let height = height.value();
         sheet.show(|| {
-            let (ratio, zeta) = (system.ratio.value(), system.zeta.value());
             let shares = || (0..=240u16).map(|n| f64::from(n) / 120.0);
-            let harmonics: Vec<(u32, f64, f64)> = written(&self.waveform, pieces)
-                .into_iter()
-                .map(|n| {
-                    let (a, b) = periodic::harmonic(pieces, n);
-                    let r = f64::from(n) * ratio;
-                    (n, a.hypot(b) * system.factor(r, zeta), b.atan2(a) + system.lag(r, zeta))
-                })
-                .collect();
-            let mean = periodic::mean(pieces);
+            let harmonics: Vec<(u32, f64, f64)> = harmonics().collect();
+            let mean = mean();
             let few = |s: f64| -> f64 {
                 let of = |(n, amplitude, late): &(u32, f64, f64)| {
                     amplitude * (std::f64::consts::TAU * f64::from(*n) * s - late).cos()

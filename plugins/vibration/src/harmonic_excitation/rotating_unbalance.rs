@@ -167,6 +167,14 @@ impl Analysis for RotatingUnbalance {
             sdof::damping_from_ratio(zeta, k, given.mass),
             ("Damping coefficient", RAO.at("§2.6")),
         );
+        let far = || given.unbalance / given.mass;
+        sheet.common_error("X", "the transmissibility used in place of the response to an unbalance", || {
+            far() * sdof::transmissibility(ratio, zeta)
+        });
+        sheet.common_error("X", "the amplitude far above the resonance, m₀e/m, taken", far);
+        sheet.common_error("X", "the centrifugal force of the unbalance taken as a static load", || {
+            given.unbalance * given.speed.powi(2) / k
+        });
         let amplitude = sheet.step(
             "X",
             "mm",
@@ -179,6 +187,14 @@ impl Analysis for RotatingUnbalance {
             sdof::phase_lag_from_ratios(ratio, zeta),
             ("The motion lags the unbalance by", RAO.at("§3.7")),
         );
+        let centrifugal = || given.unbalance * given.speed.powi(2);
+        sheet.common_error("F_T", "the centrifugal force taken as the force transmitted", centrifugal);
+        sheet.common_error("F_T", "the amplitude ratio mX/(m₀e) used as the transmissibility", || {
+            centrifugal() * sdof::unbalance_magnification(ratio, zeta)
+        });
+        sheet.common_error("F_T", "the transmissibility without damping used", || {
+            centrifugal() / (W::Num::from(1.0) - ratio.powi(2)).abs()
+        });
         let force = sheet.step(
             "F_T",
             "N",
@@ -229,6 +245,14 @@ impl Analysis for RotatingUnbalance {
             sheet.answer("least_amplitude", "Amplitude with the maximum damping", least);
         }
         if zeta.holds(|zeta| zeta > 0.0 && zeta < FRAC_1_SQRT_2) {
+            sheet.common_error("ωₘₐₓ", "the peak for a force of constant amplitude taken", || {
+                natural * sdof::magnification_peak_ratio(zeta)
+            });
+            sheet.common_error(
+                "ωₘₐₓ",
+                "the damped natural frequency taken as that of the peak",
+                || sdof::damped_frequency(natural, zeta),
+            );
             let worst = sheet.step(
                 "ωₘₐₓ",
                 "rpm",
@@ -237,6 +261,11 @@ impl Analysis for RotatingUnbalance {
             );
             sheet.answer("worst_speed", "Peak-response speed", worst);
             if !matches!(self.damping, MachineDamping::LargestAmplitude { .. }) {
+                sheet.common_error(
+                    "Xₘₐₓ",
+                    "the amplitude at the natural frequency taken as the maximum",
+                    || far() * sdof::quality_factor(zeta),
+                );
                 let largest = sheet.step(
                     "Xₘₐₓ",
                     "mm",

@@ -232,6 +232,10 @@ struct Chosen<N> {
     damping: N,
 }
 
+/// Common errors of the damping.
+const OWN_FREQUENCY: &str = "the natural frequency of the absorber used in place of that of the main system";
+const MAIN_MASS: &str = "the mass of the main system used in place of that of the absorber";
+
 fn no_peaks() -> Refusal {
     Refusal::because(
         "the main system is so heavily damped that its response with this absorber has no peaks to equalise: write a smaller damping ratio, or a heavier absorber",
@@ -317,7 +321,13 @@ impl<N: Real> AbsorberSystem<N> {
                 tuning * *ratio,
                 "Damping ratio relative to the main frequency, c/(2 m_a ω_m) = f ζ_a",
             ),
-            AbsorberDampingGiven::Coefficient { coefficient } => self.by_main(*coefficient, sheet)?,
+            AbsorberDampingGiven::Coefficient { coefficient } => {
+                if let Some(body) = &self.body {
+                    let by_own = || *coefficient / (body.absorber * tuning * body.natural * 2.0);
+                    sheet.common_error("γ", OWN_FREQUENCY, by_own);
+                }
+                self.by_main(*coefficient, sheet)?
+            }
         };
         Ok(Chosen { tuning: Some(tuning), damping })
     }
@@ -338,6 +348,8 @@ impl<N: Real> AbsorberSystem<N> {
     fn by_main<W: Worksheet<Num = N>>(&self, coefficient: N, sheet: W) -> Result<N, Refusal> {
         let body = self.body.as_ref().ok_or_else(needs_masses)?;
         let ratio = coefficient / (body.absorber * body.natural * 2.0);
+        let by_main_mass = || coefficient * self.ratio / (body.absorber * body.natural * 2.0);
+        sheet.common_error("γ", MAIN_MASS, by_main_mass);
         Ok(sheet.step("γ", "1", ratio, "Damping ratio relative to the main frequency, c/(2 m_a ω_m)"))
     }
 }
@@ -357,11 +369,18 @@ fn assess<W: Worksheet>(
             let own = tuning * body.natural;
             let own = sheet.step("ω_a", "rad/s", own, "Natural frequency of the chosen absorber by itself");
             let stiffness = sdof::stiffness_from_natural_frequency(body.absorber, own);
+            let by_main = || sdof::stiffness_from_natural_frequency(body.absorber, body.natural);
+            let what = "the absorber tuned to the natural frequency of the main system";
+            sheet.common_error("k_a", what, by_main);
             let stiffness = sheet.step("k_a", "N/m", stiffness, ("Its stiffness", RAO.at("§2.2")));
             sheet.answer("absorber_stiffness", "Stiffness of the absorber", stiffness);
+            let by_own = || chosen.damping * body.absorber * own * 2.0;
+            sheet.common_error("c_a", OWN_FREQUENCY, by_own);
             spring = Some(stiffness);
         }
         let damping = chosen.damping * body.absorber * body.natural * 2.0;
+        let by_main_mass = || damping / system.ratio;
+        sheet.common_error("c_a", MAIN_MASS, by_main_mass);
         let damping = sheet.step("c_a", "N*s/m", damping, "Damping coefficient of the absorber, 2 m_a ω_m γ");
         sheet.answer("absorber_damping", "Damping coefficient of the absorber", damping);
         let masses = InFull::of(body, system.zeta.value(), spring.map_or(0.0, Real::value), damping.value());
@@ -533,6 +552,12 @@ fn motion_at<W: Worksheet>(
     let why = ("Magnification of the main mass at this frequency", DEN_HARTOG.at("§3.3"));
     let main = sheet.step("H", "1", ((spring.powi(2) + damper.powi(2)) / size).sqrt(), why);
     let why = ("Relative motion of the absorber, over the static deflection", DEN_HARTOG.at("§3.3"));
+    let absolute = || {
+        let held = chosen.tuning.map_or(W::Num::from(0.0), |tuning| tuning.powi(4));
+        ((held + damper.powi(2)) / size).sqrt()
+    };
+    let what = "the absolute motion of the absorber taken in place of the relative one";
+    sheet.common_error("S", what, absolute);
     let relative = sheet.step("S", "1", square / size.sqrt(), why);
     sheet.verify(|| {
         let [again, moved] = optimum::equations(kernel, ratio.value());

@@ -1,6 +1,6 @@
 //! An oscillator with an elastic dry-friction damper (Jenkins element), by one harmonic.
 
-use std::ops::ControlFlow;
+use std::{f64::consts::PI, ops::ControlFlow};
 
 use dalembert_core::{
     About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet,
@@ -68,6 +68,8 @@ impl Analysis for FrictionDamper {
             slip_force: self.slip_force,
             force: self.force,
         };
+        let both = || given.slip_force / (given.stiffness + given.element);
+        sheet.common_error("x_y", "both springs taken to carry the slip force", both);
         let slip = sheet.step(
             "x_y",
             "µm",
@@ -106,6 +108,10 @@ impl Analysis for FrictionDamper {
             peak.frequency,
             "Peak of the response by one harmonic: the frequency at which that amplitude requires the least force",
         );
+        let viscous = || given.force / (given.damping * frequency);
+        sheet.common_error("Xₚ", "the viscous damper alone taken to dissipate energy", viscous);
+        let rigid = || (given.force - given.slip_force * 4.0 / PI) / (given.damping * frequency);
+        sheet.common_error("Xₚ", "the spring of the friction element taken as rigid", rigid);
         let amplitude = sheet.numerical("Xₚ", "µm", peak.amplitude, "Amplitude at that frequency");
         let [stiffness, quadrature] =
             balance(given, [mass, slip, frequency, amplitude], PEAK, &oscillator, sheet);
@@ -135,6 +141,12 @@ impl Analysis for FrictionDamper {
                     Text::new("there is more than one amplitude at this frequency; the largest is given")
                 });
             }
+            let linear = |stiffness: W::Num| {
+                sdof::forced_amplitude(given.force, stiffness, mass, given.damping, given_frequency)
+            };
+            let sticking = || linear(given.stiffness + given.element);
+            sheet.common_error("X", "the friction element taken to stick at every amplitude", sticking);
+            sheet.common_error("X", "the friction element left out", || linear(given.stiffness));
             let found = sheet.numerical(
                 "X",
                 "µm",

@@ -172,6 +172,10 @@ pub enum PendulumMass {
     },
 }
 
+/// Common error of the tuning.
+const FROM_CENTRE: &str =
+    "the distance of the pendulum mass from the shaft used in place of that of the pivot";
+
 register!(PendulumAbsorber);
 
 impl Analysis for PendulumAbsorber {
@@ -249,6 +253,13 @@ impl PendulumAbsorber {
         let (arm, wanted) = match arm {
             ArmGiven::Given { arm } => (*arm, None),
             ArmGiven::Tuned { order } => {
+                if gyration.is_some() {
+                    let point = || pivot / order.powi(2);
+                    sheet.common_error("r", "the pendulum taken as a point mass", point);
+                } else {
+                    let centre = || pivot / (order.powi(2) - 1.0);
+                    sheet.common_error("r", FROM_CENTRE, centre);
+                }
                 let found = match (rolling, gyration) {
                     (Some((share, _)), _) => sheet.step(
                         "r",
@@ -330,6 +341,7 @@ impl PendulumAbsorber {
                 "the roller is so large that it rotates against its own swing and absorbs nothing: write a smaller one",
             ));
         }
+        sheet.common_error("n₀", FROM_CENTRE, || tuned_order(pivot + arm, arm, swing));
         let tuned = sheet.step(
             "n₀",
             "1",
@@ -360,6 +372,12 @@ impl PendulumAbsorber {
                         "the mass for a limited swing follows from the torque: write its amplitude",
                     ));
                 };
+                let by_speed = || *torque / (coupling * speed.powi(2) * *limit * count);
+                let what = "the speed of the rotor used as the frequency of the pendulum";
+                sheet.common_error("m", what, by_speed);
+                let uncoupled = || *torque / (swing * antiresonance.powi(2) * *limit * count);
+                let what = "the moment of the pendulum about its pivot taken as its torque on the rotor";
+                sheet.common_error("m", what, uncoupled);
                 let mass = sheet.step(
                     "m",
                     "kg",

@@ -1,7 +1,10 @@
 //! A seismic instrument: in which frequencies its reading is right, and what a reading says of the true motion.
 
+use std::f64::consts::FRAC_1_SQRT_2;
+
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet, register,
+    About, Analysis, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Symbol, Text, Worksheet,
+    register,
 };
 use dalembert_mechanics::{
     Real, sdof,
@@ -106,6 +109,10 @@ pub enum InstrumentReading {
     },
 }
 
+/// Common errors of an instrument.
+const OTHER_INSTRUMENT: &str = "the formula of the other kind of instrument used";
+const BY_NATURAL: &str = "the natural frequency of the instrument used in place of that of the motion";
+
 register!(VibrationInstrument);
 
 impl Analysis for VibrationInstrument {
@@ -175,6 +182,9 @@ fn damping_ratio<W: Worksheet>(given: &VibrationInstrumentGiven<W>, sheet: W) ->
                 ));
             }
             let zeta = (W::Num::from(1.0) - (*frequency / natural).powi(2)).sqrt();
+            let of_peak = || ((W::Num::from(1.0) - (*frequency / natural).powi(2)) / 2.0).sqrt();
+            let what = "the frequency of the free vibration taken as that of the largest reading";
+            sheet.common_error("ζ", what, of_peak);
             let zeta = sheet.step("ζ", "1", zeta, ("Damping ratio, from ω_d = ωₙ√(1 − ζ²)", RAO.at("§2.6")));
             sheet.check_zero(
                 "the damping ratio reproduces the damped frequency",
@@ -193,6 +203,18 @@ impl VibrationInstrument {
             Instrument::Vibrometer => sdof::unbalance_magnification(ratio, zeta),
             Instrument::Accelerometer => sdof::magnification(ratio, zeta),
         }
+    }
+
+    /// Common errors in the ratio of reading to motion.
+    fn factor_errors<W: Worksheet>(&self, symbol: Symbol, ratio: W::Num, zeta: W::Num, sheet: W) {
+        let other = || match self.instrument {
+            Instrument::Vibrometer => sdof::magnification(ratio, zeta),
+            Instrument::Accelerometer => sdof::unbalance_magnification(ratio, zeta),
+        };
+        sheet.common_error(symbol, OTHER_INSTRUMENT, other);
+        let absolute = || sdof::transmissibility(ratio, zeta);
+        let what = "the transmissibility used, as for the absolute motion of the mass";
+        sheet.common_error(symbol, what, absolute);
     }
 
     /// The factor from the square of the frequency ratio alone: another arrangement.
@@ -227,17 +249,28 @@ impl VibrationInstrument {
             Instrument::Vibrometer => "Ratio of reading to true displacement",
             Instrument::Accelerometer => "Ratio of reading to true acceleration",
         };
+        self.factor_errors("M".into(), ratio, zeta, sheet);
         let factor = sheet.step("M", "1", self.factor(ratio, zeta), (why, RAO.at("§10.3")));
         sheet.verify(|| {
             let other = self.factor_of_square(ratio, zeta);
             sheet.check("the same from the square of the frequency ratio", other, factor);
         });
+        let of_reading = || W::Num::from(1.0) - W::Num::from(1.0) / factor;
+        sheet.common_error("e", "the error taken as a fraction of the reading", of_reading);
         let error = sheet.step(
             "e",
             "%",
             factor - 1.0,
             "Error of the amplitude; where it is positive the reading is too high",
         );
+        let principal = || {
+            let tangent = zeta * ratio * 2.0 / (W::Num::from(1.0) - ratio.powi(2));
+            tangent.atan2(W::Num::from(1.0))
+        };
+        let what = "the principal value of the arctangent taken, the quadrant ignored";
+        sheet.common_error("φ", what, principal);
+        let absolute = || sdof::transmissibility_phase(ratio, zeta);
+        sheet.common_error("φ", "the phase of the absolute motion of the mass taken", absolute);
         let lag = sheet.step(
             "φ",
             "deg",
@@ -288,6 +321,7 @@ impl VibrationInstrument {
                 let why = ("True amplitude for the given reading", RAO.at("§10.3"));
                 let motion = sheet.step("Y", "mm", *amplitude / factor, why);
                 let why = "Its acceleration";
+                sheet.common_error("A", BY_NATURAL, || motion * natural.powi(2));
                 let acceleration = sheet.step("A", "m/s^2", motion * frequency.powi(2), why);
                 sheet.answer("amplitude", "True amplitude", motion);
                 sheet.answer("acceleration", "True acceleration", acceleration);
@@ -297,6 +331,7 @@ impl VibrationInstrument {
                 let why = ("True acceleration for the given reading", RAO.at("§10.3"));
                 let truth = sheet.step("A", "m/s^2", *acceleration / factor, why);
                 let why = "Amplitude of the motion with this acceleration";
+                sheet.common_error("Y", BY_NATURAL, || truth / natural.powi(2));
                 let motion = sheet.step("Y", "mm", truth / frequency.powi(2), why);
                 sheet.answer("amplitude", "True amplitude", motion);
                 sheet.answer("acceleration", "True acceleration", truth);
@@ -355,6 +390,11 @@ impl VibrationInstrument {
             "Frequency ratio at which the allowed error is reached: a root of the quadratic equation in r² of the error",
             RAO.at("§10.3"),
         );
+        let undamped = || match self.instrument {
+            Instrument::Vibrometer => ((error + 1.0) / error).sqrt(),
+            Instrument::Accelerometer => (error / (error + 1.0)).sqrt(),
+        };
+        sheet.common_error("r_p", "the damping of the instrument neglected", undamped);
         let limit = sheet.numerical("r_p", "1", limit, why);
         let high = self.factor(limit, zeta).value() > 1.0;
         let reached = if high { error + 1.0 } else { W::Num::from(1.0) - error };
@@ -393,6 +433,10 @@ impl VibrationInstrument {
         let best = sdof::damping_ratio_from_peak(most);
         if let Some(best) = best.filter(|best| best.value().is_finite()) {
             let why = "Damping ratio for the widest band: the peak just reaches the allowed error";
+            let usual = || W::Num::from(FRAC_1_SQRT_2);
+            sheet.common_error("ζ_p", "ζ = 1/√2 assumed", usual);
+            let light = || W::Num::from(0.5) / most;
+            sheet.common_error("ζ_p", "the formula for light damping, ζ = 1/(2Λ), used", light);
             let best = sheet.step("ζ_p", "1", best, (why, RAO.at("§10.3")));
             sheet.check("its peak is the allowed error", sdof::peak_magnification(best), most);
             sheet.answer("best_damping_ratio", "Damping ratio for the widest band", best);
@@ -422,14 +466,18 @@ impl VibrationInstrument {
 
     /// Peak of the reading over frequency.
     fn peak<W: Worksheet>(&self, zeta: W::Num, natural: W::Num, sheet: W) {
-        if zeta.value() == 0.0 || zeta.value() >= std::f64::consts::FRAC_1_SQRT_2 {
+        if zeta.value() == 0.0 || zeta.value() >= FRAC_1_SQRT_2 {
             return;
         }
         let ratio = match self.instrument {
             Instrument::Vibrometer => sdof::unbalance_peak_ratio(zeta),
             Instrument::Accelerometer => sdof::magnification_peak_ratio(zeta),
         };
+        let damped = || sdof::damped_frequency(natural, zeta);
+        sheet.common_error("ωₚ", "the frequency of the damped free vibration used", damped);
         let at = sheet.step("ωₚ", "Hz", natural * ratio, ("Frequency of maximum reading", RAO.at("§10.3")));
+        let at_natural = || W::Num::from(0.5) / zeta;
+        sheet.common_error("Mₚ", "the ratio at the natural frequency, 1/(2ζ), used", at_natural);
         let peak =
             sheet.step("Mₚ", "1", sdof::peak_magnification(zeta), "Maximum ratio of reading to true value");
         sheet.check("maximum reading at its frequency", self.factor(at / natural, zeta), peak);

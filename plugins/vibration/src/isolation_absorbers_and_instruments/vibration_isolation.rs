@@ -237,6 +237,9 @@ impl<N: Real> Mounts<N> {
     ) -> Result<(), Refusal> {
         let transmissibility = wanted(required, sheet);
         let ratio = required_ratio(transmissibility, zeta, sheet);
+        if let Some(highest) = speeds.highest {
+            sheet.common_error("ωₙ", "the highest speed used in place of the lowest", || highest / ratio);
+        }
         let natural = sheet.step(
             "ωₙ",
             "rad/s",
@@ -293,6 +296,8 @@ impl<N: Real> Mounts<N> {
 
     /// Natural frequency, stiffness and static deflection.
     fn answer<W: Worksheet<Num = N>>(&self, known: &Known<N>, sheet: W) {
+        let on_one = || self.gravity / known.natural.powi(2) * self.count;
+        sheet.common_error("δ_st", "the whole weight taken to rest on one mount", on_one);
         let deflection = sheet.step(
             "δ_st",
             "mm",
@@ -309,6 +314,7 @@ impl<N: Real> Mounts<N> {
 
     /// The stiffness of one mount.
     fn answer_each<W: Worksheet<Num = N>>(&self, stiffness: N, sheet: W) {
+        sheet.common_error("k₁", "the mounts taken as springs in series", || stiffness * self.count);
         let each = sheet.step(
             "k₁",
             "N/m",
@@ -345,9 +351,16 @@ impl<N: Real> Mounts<N> {
         let band = Band { ratios: band, speeds: [lowest, highest], natural: known.natural };
         let peak = || {
             let why = ("Frequency ratio at maximum transmissibility", RAO.at("§3.6"));
+            let of_motion = || sdof::magnification_peak_ratio(known.zeta);
+            sheet.common_error("r", "the frequency ratio of the largest magnification used", of_motion);
+            sheet.common_error("r", "the largest value assumed at the natural frequency", || N::from(1.0));
             sheet.step("r", "1", isolation::transmissibility_peak_ratio(known.zeta), why)
         };
         let (speed, ratio) = band.at(worst, ["ω_T", "r"], peak, sheet);
+        let magnification = || sdof::magnification(ratio, known.zeta);
+        sheet.common_error("TR", "the magnification used in place of the transmissibility", magnification);
+        let undamped = || N::from(1.0) / (N::from(1.0) - ratio.powi(2)).abs();
+        sheet.common_error("TR", "the damping of the mounts neglected", undamped);
         let transmissibility = sheet.step(
             "TR",
             "1",
@@ -435,6 +448,10 @@ impl<N: Real> Mounts<N> {
             (worst, speed, ratio)
         };
         let (_, speed, ratio) = loudest;
+        let springs = || force_at(speed) * sdof::magnification(ratio, zeta);
+        sheet.common_error("F_T", "the force of the dampers omitted", springs);
+        let scalars = || springs() * (zeta * ratio * 2.0 + 1.0);
+        sheet.common_error("F_T", "the forces of springs and dampers added as if in phase", scalars);
         let transmitted = sheet.step(
             "F_T",
             "N",
@@ -468,6 +485,16 @@ impl<N: Real> Mounts<N> {
             Shaking::Unbalance => strength / self.mass * sdof::unbalance_magnification(ratio, zeta),
         };
         let why = ("Maximum amplitude of the machine", RAO.at("§3.7"));
+        let over = || match shaking {
+            Shaking::Force => strength / known.stiffness,
+            Shaking::Unbalance => strength / self.mass,
+        };
+        let transmitted = || over() * sdof::transmissibility(ratio, zeta);
+        sheet.common_error("X", "the transmissibility used for the amplitude of the machine", transmitted);
+        if shaking == Shaking::Unbalance {
+            let constant = || over() * sdof::magnification(ratio, zeta);
+            sheet.common_error("X", "the magnification of a force of constant amplitude used", constant);
+        }
         let amplitude = sheet.step("X", "mm", amplitude, why);
         sheet.check(
             "amplitude from the dynamic stiffness",
@@ -508,6 +535,14 @@ fn required_ratio<W: Worksheet>(transmissibility: W::Num, zeta: W::Num, sheet: W
             isolation::isolating_sum(transmissibility, zeta),
             "The transmissibility is T where r⁴ − 2b r² = 1/T² − 1",
         );
+        let undamped = || isolation::isolating_ratio_undamped(transmissibility);
+        sheet.common_error("r_T", "the damping of the mounts neglected", undamped);
+        let of_motion = || {
+            let half = W::Num::from(1.0) - zeta.powi(2) * 2.0;
+            let rest = W::Num::from(1.0) / transmissibility.powi(2) - 1.0;
+            (half + (half.powi(2) + rest).sqrt()).sqrt()
+        };
+        sheet.common_error("r_T", "the magnification set equal to the required transmissibility", of_motion);
         sheet.step(
             "r_T",
             "1",

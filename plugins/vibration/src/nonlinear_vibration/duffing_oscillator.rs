@@ -304,6 +304,14 @@ impl<N: Real> WorkedDuffing<N> {
             geometric = sheet.step(("b", n), "1", (arithmetic * geometric).sqrt(), "Geometric mean");
             arithmetic = mean;
         }
+        let of = |stiffness: N| N::from(TAU) / sdof::natural_frequency(stiffness, mass);
+        sheet.common_error("T", "the period at small amplitudes taken", || of(stiffness));
+        sheet.common_error("T", "the secant stiffness at the amplitude used for the whole motion", || {
+            of(stiffness + cubic * amplitude.powi(2))
+        });
+        sheet.common_error("T", "the tangent stiffness at the amplitude used for the whole motion", || {
+            of(stiffness + cubic * amplitude.powi(2) * 3.0)
+        });
         let period = sheet.step(
             "T",
             "s",
@@ -321,6 +329,9 @@ impl<N: Real> WorkedDuffing<N> {
         sheet.answer("period", "Period", period);
         sheet.answer("frequency", "Frequency", frequency);
         if oscillator.backbone(a).is_some() {
+            sheet.common_error("ω′", "the square of the displacement replaced by its mean", || {
+                ((stiffness + cubic * amplitude.powi(2) / 2.0) / mass).sqrt()
+            });
             let balance = sheet.step(
                 "ω′",
                 "rad/s",
@@ -373,6 +384,9 @@ impl<N: Real> WorkedDuffing<N> {
                     "Root of the balance of the first harmonic; unstable: a larger amplitude requires a smaller torque, so it jumps away",
                 )
             };
+            sheet.common_error((motion.of("A", "Θ"), n), "the cubic term omitted", || {
+                sdof::forced_amplitude(force, stiffness, mass, damping, frequency)
+            });
             let amplitude =
                 sheet.numerical((motion.of("A", "Θ"), n), unit, one.amplitude, (how, NAYFEH.at("§4.1")));
             let held = stiffness - mass * frequency.powi(2) + cubic * amplitude.powi(2) * 0.75;
@@ -468,6 +482,12 @@ impl<N: Real> WorkedDuffing<N> {
         if let Some((_, _)) = peak {
             let rest = stiffness - damping.powi(2) / (mass * 4.0);
             let reach = force.powi(2) * mass / damping.powi(2);
+            let natural = || sdof::natural_frequency(stiffness, mass);
+            sheet.common_error(
+                motion.of("A_p", "Θ_p"),
+                "the amplitude at resonance of the linear oscillator taken",
+                || force / (damping * natural()),
+            );
             let largest = sheet.step(
                 motion.of("A_p", "Θ_p"),
                 unit,
@@ -480,6 +500,7 @@ impl<N: Real> WorkedDuffing<N> {
                     NAYFEH.at("§4.1"),
                 ),
             );
+            sheet.common_error("ω_p", "the natural frequency at small amplitudes taken", natural);
             let at = sheet.step(
                 "ω_p",
                 "rad/s",

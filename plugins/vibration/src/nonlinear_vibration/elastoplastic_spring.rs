@@ -81,6 +81,11 @@ impl Analysis for ElastoplasticSpring {
         };
         sheet.answer("largest_displacement", "Maximum displacement", motion.largest);
         sheet.answer("largest_time", "Time of the maximum displacement", motion.at);
+        if motion.yielding.is_some() {
+            sheet.common_error("μ", "the permanent displacement used in place of the maximum one", || {
+                (motion.largest - limit) / limit
+            });
+        }
         let ductility = sheet.step(
             "μ",
             "1",
@@ -90,6 +95,11 @@ impl Analysis for ElastoplasticSpring {
         sheet.answer("ductility", "Ductility ratio", ductility);
         if let Some(yielding) = motion.yielding {
             sheet.answer("yield_time", "Time at which the spring yields", yielding.from);
+            if let Some(force) = motion.force {
+                sheet.common_error("y_p", "the static displacement subtracted from the maximum one", || {
+                    motion.largest - force / k
+                });
+            }
             let set = sheet.step(
                 "y_p",
                 "mm",
@@ -97,6 +107,14 @@ impl Analysis for ElastoplasticSpring {
                 "Permanent displacement: what remains when the spring has returned elastically",
             );
             sheet.answer("permanent_displacement", "Permanent displacement", set);
+            sheet.common_error("W_p", "the yield force multiplied by the whole displacement", || {
+                resistance * motion.largest
+            });
+            if let Some(force) = motion.force {
+                sheet.common_error("W_p", "the whole work of the load taken as dissipated", || {
+                    force * motion.largest
+                });
+            }
             let lost = sheet.step("W_p", "J", resistance * set, "Energy dissipated in yielding");
             sheet.answer("dissipated_energy", "Energy dissipated in yielding", lost);
             sheet.verify(|| {
@@ -202,6 +220,9 @@ impl<N: Real> LoadedSpring<N> {
             (N::from(1.0) - self.limit / rest).acos() / self.natural,
             ("Time at which the spring yields: y_s (1 − cos ωₙt) = y_e", BIGGS.at("§2.7")),
         );
+        sheet.common_error("v_e", "the elastic energy of the spring omitted from the energy balance", || {
+            (force * self.limit * 2.0 / self.mass).sqrt()
+        });
         let speed = sheet.step(
             "v_e",
             "m/s",
@@ -277,12 +298,19 @@ impl<N: Real> LoadedSpring<N> {
         };
         let why = ("Deceleration while the spring yields", BIGGS.at("§2.7"));
         let deceleration = sheet.step("a_p", "m/s^2", deceleration, why);
+        if let Some(force) = force {
+            sheet.common_error("y_m", "the spring assumed to stay elastic", || force * 2.0 / self.k);
+        }
         let largest = sheet.step(
             "y_m",
             "mm",
             self.limit + yielding.speed.powi(2) / (deceleration * 2.0),
             ("Maximum displacement, after yielding", BIGGS.at("§2.7")),
         );
+        let elastic = if force.is_some() { PI } else { FRAC_PI_2 };
+        sheet.common_error("t_m", "the time of the maximum of an elastic spring taken", || {
+            N::from(elastic) / self.natural
+        });
         let at = sheet.step(
             "t_m",
             "s",
@@ -322,6 +350,11 @@ impl<N: Real> LoadedSpring<N> {
     fn rebound<W: Worksheet<Num = N>>(&self, motion: &MotionToMaximum<N>, sheet: W) {
         let top = if motion.yielding.is_some() { self.resistance } else { self.k * motion.largest };
         let excess = motion.force.map_or(top, |force| top - force);
+        if motion.yielding.is_some() {
+            sheet.common_error("y_r", "the permanent displacement ignored in the rebound", || {
+                motion.force.map_or(-motion.largest, |force| force * 2.0 / self.k - motion.largest)
+            });
+        }
         let least = sheet.step(
             "y_r",
             "mm",

@@ -81,12 +81,18 @@ impl Analysis for LargePendulum {
             geometric = sheet.step(("b", n), "1", (arithmetic * geometric).sqrt(), "Geometric mean");
             arithmetic = mean;
         }
+        sheet.common_error("T", "the series in the amplitude cut after its first correction", || {
+            small_period * (W::Num::from(1.0) + amplitude.powi(2) / 16.0)
+        });
         let period = sheet.step(
             "T",
             "s",
             small_period / arithmetic,
             ("Period: that of small oscillations over the mean", ABRAMOWITZ.at("§17.6")),
         );
+        sheet.common_error("ΔT", "the difference taken relative to the small-angle period", || {
+            (period - small_period) / small_period
+        });
         let excess =
             sheet.step("ΔT", "%", (period - small_period) / period, "Deficit of the small-angle value");
         let series = sheet.step(
@@ -96,6 +102,7 @@ impl Analysis for LargePendulum {
                 * (W::Num::from(1.0) + amplitude.powi(2) / 16.0 + amplitude.powi(4) * (11.0 / 3072.0)),
             ("First terms of the series in the amplitude", NAYFEH.at("§2.1")),
         );
+        sheet.common_error("Ω", "the harmonic motion of small oscillations assumed", || *amplitude * small);
         let fastest = sheet.step(
             "Ω",
             "rad/s",
@@ -129,12 +136,21 @@ impl Analysis for LargePendulum {
         sheet.answer("largest_angular_velocity", "Maximum angular velocity", fastest);
         if let (Some(t), Some(instant)) = (self.instant, instant) {
             let (angle, rate) = self.motion(t);
+            sheet.common_error("θ", "the harmonic motion of small oscillations assumed", || {
+                *amplitude * (small * *instant).cos()
+            });
+            sheet.common_error("θ", "a harmonic motion with the exact period assumed", || {
+                *amplitude * (W::Num::from(TAU) * *instant / period).cos()
+            });
             let angle = sheet.numerical(
                 "θ",
                 "deg",
                 angle,
                 ("sin(θ/2) = κ sn(K(κ) + ω₀ t), with Jacobi's function sn", ABRAMOWITZ.at("§16.4")),
             );
+            sheet.common_error("θ′", "the harmonic motion of small oscillations assumed", || {
+                -(*amplitude * small * (small * *instant).sin())
+            });
             let rate = sheet.numerical("θ′", "rad/s", rate, "θ′ = 2 κ ω₀ cn(K(κ) + ω₀ t)");
             sheet.check_zero(
                 "energy at the instant is that at the start",

@@ -116,6 +116,20 @@ impl Analysis for PiecewiseSpring {
             let held = first.map_or(zero, |stiffness| stiffness * corner * more);
             at_corner + held + second.map_or(zero, |stiffness| stiffness * more.powi(2) / 2.0)
         };
+        if away.value() > spring.corner {
+            if let Some(stiffness) = first {
+                sheet.common_error(
+                    "E",
+                    "the stiffness up to the breakpoint used for the whole displacement",
+                    || kinetic + stiffness * away.powi(2) / 2.0,
+                );
+            }
+            if let (None, Some(second)) = (first, second) {
+                sheet.common_error("E", "the free travel counted as deformation of the spring", || {
+                    kinetic + second * away.powi(2) / 2.0
+                });
+            }
+        }
         let energy = sheet.step(
             "E",
             "J",
@@ -141,11 +155,48 @@ impl Analysis for PiecewiseSpring {
                 }
                 (None, None) => zero,
             };
+            if let (Some(stiffness), Some(second)) = (first, second) {
+                sheet.common_error("d", "the force of the spring at the breakpoint omitted", || {
+                    (rest * 2.0 / second).sqrt()
+                });
+                sheet.common_error("d", "both stiffnesses added beyond the breakpoint", || {
+                    let held = stiffness * corner;
+                    let together = stiffness + second;
+                    rest * 2.0 / (held + (held.powi(2) + together * rest * 2.0).sqrt())
+                });
+            }
             let beyond =
                 sheet.step("d", "mm", beyond, "Displacement beyond the breakpoint that stores this energy");
+            if let Some(stiffness) = first {
+                sheet.common_error("A", "the spring assumed linear beyond the breakpoint", || {
+                    (energy * 2.0 / stiffness).sqrt()
+                });
+            }
             sheet.step("A", "mm", corner + beyond, "Maximum displacement")
         };
         let reach = amplitude.value();
+        if reach > spring.corner {
+            let of = |stiffness: W::Num| {
+                W::Num::from(std::f64::consts::TAU) / sdof::natural_frequency(stiffness, given.mass)
+            };
+            if let Some(stiffness) = first {
+                sheet.common_error("T", "the stiffness up to the breakpoint used throughout", || {
+                    of(stiffness)
+                });
+            }
+            if let Some(second) = second {
+                sheet.common_error("T", "the stiffness beyond the breakpoint used throughout", || of(second));
+                sheet.common_error("T", "the secant stiffness at the maximum displacement used", || {
+                    let beyond = second * (amplitude - corner);
+                    of(first.map_or(beyond, |first| first * corner + beyond) / amplitude)
+                });
+                if first.is_none() {
+                    sheet.common_error("T", "the free travel counted on one side only", || {
+                        of(second) + corner * 2.0 / (energy * 2.0 / given.mass).sqrt()
+                    });
+                }
+            }
+        }
         let period = sheet.numerical(
             "T",
             "s",
@@ -155,6 +206,9 @@ impl Analysis for PiecewiseSpring {
                 NAYFEH.at("§2.2"),
             ),
         );
+        sheet.common_error("V", "a harmonic motion of this amplitude and period assumed", || {
+            amplitude * sdof::angular_frequency(period)
+        });
         let speed = sheet.step(
             "V",
             "m/s",

@@ -5,13 +5,15 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    vibration::random::{Resonance, absolute_squared, integrate, integrate_about, relative_squared},
+    vibration::random::{
+        Resonance, absolute_squared, integrate, integrate_about, miles, relative_squared, white_displacement,
+    },
 };
 
 use crate::{
     shared::{
         chain::{self, ChainMass, WorkedMode},
-        spectral_density::{AccelerationDensity, Spectrum, not_found},
+        spectral_density::{AccelerationDensity, AccelerationDensityGiven, Spectrum, not_found},
     },
     sources::{CHOPRA, RAO},
 };
@@ -54,6 +56,7 @@ impl Analysis for RandomChain {
         }
         let spectrum = self.density.spectrum()?;
         let modes = chain::modes(&given.links, sheet)?;
+        common_errors(given, &modes, sheet);
         let problem = Excited::new(&modes, self.ratio, spectrum);
         for mass in 0..given.links.len() {
             problem.answers(mass, sheet)?;
@@ -63,6 +66,39 @@ impl Analysis for RandomChain {
         Ok(())
     }
 }
+
+/// Common errors in the root mean squares under a level: formulas of white noise for modes by themselves.
+fn common_errors<W: Worksheet>(given: &RandomChainGiven<W>, modes: &[WorkedMode<W::Num>], sheet: W) {
+    let (AccelerationDensityGiven::White { level } | AccelerationDensityGiven::Band { level, .. }) =
+        &given.density
+    else {
+        return;
+    };
+    let displacement = |mode: &WorkedMode<W::Num>| white_displacement(*level, mode.natural, given.ratio);
+    let acceleration = |mode: &WorkedMode<W::Num>| miles(*level, mode.natural, given.ratio);
+    for mass in 0..given.links.len() {
+        let [moved, pushed] = ["σ_z", "σ_a"].map(|symbol| Symbol::from(symbol).row(mass + 1));
+        let first = || modes[0].shares[mass].abs() * displacement(&modes[0]).sqrt();
+        sheet.common_error(moved, FIRST_MODE, first);
+        let first = || modes[0].shares[mass].abs() * acceleration(&modes[0]).sqrt();
+        sheet.common_error(pushed, FIRST_MODE, first);
+        let unscaled = || acceleration(&modes[0]).sqrt();
+        let what = "Miles' formula used with the first frequency, as for one degree of freedom";
+        sheet.common_error(pushed, what, unscaled);
+        let apart = |of: &dyn Fn(&WorkedMode<W::Num>) -> W::Num| {
+            W::Num::sum(modes.iter().map(|mode| mode.shares[mass].powi(2) * of(mode))).sqrt()
+        };
+        if modes.len() > 1 {
+            sheet.common_error(moved, UNCORRELATED, || apart(&displacement));
+            sheet.common_error(pushed, UNCORRELATED, || apart(&acceleration));
+        }
+    }
+}
+
+/// Common errors of the modes.
+const FIRST_MODE: &str = "the first mode alone counted, by the formula for white noise";
+const UNCORRELATED: &str =
+    "the mean squares of the modes added by the formula for white noise, without cross terms";
 
 /// A chain under a density.
 struct Excited {

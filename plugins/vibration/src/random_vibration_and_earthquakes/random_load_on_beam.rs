@@ -1,5 +1,7 @@
 //! A uniform beam under a random load: root mean squares at a point, by its modes.
 
+use std::f64::consts::PI;
+
 use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{
     Real,
@@ -275,6 +277,8 @@ impl RandomLoadOnBeam {
         let why = ("Root of the frequency equation of the beam on its supports", RAO.at("§8.5"));
         let beta = sheet.numerical(("β", n), "1", root, why);
         let text = Text::new("Natural frequency {n}").with("n", n);
+        let half_waves = || W::Num::from((n as f64 * PI).powi(2)) * whole.unit;
+        sheet.common_error(("ω", n), "the frequencies of a simply supported beam used", half_waves);
         let natural = sheet.step(("ω", n), "rad/s", beta.powi(2) * whole.unit, text);
         let frequency = sheet.step(("f_n", n), "Hz", natural, "In cycles per second");
         sheet.answer(("frequency", n), "Natural frequency", frequency);

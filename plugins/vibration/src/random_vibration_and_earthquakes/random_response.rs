@@ -120,10 +120,11 @@ impl Analysis for RandomResponse {
             });
         }
         let level = given.excitation.level().map(|(unit, level)| sheet.step("S₀", unit, level, PER_RADIAN));
+        let band = given.excitation.band();
         if on_base {
-            problem.base(level, sheet)?;
+            problem.base(level, band, sheet)?;
         } else {
-            problem.force(level, sheet)?;
+            problem.force(level, band, sheet)?;
         }
         sheet.show(|| Exhibit::Plot(problem.plot(on_base)));
         sheet.show(|| Exhibit::Drawing(self.drawing()));
@@ -161,6 +162,21 @@ impl<W: Worksheet> RandomExcitationGiven<W> {
         }
     }
 
+    /// The level over a band.
+    fn band(&self) -> Option<LevelBand<W::Num>> {
+        match self {
+            RandomExcitationGiven::Base { density: AccelerationDensityGiven::Band { level, from, to } }
+            | RandomExcitationGiven::Force { density: ForceDensityGiven::Band { level, from, to } }
+            | RandomExcitationGiven::BaseRotation {
+                density: AngularAccelerationDensityGiven::Band { level, from, to },
+            }
+            | RandomExcitationGiven::Torque { density: TorqueDensityGiven::Band { level, from, to } } => {
+                Some([*level, *from, *to])
+            }
+            _ => None,
+        }
+    }
+
     /// The level of white noise, with its unit per rad/s.
     fn level(&self) -> Option<(&'static str, W::Num)> {
         match self {
@@ -180,6 +196,9 @@ impl<W: Worksheet> RandomExcitationGiven<W> {
         }
     }
 }
+
+/// The level of a density over a band, and the ends of the band.
+type LevelBand<N> = [N; 3];
 
 /// The formulas of white noise count frequencies in rad/s.
 const PER_RADIAN: &str = "The density per rad/s: 1 Hz is 2π rad/s";
@@ -206,7 +225,12 @@ impl<N: Real> Random<N> {
     }
 
     /// The relative displacement and the absolute acceleration of a mass on a base.
-    fn base<W: Worksheet<Num = N>>(&self, level: Option<N>, sheet: W) -> Result<(), Refusal> {
+    fn base<W: Worksheet<Num = N>>(
+        &self,
+        level: Option<N>,
+        band: Option<LevelBand<N>>,
+        sheet: W,
+    ) -> Result<(), Refusal> {
         let DampedOscillator { natural, ratio, motion, .. } = self.system;
         let (relative, speed, absolute) = motion.of(
             (
@@ -221,6 +245,9 @@ impl<N: Real> Random<N> {
             ),
         );
         let acceleration_unit = motion.of("m/s^2", "rad/s^2");
+        if let Some(band) = band {
+            self.band_errors(band, motion.of(["σ_z", "σ_v", "σ_a"], ["σ_θ", "σ_Ω", "σ_α"]), sheet);
+        }
         let displacement = self.rms(
             [motion.of("σ_z", "σ_θ"), motion.displacement_unit()],
             Weight { power: 0, constant: 1.0, square: 0.0 },
@@ -304,7 +331,12 @@ impl<N: Real> Random<N> {
     }
 
     /// The displacement of a mass under a force, and the force on its support.
-    fn force<W: Worksheet<Num = N>>(&self, level: Option<N>, sheet: W) -> Result<(), Refusal> {
+    fn force<W: Worksheet<Num = N>>(
+        &self,
+        level: Option<N>,
+        band: Option<LevelBand<N>>,
+        sheet: W,
+    ) -> Result<(), Refusal> {
         let DampedOscillator { natural, ratio, motion, .. } = self.system;
         let (moved, speed, carried, on_support) = motion.of(
             (
@@ -323,6 +355,10 @@ impl<N: Real> Random<N> {
         let acceleration_unit = motion.of("m/s^2", "rad/s^2");
         let body = self.system.body.expect("a force has a mass to move");
         let level = level.map(|level| level / body.mass.powi(2));
+        if let Some([level, from, to]) = band {
+            let band = [level / body.mass.powi(2), from, to];
+            self.band_errors(band, motion.of(["σ_x", "σ_v", "σ_f"], ["σ_θ", "σ_Ω", "σ_f"]), sheet);
+        }
         let displacement = self.rms(
             [motion.of("σ_x", "σ_θ"), motion.displacement_unit()],
             Weight { power: 0, constant: 1.0, square: 0.0 },
@@ -346,6 +382,8 @@ impl<N: Real> Random<N> {
             sheet,
         )?;
         let (symbol, name) = motion.of(("σ_F", "support_force"), ("σ_T", "support_torque"));
+        let spring = || body.stiffness * displacement;
+        sheet.common_error(symbol, "the stiffness times the displacement taken, the damper left out", spring);
         let force = sheet.step(symbol, motion.force_unit(), body.mass * transmitted, on_support);
         sheet.answer("displacement", moved, displacement);
         sheet.answer("velocity", speed, velocity);
@@ -388,6 +426,26 @@ impl<N: Real> Random<N> {
         let three = sheet.step(symbol, motion.displacement_unit(), displacement * 3.0, why);
         sheet.answer("three_sigma_displacement", motion.of("3σ displacement", "3σ angle"), three);
         Ok(())
+    }
+
+    /// Common errors in the root mean squares of displacement, velocity and acceleration under a level over a
+    /// band.
+    fn band_errors<W: Worksheet<Num = N>>(
+        &self,
+        [level, from, to]: LevelBand<N>,
+        [moved, speed, pushed]: [&'static str; 3],
+        sheet: W,
+    ) {
+        let DampedOscillator { natural, ratio, .. } = self.system;
+        let white = "the formula for white noise used for a band";
+        sheet.common_error(moved, white, || random::white_displacement(level, natural, ratio).sqrt());
+        sheet.common_error(speed, white, || random::white_velocity(level, natural, ratio).sqrt());
+        sheet.common_error(pushed, white, || random::white_acceleration(level, natural, ratio).sqrt());
+        let excitation = || (level * (to - from)).sqrt();
+        let what = "the response taken as static, without the magnification at resonance";
+        sheet.common_error(moved, what, || excitation() / natural.powi(2));
+        let what = "the root mean square of the excitation multiplied by the quality factor";
+        sheet.common_error(pushed, what, || excitation() / (ratio * 2.0));
     }
 
     /// A root mean square: by its closed form under white noise, else by adaptive integration.

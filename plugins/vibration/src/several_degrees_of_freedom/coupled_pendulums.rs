@@ -78,17 +78,27 @@ impl Analysis for CoupledPendulums {
 
     fn solve<W: Worksheet>(&self, given: &CoupledPendulumsGiven<W>, sheet: W) -> Result<(), Refusal> {
         let of = |place: usize, pendulum: &PendulumGiven<W>| {
-            let (inertia, lever, spring) = match pendulum {
-                PendulumGiven::Rod { mass, length, spring } => (
-                    sheet.step(
+            let own_symbol = if place == 1 { "K₁₁" } else { "K₂₂" };
+            let (inertia, lever, length, spring) = match pendulum {
+                PendulumGiven::Rod { mass, length, spring } => {
+                    let central = || *mass * length.powi(2) / 12.0;
+                    let what = "the moment of inertia of the rod taken about its centre";
+                    sheet.common_error(("J", place), what, central);
+                    let at_middle = || *mass * (*length / 2.0).powi(2);
+                    let what = "the mass of the rod taken as a point at its middle";
+                    sheet.common_error(("J", place), what, at_middle);
+                    let inertia = sheet.step(
                         ("J", place),
                         "kg*m^2",
                         *mass * length.powi(2) / 3.0,
                         "Moment of inertia of the rod about its pivot",
-                    ),
-                    *mass * *length / 2.0,
-                    *spring,
-                ),
+                    );
+                    if let Some(gravity) = given.gravity {
+                        let at_end = || given.spring * spring.powi(2) + *mass * *length * gravity;
+                        sheet.common_error(own_symbol, "the weight of the rod taken at its end", at_end);
+                    }
+                    (inertia, *mass * *length / 2.0, *length, *spring)
+                }
                 PendulumGiven::Bob { mass, length, spring } => (
                     sheet.step(
                         ("J", place),
@@ -97,18 +107,22 @@ impl Analysis for CoupledPendulums {
                         "Moment of inertia of the small mass about the pivot",
                     ),
                     *mass * *length,
+                    *length,
                     *spring,
                 ),
             };
-            let own = given.spring * spring.powi(2);
-            let own = match given.gravity {
-                Some(gravity) => own + lever * gravity,
-                None => own,
+            let moment = |arm: W::Num| {
+                let own = given.spring * arm.powi(2);
+                match given.gravity {
+                    Some(gravity) => own + lever * gravity,
+                    None => own,
+                }
             };
+            sheet.common_error(own_symbol, "the spring taken at the end of the pendulum", || moment(length));
             let own = sheet.step(
-                if place == 1 { "K₁₁" } else { "K₂₂" },
+                own_symbol,
                 "N*m/rad",
-                own,
+                moment(spring),
                 (
                     "Moment of spring and weight for a unit rotation of this pendulum, the other fixed",
                     RAO.at("§5.4"),

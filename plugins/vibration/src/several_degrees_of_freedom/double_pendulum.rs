@@ -121,6 +121,12 @@ impl Analysis for DoublePendulum {
         let (length, (m1, c1, j1)) = upper(&given.upper, sheet);
         let (m2, c2, j2) = lower(&given.lower, sheet);
         let gravity = given.gravity;
+        let in_line = || j1 + m2 * (length + c2).powi(2);
+        let what = "the lower pendulum taken in line with the upper one, its centre of mass at l₁ + c₂";
+        sheet.common_error("M₁₁", what, in_line);
+        let of_both = || j1 + m2 * length.powi(2) + j2;
+        let what = "the moment of inertia of the lower pendulum counted for the upper angle too";
+        sheet.common_error("M₁₁", what, of_both);
         let m11 = sheet.step(
             "M₁₁",
             "kg*m^2",
@@ -137,6 +143,10 @@ impl Analysis for DoublePendulum {
             "For small angles cos(θ₁ − θ₂) = 1: the velocities of pivot and centre add",
         );
         let m22 = sheet.step("M₂₂", "kg*m^2", j2, "The lower pendulum rotates about its own pivot");
+        let in_line = || (m1 * c1 + m2 * (length + c2)) * gravity;
+        sheet.common_error("K₁₁", "the weight of the lower pendulum taken at its centre of mass", in_line);
+        let at_joint = || (m1 + m2) * length * gravity;
+        sheet.common_error("K₁₁", "the weight of the upper pendulum taken at the lower pivot", at_joint);
         let k11 = sheet.step(
             "K₁₁",
             "N*m/rad",
@@ -182,6 +192,15 @@ impl Analysis for DoublePendulum {
         let mut shapes = Vec::with_capacity(2);
         let mut ratios = Vec::new();
         for (n, square) in [(1, lower), (2, upper)] {
+            let uncoupled = || {
+                let [a, b] = [k11 / m11, k22 / m22];
+                (if n == 1 { a.min(b) } else { a.max(b) }).sqrt()
+            };
+            sheet.common_error(("ω", n), "the coupling of the two pendulums neglected", uncoupled);
+            if n == 1 {
+                let single = || (gravity / (length + c2)).sqrt();
+                sheet.common_error(("ω", n), "a simple pendulum of the whole length assumed", single);
+            }
             let omega = sheet.step(("ω", n), "rad/s", square.sqrt(), ("Natural frequency", RAO.at("§5.3")));
             let frequency = sheet.step(("f", n), "Hz", omega, "In cycles per second");
             let period =
@@ -349,6 +368,10 @@ fn bob<W: Worksheet>(n: usize, mass: W::Num, length: W::Num, sheet: W) -> Inerti
 
 fn rod<W: Worksheet>(n: usize, mass: W::Num, length: W::Num, sheet: W) -> Inertia<W::Num> {
     let why = ("Moment of inertia of the rod about its pivot", MERIAM.at("app. D"));
+    let central = || mass * length.powi(2) / 12.0;
+    sheet.common_error(("J", n), "the moment of inertia of the rod taken about its centre", central);
+    let at_middle = || mass * (length / 2.0).powi(2);
+    sheet.common_error(("J", n), "the mass of the rod taken as a point at its middle", at_middle);
     let inertia = sheet.step(("J", n), "kg*m^2", mass * length.powi(2) / 3.0, why);
     (mass, sheet.step(("c", n), "m", length / 2.0, "The centre of mass of the rod is at its middle"), inertia)
 }

@@ -256,6 +256,11 @@ impl FrequencyResponseMatrix {
             (None, None) => W::Num::from(0.0),
         };
         let why = ("Displacement in phase with the forces, by Cramer's rule", RAO.at("§5.6"));
+        for (at, own) in [(1, z1), (2, z2)] {
+            if let Some(force) = force(at) {
+                sheet.common_error(row("Re", at), "the other mass taken as at rest", || force / own);
+            }
+        }
         let x1 = sheet.step(row("Re", 1), "m", solved(z2, force(1), force(2)), why);
         let x2 = sheet.step(row("Re", 2), "m", solved(z1, force(2), force(1)), why);
         Some([x1, x2])
@@ -306,6 +311,9 @@ impl FrequencyResponseMatrix {
             sheet.answer(key("amplitude"), "Amplitude", size);
             let mut polar = Complex::ZERO;
             if size.value() > 0.0 {
+                let principal = || (imaginary / real).atan2(W::Num::from(1.0));
+                let what = "the principal value of the arctangent taken, the quadrant ignored";
+                sheet.common_error(symbol("φ"), what, principal);
                 let phase = sheet.step(symbol("φ"), "deg", imaginary.atan2(real), "Phase, ahead of cos ωt");
                 sheet.answer(key("phase"), "Phase", phase);
                 polar = Complex::from_polar(size.value(), phase.value());

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Sketch, Text, Worksheet, register};
-use dalembert_mechanics::Real;
+use dalembert_mechanics::{Real, sdof};
 use nalgebra::DMatrix;
 
 use crate::{
@@ -121,6 +121,7 @@ impl Analysis for HalfCar {
         let stiffness = links(self.front.stiffness, self.rear.stiffness, self.front.tyre, self.rear.tyre);
         let damping = links(self.front.damping, self.rear.damping, 0.0, 0.0);
         let system = Assembled { mass, damping, stiffness, two: None, parallel: true };
+        frequency_errors(given, sheet);
         let found = find(&system, sheet)?;
         let damped = in_modes(
             &SystemDamping::Dampers,
@@ -171,6 +172,34 @@ impl Analysis for HalfCar {
         }
         Ok(())
     }
+}
+
+/// Common errors in the natural frequencies: parts of the vehicle by themselves.
+fn frequency_errors<W: Worksheet>(given: &HalfCarGiven<W>, sheet: W) {
+    let (front, rear) = (&given.front, &given.rear);
+    // The lower of two frequencies is that of the given mode, the higher one that of the next.
+    let pair = |lowest: usize, what: &'static str, of: &dyn Fn() -> [W::Num; 2]| {
+        let ends = |choose: fn(W::Num, W::Num) -> W::Num| {
+            let [a, b] = of();
+            choose(a, b)
+        };
+        sheet.common_error(("ω", lowest), what, || ends(Real::min));
+        sheet.common_error(("ω", lowest + 1), what, || ends(Real::max));
+    };
+    let bounce_and_pitch = |[k_f, k_r]: [W::Num; 2]| {
+        let pitch = k_f * front.distance.powi(2) + k_r * rear.distance.powi(2);
+        [sdof::natural_frequency(k_f + k_r, given.body), sdof::natural_frequency(pitch, given.inertia)]
+    };
+    let in_series = |axle: &AxleGiven<W>| axle.stiffness * axle.tyre / (axle.stiffness + axle.tyre);
+    pair(1, "the tyres taken as rigid, and bounce and pitch as uncoupled", &|| {
+        bounce_and_pitch([front.stiffness, rear.stiffness])
+    });
+    pair(1, "the masses of the wheels neglected, and bounce and pitch taken as uncoupled", &|| {
+        bounce_and_pitch([in_series(front), in_series(rear)])
+    });
+    pair(3, "the wheel taken on its tyre alone, without the suspension", &|| {
+        [front, rear].map(|axle| sdof::natural_frequency(axle.tyre, axle.wheel))
+    });
 }
 
 impl HalfCar {

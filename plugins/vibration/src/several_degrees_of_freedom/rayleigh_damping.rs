@@ -5,7 +5,10 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{Real, vibration::rayleigh};
 
-use crate::sources::{CLOUGH, RAO};
+use crate::{
+    shared::system::damping::{MEAN_RATIO, ONE_TERM},
+    sources::{CLOUGH, RAO},
+};
 
 /// Two modes whose damping is known.
 #[derive(Clone, Debug, Inputs)]
@@ -55,12 +58,18 @@ impl Analysis for RayleighDamping {
         let (first, second) = (&given.first, &given.second);
         let frequencies = [first.frequency, second.frequency];
         let ratios = [first.damping_ratio, second.damping_ratio];
+        let [w1, w2] = frequencies;
+        let [z1, z2] = ratios;
+        sheet.common_error("α", ONE_TERM, || z1 * w1 * 2.0);
+        sheet.common_error("α", MEAN_RATIO, || (z1 + z2) * w1 * w2 / (w1 + w2));
         let alpha = sheet.step(
             "α",
             "1/s",
             rayleigh::mass_coefficient(frequencies, ratios),
             ("Both modes satisfy ζ = α/(2ω) + βω/2: the coefficient of the mass", CLOUGH.at("§12-6")),
         );
+        sheet.common_error("β", ONE_TERM, || z2 * 2.0 / w2);
+        sheet.common_error("β", MEAN_RATIO, || (z1 + z2) / (w1 + w2));
         let beta = sheet.step(
             "β",
             "s",
@@ -90,6 +99,10 @@ impl Analysis for RayleighDamping {
         sheet.answer("stiffness_coefficient", "Stiffness-proportional damping coefficient", beta);
         let mut least = None;
         if alpha.value() > 0.0 && beta.value() > 0.0 {
+            let between = || (w1 + w2) / 2.0;
+            sheet.common_error("ω₀", "the minimum assumed halfway between the two frequencies", between);
+            let geometric = || (w1 * w2).sqrt();
+            sheet.common_error("ω₀", "the geometric mean of the two frequencies taken", geometric);
             let at = sheet.step("ω₀", "Hz", (alpha / beta).sqrt(), "Frequency of minimum damping ratio");
             let zeta = sheet.step(
                 "ζ₀",
@@ -118,6 +131,9 @@ impl Analysis for RayleighDamping {
             });
         }
         if let Some(asked) = given.asked {
+            let straight = || z1 + (z2 - z1) * (asked - w1) / (w2 - w1);
+            let what = "the damping ratio interpolated linearly between the two modes";
+            sheet.common_error("ζ", what, straight);
             let zeta = sheet.step(
                 "ζ",
                 "1",

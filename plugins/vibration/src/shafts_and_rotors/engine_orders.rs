@@ -462,6 +462,10 @@ fn vibration<W: Worksheet>(
     };
     let terms: Vec<W::Num> = shape.iter().enumerate().map(amplitude).collect();
     let kinetic = line.inertias.iter().zip(&terms).map(|(inertia, beta)| *inertia * beta.powi(2));
+    let rigid = || W::Num::sum(line.inertias.iter().copied());
+    sheet.common_error(("J_m", n), "the moments of inertia added as if all amplitudes were 1", rigid);
+    let linear = || W::Num::sum(line.inertias.iter().zip(&terms).map(|(inertia, beta)| *inertia * *beta));
+    sheet.common_error(("J_m", n), "the amplitudes not squared", linear);
     let inertia = sheet.step(
         ("J_m", n),
         "kg*m^2",

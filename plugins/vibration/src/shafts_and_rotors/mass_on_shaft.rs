@@ -159,6 +159,10 @@ impl Analysis for MassOnShaft {
                 RoundSectionGiven::Solid { diameter } => section::round_area(*diameter),
                 RoundSectionGiven::Hollow { outer, inner } => section::tube_area(*outer, *inner),
             };
+            if let RoundSectionGiven::Hollow { outer, inner } = &given.section {
+                let squared = || section::round_area(*outer - *inner);
+                sheet.common_error("A", "the square of the difference of the diameters taken", squared);
+            }
             let area = sheet.step("A", "cm^2", area, ("Area of the section", BEER.at("app. A")));
             let k = match held {
                 Held::OneSide(length) => spring::axial(given.young, area, length),
@@ -172,6 +176,13 @@ impl Analysis for MassOnShaft {
                     ("Stiffness along the shaft: both parts have the same deflection", RAO.at("§1.7"))
                 }
             };
+            if let ShaftSupportGiven::ClampedPinned { left, right } = &given.support {
+                let axial = |length: W::Num| spring::axial(given.young, area, length);
+                let both = || axial(*left) + axial(*right);
+                sheet.common_error("k_l", "the bearing taken to hold the shaft along its axis", both);
+                let whole = || axial(*left + *right);
+                sheet.common_error("k_l", "the whole length between the supports used", whole);
+            }
             let k = sheet.step("k_l", "kN/m", k, why);
             let natural = sheet.step(
                 "ω_l",
@@ -248,6 +259,10 @@ fn transverse<W: Worksheet>(given: &MassOnShaftGiven<W>, mass: W::Num, sheet: W)
         RoundSectionGiven::Solid { diameter } => section::round_second_moment(*diameter),
         RoundSectionGiven::Hollow { outer, inner } => section::tube_second_moment(*outer, *inner),
     };
+    if let RoundSectionGiven::Hollow { outer, inner } = &given.section {
+        let fourth = || section::round_second_moment(*outer - *inner);
+        sheet.common_error("I", "the fourth power of the difference of the diameters taken", fourth);
+    }
     let moment = sheet.step("I", "cm^4", moment, ("Second moment of area of the section", BEER.at("app. A")));
     let span = |left: W::Num, right: W::Num| sheet.step("l", "m", left + right, "Span");
     let young = given.young;
@@ -300,6 +315,7 @@ fn transverse<W: Worksheet>(given: &MassOnShaftGiven<W>, mass: W::Num, sheet: W)
             )
         }
     };
+    transverse_errors(given, moment, sheet);
     let k = sheet.step("k_q", "kN/m", k, why);
     let natural = sheet.step(
         "ω_q",
@@ -327,6 +343,36 @@ fn transverse<W: Worksheet>(given: &MassOnShaftGiven<W>, mass: W::Num, sheet: W)
     frequency
 }
 
+/// The common errors of the transverse stiffness.
+fn transverse_errors<W: Worksheet>(given: &MassOnShaftGiven<W>, moment: W::Num, sheet: W) {
+    let young = given.young;
+    match &given.support {
+        ShaftSupportGiven::Cantilever { length } => {
+            let guided = || beam::clamped_guided(young, moment, *length);
+            sheet.common_error("k_q", "the stiffness 12EI/L³ of an end that cannot rotate used", guided);
+            let spread = || young * moment * 8.0 / length.powi(3);
+            sheet.common_error("k_q", "the deflection under a uniformly distributed load used", spread);
+        }
+        ShaftSupportGiven::SimplySupported { left, right } => {
+            let middle = || beam::simply_supported_middle(young, moment, *left + *right);
+            sheet.common_error("k_q", "the stiffness for a body at midspan used", middle);
+        }
+        ShaftSupportGiven::Clamped { left, right } => {
+            let middle = || beam::clamped_clamped_middle(young, moment, *left + *right);
+            sheet.common_error("k_q", "the stiffness for a body at midspan used", middle);
+            let parallel =
+                || beam::cantilever(young, moment, *left) + beam::cantilever(young, moment, *right);
+            sheet.common_error("k_q", "the two parts taken as cantilevers in parallel", parallel);
+        }
+        ShaftSupportGiven::ClampedPinned { left, right } => {
+            let middle = || beam::clamped_pinned_middle(young, moment, *left + *right);
+            sheet.common_error("k_q", "the stiffness for a body at midspan used", middle);
+            let alone = || beam::cantilever(young, moment, *left);
+            sheet.common_error("k_q", "the bearing left out, the fixed part taken as a cantilever", alone);
+        }
+    }
+}
+
 /// The torsional frequency.
 fn torsional<W: Worksheet>(
     given: &MassOnShaftGiven<W>,
@@ -339,6 +385,10 @@ fn torsional<W: Worksheet>(
         RoundSectionGiven::Solid { diameter } => section::round_polar_moment(*diameter),
         RoundSectionGiven::Hollow { outer, inner } => section::tube_polar_moment(*outer, *inner),
     };
+    if let RoundSectionGiven::Hollow { outer, inner } = &given.section {
+        let fourth = || section::round_polar_moment(*outer - *inner);
+        sheet.common_error("I_p", "the fourth power of the difference of the diameters taken", fourth);
+    }
     let polar =
         sheet.step("I_p", "cm^4", polar, ("Polar second moment of area of the section", BEER.at("app. A")));
     let shear = shear_modulus(&torsion.shear, sheet, "G");
@@ -354,6 +404,13 @@ fn torsional<W: Worksheet>(
             ("Torsional stiffness: both parts of the shaft have the same twist", RAO.at("§1.7"))
         }
     };
+    if let ShaftSupportGiven::ClampedPinned { left, right } = &given.support {
+        let twisted = |length: W::Num| spring::torsional(shear, polar, length);
+        let both = || twisted(*left) + twisted(*right);
+        sheet.common_error("k_t", "the bearing taken to keep the end of the shaft from rotating", both);
+        let whole = || twisted(*left + *right);
+        sheet.common_error("k_t", "the whole length between the supports used", whole);
+    }
     let k = sheet.step("k_t", "N*m/rad", k, why);
     let inertia = sheet.step(
         "J",

@@ -235,6 +235,10 @@ fn whirls<W: Worksheet>(
     let cite = DEN_HARTOG.at(words.cite);
     let half_sum =
         sheet.step(half, "kg*N*m", overhung::half_sum(k11, k22, mass, inertia), (words.half_sum, cite));
+    let particle = || (determinant / (k22 * mass)).sqrt();
+    sheet.common_error((symbol, 1), "the disc taken as a point mass, without moments of inertia", particle);
+    let upright = || (k11 / mass).sqrt();
+    sheet.common_error((symbol, 1), "the disc taken to deflect without tilting", upright);
     let lower = sheet.step(
         (symbol, 1),
         "rpm",
@@ -242,6 +246,8 @@ fn whirls<W: Worksheet>(
         (words.lower, cite),
     );
     let upper = (inertia.value() > 0.0).then(|| {
+        let tilting = || (k22 / inertia).sqrt();
+        sheet.common_error((symbol, 2), "the disc taken to tilt without deflecting", tilting);
         sheet.step(
             (symbol, 2),
             "rpm",
@@ -274,6 +280,8 @@ fn inertia<W: Worksheet>(given: &TiltingDiscGiven<W>, sheet: W) -> [W::Num; 3] {
                 *mass * gyration.powi(2),
                 "Moment of inertia of the disc about the axis",
             );
+            let about_face = || polar / 2.0 + *mass * width.powi(2) / 3.0;
+            sheet.common_error("I_d", "the moment of inertia about a diameter of the face taken", about_face);
             let diametral = sheet.step(
                 "I_d",
                 "kg*m^2",
@@ -295,6 +303,8 @@ fn inertia<W: Worksheet>(given: &TiltingDiscGiven<W>, sheet: W) -> [W::Num; 3] {
                 mass * outer.powi(2) / 8.0,
                 "Moment of inertia of the disc about the axis",
             );
+            let about_face = || polar / 2.0 + mass * width.powi(2) / 3.0;
+            sheet.common_error("I_d", "the moment of inertia about a diameter of the face taken", about_face);
             let diametral = sheet.step(
                 "I_d",
                 "kg*m^2",
@@ -316,6 +326,13 @@ fn held<W: Worksheet>(
         LightShaftGiven::Cantilever { length, young, section } => {
             let moment = second_moment(section, sheet, Symbol::from("I"))?;
             let [k11, k12, k22] = overhung::cantilever(*young, moment, *length);
+            let bending = *young * moment;
+            let free = || bending * 3.0 / length.powi(3);
+            sheet.common_error("k₁₁", "the stiffness 3EI/L³ of a tip that is free to tilt used", free);
+            let inverse = || -(bending * 2.0) / length.powi(2);
+            sheet.common_error("k₁₂", "the inverse of the slope per unit force used", inverse);
+            let free = || bending / *length;
+            sheet.common_error("k₂₂", "the stiffness EI/L of a tip that is free to deflect used", free);
             let why = "Force at the tip per unit deflection, with the rotation of the tip prevented";
             let k11 = sheet.step("k₁₁", "N/m", k11, (why, DEN_HARTOG.at("§6.6")));
             let why = "Moment at the tip per unit deflection, with the tip prevented from rotating";
@@ -323,7 +340,6 @@ fn held<W: Worksheet>(
             let why = "Moment at the tip per unit slope, with the tip held in place";
             let k22 = sheet.step("k₂₂", "N*m", k22, (why, DEN_HARTOG.at("§6.6")));
             // The deflections of the tables of beams, not the inverse of the stiffness.
-            let bending = *young * moment;
             let tip = [length.powi(3) / (bending * 3.0), length.powi(2) / (bending * 2.0), *length / bending];
             ([k11, k12, k22], tip)
         }

@@ -299,6 +299,8 @@ impl ShaftClearance {
             "Clearance as a multiple of the eccentricity",
         );
         if let Some(enough) = sdof::damping_ratio_from_peak(room) {
+            let light = || W::Num::from(0.5) / room;
+            sheet.common_error("ζ_R", "the formula for light damping, ζ = 1/(2Λ), used", light);
             let enough = sheet.step(
                 "ζ_R",
                 "1",
@@ -321,6 +323,8 @@ impl ShaftClearance {
         }
         let ClearanceDampingGiven::Ratio { ratio } = &given.damping else { return };
         if ratio.value() > 0.0 && ratio.value() < FRAC_1_SQRT_2 {
+            let resonance = || eccentricity / (*ratio * 2.0);
+            sheet.common_error("Xₘₐₓ", "the amplitude at r = 1, e/(2ζ), used", resonance);
             let largest = sheet.step(
                 "Xₘₐₓ",
                 "mm",

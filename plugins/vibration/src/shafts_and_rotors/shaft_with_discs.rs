@@ -264,6 +264,9 @@ impl<W: Worksheet> Shaft<'_, W> {
                     "Deflection at one disc due to a unit force at the other"
                 };
                 let symbol = Symbol::from("a").row(i + 1).row(j + 1);
+                if i == j {
+                    self.influence_errors(symbol, *place, sheet);
+                }
                 let value = sheet.step(symbol, "mm/kN", value, (why, SHIGLEY.at("table A-9")));
                 // Maxwell: the same with place and load exchanged. Rows before this one have filled its beginning.
                 all[i].push(value);
@@ -273,6 +276,26 @@ impl<W: Worksheet> Shaft<'_, W> {
             }
         }
         all
+    }
+
+    /// The common errors of the deflection at a disc due to a unit force there.
+    fn influence_errors(&self, symbol: Symbol, place: W::Num, sheet: W) {
+        let bending = self.bending;
+        match self.lengths() {
+            Lengths::Span(span) => {
+                let middle = || span.powi(3) / (bending * 48.0);
+                sheet.common_error(symbol, "the deflection of a disc at midspan, L³/(48EI), used", middle);
+            }
+            Lengths::Cantilever(length) => {
+                let tip = || length.powi(3) / (bending * 3.0);
+                sheet.common_error(symbol, "the deflection of the tip, L³/(3EI), used", tip);
+            }
+            Lengths::Overhang(span, _) if place.value() > span.value() => {
+                let clamped = || (place - span).powi(3) / (bending * 3.0);
+                sheet.common_error(symbol, "the overhang taken as clamped at the bearing", clamped);
+            }
+            Lengths::Overhang(..) => {}
+        }
     }
 
     /// The lowest root of the shaft without discs, `β²` being `ω` over `√(EI/(m̄L⁴))`.
@@ -300,6 +323,10 @@ impl<W: Worksheet> Shaft<'_, W> {
             );
             terms.push(W::Num::from(1.0) / own.powi(2));
         }
+        let periods = || W::Num::from(1.0) / W::Num::sum(terms.iter().map(|term| term.sqrt()));
+        sheet.common_error("ω_D", "the periods of the masses alone added", periods);
+        let squares = || W::Num::sum(terms.iter().map(|term| W::Num::from(1.0) / *term)).sqrt();
+        sheet.common_error("ω_D", "the squares of the frequencies of the masses alone added", squares);
         let sum = W::Num::sum(terms);
         Ok(sheet.step(
             "ω_D",
@@ -318,6 +345,8 @@ impl<W: Worksheet> Shaft<'_, W> {
                 let own = self
                     .line
                     .map(|line| own_deflection(self.bending, line * gravity, self.places[i], self.lengths()));
+                let alone = || influence[i][i] * self.masses[i] * gravity;
+                sheet.common_error(("y", i + 1), "the deflection under the weight of that disc alone", alone);
                 let why = ("Static deflection at the disc under all weights", RAO.at("§7.3"));
                 sheet.step(("y", i + 1), "mm", W::Num::sum(discs.chain(own)), why)
             })
@@ -360,6 +389,11 @@ impl<W: Worksheet> Shaft<'_, W> {
             "Rayleigh: maximum potential energy over maximum kinetic energy of the static deflection",
             RAO.at("§7.3"),
         );
+        let largest = || deflections[1..].iter().fold(deflections[0].abs(), |most, y| most.max(y.abs()));
+        let single = || (gravity / largest()).sqrt();
+        sheet.common_error("ω_R", "√(g/δ) with the largest static deflection used", single);
+        let added = || (gravity / W::Num::sum(deflections.iter().copied())).sqrt();
+        sheet.common_error("ω_R", "√(g/δ) with the sum of the static deflections used", added);
         (sheet.step("ω_R", "Hz", (potential / kinetic).sqrt(), why), deflections)
     }
 

@@ -213,6 +213,11 @@ fn natural_frequencies<W: Worksheet>(
             (&[first, second], &[k]) => {
                 let natural = (k * (first + second) / (first * second)).sqrt();
                 let why = ("Two discs on a shaft rotate in opposite directions", BEVAN.at("ch. 15"));
+                let against = |inertia: W::Num| (k / inertia).sqrt();
+                sheet.common_error(("ω", 1), "the second disc taken as fixed", || against(first));
+                sheet.common_error(("ω", 1), "the first disc taken as fixed", || against(second));
+                let together = "both discs taken to rotate together against the shaft";
+                sheet.common_error(("ω", 1), together, || against(first + second));
                 return vec![sheet.step(("ω", 1), "rad/s", natural, why)];
             }
             (&[first, second, third], &[k, l]) => {
@@ -234,6 +239,14 @@ fn natural_frequencies<W: Worksheet>(
                     (linear + (linear.powi(2) - constant * 4.0).sqrt()) / 2.0,
                     "The larger root in ω²",
                 );
+                let outer = || {
+                    let joined = kernel::series([k, l]);
+                    (joined * (first + third) / (first * third)).sqrt()
+                };
+                sheet.common_error(("ω", 1), "the disc in the middle left out", outer);
+                let held = "the disc in the middle taken as fixed";
+                sheet.common_error(("ω", 1), held, || (k / first).min(l / third).sqrt());
+                sheet.common_error(("ω", 2), held, || (k / first).max(l / third).sqrt());
                 let lower = sheet.step(
                     ("ω", 1),
                     "rad/s",
@@ -289,12 +302,17 @@ fn free_line<W: Worksheet>(reduced: &ReducedTrain<W::Num>, sheet: W) -> Option<L
         if !inertias.is_empty() {
             let joined = match between[..] {
                 [one] => one,
-                _ => sheet.step(
-                    ("k_e", stiffnesses.len() + 1),
-                    "N*m/rad",
-                    kernel::series(between.iter().copied()),
-                    ("Shafts in series, without inertia between them", RAO.at("§1.7")),
-                ),
+                _ => {
+                    let symbol = ("k_e", stiffnesses.len() + 1);
+                    let parallel = || kernel::parallel(between.iter().copied());
+                    sheet.common_error(symbol, "the shafts taken as springs in parallel", parallel);
+                    sheet.step(
+                        symbol,
+                        "N*m/rad",
+                        kernel::series(between.iter().copied()),
+                        ("Shafts in series, without inertia between them", RAO.at("§1.7")),
+                    )
+                }
             };
             stiffnesses.push(joined);
         }

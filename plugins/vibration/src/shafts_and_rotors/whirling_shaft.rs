@@ -283,6 +283,8 @@ fn damping_ratio<W: Worksheet>(
                      finite speed: write a larger amplitude",
                 )
             })?;
+            let light = || W::Num::from(0.5) / peak;
+            sheet.common_error("ζ", "the formula for light damping, ζ = 1/(2Λ), used", light);
             let zeta = sheet.step(
                 "ζ",
                 "1",
@@ -299,12 +301,17 @@ fn damping_ratio<W: Worksheet>(
     })
 }
 
+/// Common error of the amplitude.
+const OF_CENTRE: &str = "the distance of the centre of mass from the bearing axis used";
+
 /// Amplitude and phase at the speed.
 fn whirl_at<W: Worksheet>(rotor: &Rotor<W::Num>, speed: W::Num, ratio: W::Num, sheet: W) -> W::Num {
     let Rotor { mass, eccentricity, stiffness, .. } = *rotor;
     let one = W::Num::from(1.0);
     let (amplitude, phase, damping) = match rotor.damping_ratio {
         Some(zeta) => {
+            let of_centre = || eccentricity * sdof::transmissibility(ratio, zeta);
+            sheet.common_error("A", OF_CENTRE, of_centre);
             let amplitude = sheet.step(
                 "A",
                 "mm",
@@ -320,6 +327,8 @@ fn whirl_at<W: Worksheet>(rotor: &Rotor<W::Num>, speed: W::Num, ratio: W::Num, s
             (amplitude, phase, Some(sdof::damping_from_ratio(zeta, stiffness, mass)))
         }
         None => {
+            let of_centre = || eccentricity / (one - ratio.powi(2)).abs();
+            sheet.common_error("A", OF_CENTRE, of_centre);
             let amplitude = sheet.step(
                 "A",
                 "mm",
@@ -386,12 +395,18 @@ fn run_up<W: Worksheet>(rotor: &Rotor<W::Num>, ratio: W::Num, amplitude: W::Num,
     if zeta.value() >= FRAC_1_SQRT_2 {
         return;
     }
+    let forced = || rotor.natural * sdof::magnification_peak_ratio(zeta);
+    sheet.common_error("ωₘₐₓ", "the peak of the response to a constant force used", forced);
+    let free = || sdof::damped_frequency(rotor.natural, zeta);
+    sheet.common_error("ωₘₐₓ", "the frequency of the damped free vibration used", free);
     let worst = sheet.step(
         "ωₘₐₓ",
         "rpm",
         rotor.natural * sdof::unbalance_peak_ratio(zeta),
         ("Speed of maximum steady-state whirl amplitude", RAO.at("§3.7")),
     );
+    let resonance = || rotor.eccentricity / (zeta * 2.0);
+    sheet.common_error("Aₘₐₓ", "the amplitude at r = 1, e/(2ζ), used", resonance);
     let largest = sheet.step(
         "Aₘₐₓ",
         "mm",

@@ -88,7 +88,18 @@ pub(crate) fn modes<W: Worksheet>(
     });
     let mut together = W::Num::from(0.0);
     for (n, mode) in modes.iter().enumerate() {
-        let frequency = sheet.step(Symbol::from("f_n").row(n + 1), "Hz", mode.natural, "The same in Hz");
+        let symbol = Symbol::from("f_n").row(n + 1);
+        let alone = || (links[n].stiffness / masses[n]).sqrt();
+        sheet.common_error(symbol, "each mass taken alone on its own spring", alone);
+        if n == 0 {
+            let lumped = || (links[0].stiffness / W::Num::sum(masses.iter().copied())).sqrt();
+            sheet.common_error(symbol, "all masses taken together on the first spring", lumped);
+            let one = W::Num::from(1.0);
+            let soft = || W::Num::sum(links.iter().map(|link| one / link.stiffness));
+            let series = || (one / soft() / W::Num::sum(masses.iter().copied())).sqrt();
+            sheet.common_error(symbol, "all masses taken together on the springs in series", series);
+        }
+        let frequency = sheet.step(symbol, "Hz", mode.natural, "The same in Hz");
         sheet.answer(("frequency", n + 1), "Natural frequency", frequency);
         sheet.verify(|| {
             let walk =

@@ -60,7 +60,11 @@ pub(crate) fn shear_modulus<W: Worksheet>(
     match given {
         ShearModulusGiven::Given { shear } => *shear,
         ShearModulusGiven::Isotropic { young, poisson } => {
+            let symbol: Symbol = symbol.into();
             let modulus = *young / ((*poisson + 1.0) * 2.0);
+            sheet.common_error(symbol, "Young's modulus used as the shear modulus", || *young);
+            let bulk = || *young / ((W::Num::from(1.0) - *poisson * 2.0) * 3.0);
+            sheet.common_error(symbol, "the bulk modulus, E/(3(1 − 2ν)), used", bulk);
             sheet.step(symbol, "GPa", modulus, ("Shear modulus of an isotropic material", BEER.at("ch. 2")))
         }
     }
@@ -81,6 +85,18 @@ pub(crate) fn line_mass<W: Worksheet>(
         }
     };
     sheet.step(("m̄", row), "kg/m", mass, why)
+}
+
+/// The common errors of a higher frequency `("ω", n)`: what people conclude from the first one. `bends` is true for
+/// a body with bending stiffness.
+pub(crate) fn overtone_errors<W: Worksheet>(n: usize, first: Option<W::Num>, bends: bool, sheet: W) {
+    let (Some(first), count) = (first, n as f64) else { return };
+    let multiple = || first * count;
+    sheet.common_error(("ω", n), "the overtones taken as whole multiples of the first frequency", multiple);
+    if bends {
+        let square = || first * count.powi(2);
+        sheet.common_error(("ω", n), "the frequencies taken in the ratios 1, 4, 9 of pinned ends", square);
+    }
 }
 
 /// A shape for pictures: points from 0 to the length, deflections at most one.

@@ -1,7 +1,9 @@
 //! Free decay: the damping that successive amplitudes tell of.
 
+use std::f64::consts::{PI, TAU};
+
 use dalembert_core::{Inputs, Worksheet};
-use dalembert_mechanics::sdof;
+use dalembert_mechanics::{Real, sdof};
 
 use crate::sources::RAO;
 
@@ -53,12 +55,18 @@ pub(crate) fn decrement<W: Worksheet>(given: &DecayGiven<W>, sheet: W) -> FreeDe
             sheet.step("N", "1", *amplitudes - 1.0, "Successive amplitudes are one cycle apart")
         }
     };
+    let ratio = given.amplitude_ratio;
+    let decimal = || ratio.log10() / cycles;
+    sheet.common_error("δ", "the logarithm to base 10 used in place of the natural one", decimal);
+    let together = || ratio.ln();
+    sheet.common_error("δ", "the decrement over all cycles taken as that of one cycle", together);
     let decrement = sheet.step(
         "δ",
         "1",
-        sdof::logarithmic_decrement(given.amplitude_ratio, cycles),
+        sdof::logarithmic_decrement(ratio, cycles),
         ("Logarithmic decrement", RAO.at("§2.6.3")),
     );
+    ratio_errors("ζ", decrement, sheet);
     let damping_ratio = sheet.step(
         "ζ",
         "1",
@@ -71,4 +79,12 @@ pub(crate) fn decrement<W: Worksheet>(given: &DecayGiven<W>, sheet: W) -> FreeDe
         decrement,
     );
     FreeDecay { cycles, decrement, damping_ratio }
+}
+
+/// Records the common errors of the damping ratio `symbol` of a decrement.
+pub(crate) fn ratio_errors<W: Worksheet>(symbol: &'static str, decrement: W::Num, sheet: W) {
+    sheet.common_error(symbol, "the decrement divided by 2π, as for light damping", || decrement / TAU);
+    let overshoot = || decrement / (decrement.powi(2) + PI * PI).sqrt();
+    let what = "the formula for the overshoot after half a cycle used for a whole cycle";
+    sheet.common_error(symbol, what, overshoot);
 }

@@ -20,6 +20,7 @@ use crate::{
     sources::RAO,
 };
 
+mod common_errors;
 mod steps;
 
 /// The units and symbols of a motion with friction.
@@ -35,6 +36,25 @@ pub(crate) struct FrictionUnits {
     centre: &'static str,
     displacement: &'static str,
     velocity: &'static str,
+}
+
+/// The oscillator and what follows from its friction.
+struct FrictionSystem<'t, N> {
+    given: &'t FrictionOscillator<N>,
+    units: FrictionUnits,
+    /// `F/k`
+    offset: N,
+    /// `F_s/k`
+    hold: N,
+    /// Of the viscous part; `None` where there is none.
+    zeta: Option<N>,
+}
+
+impl<N> FrictionSystem<'_, N> {
+    /// Chooses what belongs to the motion of the body.
+    fn of<T>(&self, translation: T, rotation: T) -> T {
+        self.units.motion.of(translation, rotation)
+    }
 }
 
 /// The oscillator, its friction, how it starts and what is asked of it. Of a rotation, `mass` is the moment of inertia,
@@ -136,6 +156,8 @@ impl<W: Worksheet> FrictionFromDecay<'_, W> {
             ("Amplitude decrease per cycle: the same in each", RAO.at("§2.9")),
         );
         let why = motion.of("Amplitude decrease per cycle: 4F/k", "Amplitude decrease per cycle: 4 T_f/k_t");
+        let half = || stiffness * loss / 2.0;
+        sheet.common_error(symbol, "the friction loss of a half-cycle used for a whole cycle", half);
         let force = sheet.step(symbol, motion.force_unit(), stiffness * loss / 4.0, (why, RAO.at("§2.9")));
         Ok((force, cycles))
     }
@@ -153,6 +175,10 @@ impl<N: Real> FrictionOscillator<N> {
             ("f", "Friction shifts the equilibrium position to either side by F/k"),
             ("θ_f", "Friction shifts the equilibrium position to either side by T_f/k_t"),
         );
+        if self.static_ratio.value() > 1.0 {
+            let held = || self.static_ratio * force / stiffness;
+            sheet.common_error(symbol, "the static friction used in place of the kinetic one", held);
+        }
         let offset = sheet.step(symbol, units.displacement, force / stiffness, (why, RAO.at("§2.9")));
         let hold = if self.static_ratio.value() > 1.0 {
             let (symbol, why) = motion.of(
@@ -190,9 +216,11 @@ impl<N: Real> FrictionOscillator<N> {
                 "the torsional spring does not overcome the friction at the start: the body remains at rest; write a larger angle, or an angular velocity",
             )));
         }
-        let system = steps::FrictionSystem { given: self, units, offset, hold, zeta };
+        let system = FrictionSystem { given: self, units, offset, hold, zeta };
         let (position, first) = steps::to_rest(&system, &decay, &rest, sheet);
         if let Some(first) = first {
+            let over_speed = || force / (natural * first.amplitude);
+            sheet.common_error("c_eq", "the friction force divided by the largest velocity", over_speed);
             let equivalent = sheet.step(
                 "c_eq",
                 motion.damping_unit(),

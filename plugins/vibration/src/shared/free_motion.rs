@@ -89,6 +89,8 @@ impl<N: Real> WorkedFreeMotion<N> {
             0.0 => Regime::Undamped,
             1.0 => Regime::Critical,
             below if below < 1.0 => {
+                let peak = || natural * (W::Num::from(1.0) - ratio.powi(2) * 2.0).sqrt();
+                sheet.common_error("ω_d", "the frequency of the resonance peak taken, ωₙ√(1 − 2ζ²)", peak);
                 let why = ("Frequency of the damped motion", RAO.at("§2.6"));
                 Regime::Under {
                     damped: sheet.step("ω_d", "rad/s", sdof::damped_frequency(natural, ratio), why),
@@ -96,8 +98,11 @@ impl<N: Real> WorkedFreeMotion<N> {
             }
             _ => {
                 let why = ("Slower rate of decay of the overdamped motion", RAO.at("§2.6"));
+                let what = "the rate of decay ζωₙ of an underdamped motion used";
+                sheet.common_error("s₁", what, || ratio * natural);
                 let slow = sheet.step("s₁", "1/s", closed::slow_rate(natural, ratio), why);
                 let why = ("Faster decay rate", RAO.at("§2.6"));
+                sheet.common_error("s₂", what, || ratio * natural);
                 let fast = sheet.step("s₂", "1/s", closed::fast_rate(natural, ratio), why);
                 Regime::Over { slow, fast }
             }

@@ -219,6 +219,8 @@ impl<W: Worksheet> RollingShapeGiven<W> {
             }
             RollingShapeGiven::Given { inertia } => return *inertia,
         };
+        let contact = || inertia + square;
+        sheet.common_error("J_G", "the moment of inertia about the point of contact taken", contact);
         sheet.step("J_G", "kg*m^2", inertia, why)
     }
 }
@@ -249,6 +251,10 @@ impl<W: Worksheet> TranslatingBodyGiven<W> {
             "Equivalent mass of the body that rolls, m + J_G/r²: its kinetic energy over half the square of its velocity",
             RAO.at("§1.8"),
         );
+        sheet.common_error("m_eq", "the kinetic energy of the rotation neglected", || own);
+        let contact = || equivalent + own;
+        let what = "the translation added to the rotation about the point of contact";
+        sheet.common_error("m_eq", what, contact);
         let equivalent = sheet.step("m_eq", "kg", equivalent, why);
         sheet.verify(|| {
             // About the point of contact, of a body with a radius of one.
@@ -301,6 +307,44 @@ impl<W: Worksheet> BodyShapeGiven<W> {
             }
         }
     }
+
+    /// Records the common errors of the moment of inertia about the centre.
+    fn errors(&self, mass: W::Num, sheet: W, symbol: Symbol) {
+        let own = |what: &'static str, square: &dyn Fn() -> W::Num| {
+            sheet.common_error(symbol, what, || mass * square());
+        };
+        match *self {
+            BodyShapeGiven::Rod { length } => {
+                own("the moment of inertia about the end of the rod taken", &|| length.powi(2) / 3.0);
+            }
+            BodyShapeGiven::Plate { length, width } => {
+                let corner = || (length.powi(2) + width.powi(2)) / 3.0;
+                own("the moment of inertia about a corner of the plate taken", &corner);
+            }
+            BodyShapeGiven::Disc { diameter } => {
+                own("the moment of inertia of a ring taken for the solid disc", &|| diameter.powi(2) / 4.0);
+                own("the moment of inertia about a diameter of the disc taken", &|| diameter.powi(2) / 16.0);
+            }
+            BodyShapeGiven::Ring { diameter } => {
+                own("the moment of inertia of a solid disc taken for the ring", &|| diameter.powi(2) / 8.0);
+            }
+            BodyShapeGiven::Cylinder { diameter, length } => {
+                own("the moment of inertia about the axis of the cylinder taken", &|| diameter.powi(2) / 8.0);
+                own("the cylinder taken as a slender rod", &|| length.powi(2) / 12.0);
+                let end = || diameter.powi(2) / 16.0 + length.powi(2) / 3.0;
+                own("the moment of inertia about the end of the cylinder taken", &end);
+            }
+            BodyShapeGiven::Sphere { diameter } => {
+                own("the moment of inertia of a disc taken for the sphere", &|| diameter.powi(2) / 8.0);
+                own("the moment of inertia of a hollow sphere taken for the solid one", &|| {
+                    diameter.powi(2) / 6.0
+                });
+            }
+            BodyShapeGiven::Gyration { radius } => {
+                own("the radius of gyration taken as the radius of a solid disc", &|| radius.powi(2) / 2.0);
+            }
+        }
+    }
 }
 
 impl<W: Worksheet> RotorInertiaGiven<W> {
@@ -310,12 +354,20 @@ impl<W: Worksheet> RotorInertiaGiven<W> {
         let (inertia, why) = match *self {
             RotorInertiaGiven::Given { inertia } => return inertia,
             RotorInertiaGiven::Gyration { mass, radius } => {
+                let disc = || mass * radius.powi(2) / 2.0;
+                let what = "the radius of gyration taken as the radius of a solid disc";
+                sheet.common_error(symbol, what, disc);
                 (mass * radius.powi(2), "Moment of inertia from the radius of gyration")
             }
             RotorInertiaGiven::WeightMoment { weight_moment, gravity } => {
                 (weight_moment / gravity, "Moment of inertia: the weight over gravity is the mass")
             }
             RotorInertiaGiven::Disc { mass, diameter } => {
+                let ring = || mass * diameter.powi(2) / 4.0;
+                sheet.common_error(symbol, "the moment of inertia of a ring taken for the solid disc", ring);
+                let across = || mass * diameter.powi(2) / 16.0;
+                let what = "the moment of inertia about a diameter of the disc taken";
+                sheet.common_error(symbol, what, across);
                 (mass * diameter.powi(2) / 8.0, "Moment of inertia of a solid disc about its axis")
             }
         };
@@ -330,14 +382,27 @@ pub fn moment_of_inertia<W: Worksheet>(given: &InertiaGiven<W>, sheet: W, symbol
         InertiaGiven::Rotor(rotor) => rotor.moment(sheet, symbol),
         InertiaGiven::Ring { mass, diameter } => {
             let inertia = *mass * diameter.powi(2) / 4.0;
+            let disc = || *mass * diameter.powi(2) / 8.0;
+            sheet.common_error(symbol, "the moment of inertia of a solid disc taken for the ring", disc);
             sheet.step(symbol, "kg*m^2", inertia, "Moment of inertia of a ring about its axis")
         }
         InertiaGiven::Shape { mass: body, shape, distance } => {
             let mass = mass(body, sheet);
             let (square, centred) = shape.square();
             match distance {
-                None => sheet.step(symbol, "kg*m^2", mass * square, centred),
+                None => {
+                    shape.errors(mass, sheet, symbol);
+                    sheet.step(symbol, "kg*m^2", mass * square, centred)
+                }
                 Some(distance) => {
+                    sheet.common_error(symbol, "the parallel-axis term omitted", || mass * square);
+                    let point = || mass * distance.powi(2);
+                    sheet.common_error(symbol, "the body taken as a point mass at its centre", point);
+                    if let BodyShapeGiven::Rod { length } = *shape {
+                        let twice = || mass * (length.powi(2) / 3.0 + distance.powi(2));
+                        let what = "the parallel-axis term added to the moment of inertia about the end";
+                        sheet.common_error(symbol, what, twice);
+                    }
                     let why =
                         "Moment of inertia by the parallel-axis theorem: that about the centre, and m d²";
                     sheet.step(symbol, "kg*m^2", mass * (square + distance.powi(2)), why)

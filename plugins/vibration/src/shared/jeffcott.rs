@@ -57,6 +57,8 @@ pub(crate) fn stiffness<W: Worksheet>(shaft: &RotorShaft, given: &RotorShaftGive
                 section::round_second_moment(*diameter),
                 ("Second moment of area of the shaft", BEER.at("app. A")),
             );
+            let spread = || *young * moment * mounting.spread_load() / length.powi(3);
+            sheet.common_error("k", "the deflection under a uniformly distributed load used", spread);
             sheet.step(
                 "k",
                 "MN/m",
@@ -82,6 +84,17 @@ impl Mounting {
             Mounting::SimplySupported => beam::simply_supported_middle(young, second_moment, length),
             Mounting::Clamped => beam::clamped_clamped_middle(young, second_moment, length),
             Mounting::ClampedPinned => beam::clamped_pinned_middle(young, second_moment, length),
+        }
+    }
+
+    /// A load distributed uniformly over the length, over the deflection that it gives at the place of the rotor:
+    /// `spread_load · EI/L³`.
+    pub(crate) fn spread_load(self) -> f64 {
+        match self {
+            Mounting::Cantilever => 8.0,
+            Mounting::SimplySupported => 384.0 / 5.0,
+            Mounting::Clamped => 384.0,
+            Mounting::ClampedPinned => 192.0,
         }
     }
 

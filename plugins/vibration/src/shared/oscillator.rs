@@ -213,6 +213,12 @@ pub(crate) fn suspension_of<W: Worksheet>(
             let why = ("Damping coefficient", RAO.at("§2.6"));
             let c = body.map(|body| {
                 let c = sdof::damping_from_ratio(zeta, body.stiffness, body.mass);
+                let damped = || c * (W::Num::from(1.0) - zeta.powi(2)).sqrt();
+                sheet.common_error(
+                    motion.damping(),
+                    "the damped natural frequency used in the damping coefficient",
+                    damped,
+                );
                 sheet.step(motion.damping(), motion.damping_unit(), c, why)
             });
             Loss::Viscous(zeta, c)
@@ -267,6 +273,10 @@ pub(crate) fn stiffness_of<W: Worksheet>(
 impl<N: Real> Suspension<N> {
     /// Frequency ratio and damping at a frequency.
     pub(crate) fn at<W: Worksheet<Num = N>>(&self, frequency: N, sheet: W) -> AtFrequency<N> {
+        if let Loss::Viscous(zeta, _) = self.loss {
+            let damped = || frequency / sdof::damped_frequency(self.natural, zeta);
+            sheet.common_error("r", "the damped natural frequency used in the frequency ratio", damped);
+        }
         let ratio = sheet.step("r", "1", sdof::frequency_ratio(frequency, self.natural), "Frequency ratio");
         let (damping_ratio, damping) = match self.loss {
             Loss::Viscous(zeta, c) => (zeta, c),
@@ -274,9 +284,19 @@ impl<N: Real> Suspension<N> {
                 let c = self.body.map(|body| {
                     let c = eta * body.stiffness / frequency;
                     let why = "Viscous damper with the same energy loss per cycle at this frequency";
+                    sheet.common_error(
+                        "c_eq",
+                        "the natural frequency used in place of that of the excitation",
+                        || eta * body.stiffness / self.natural,
+                    );
                     sheet.step("c_eq", self.motion.damping_unit(), c, (why, RAO.at("§3.10")))
                 });
                 let why = "Damping ratio of the viscous damper with the same energy loss per cycle at this frequency";
+                sheet.common_error(
+                    "ζ_eq",
+                    "the relation ζ = η/2, which holds at resonance, used at another frequency",
+                    || eta / 2.0,
+                );
                 (sheet.step("ζ_eq", "1", eta / (ratio * 2.0), (why, RAO.at("§3.10"))), c)
             }
         };

@@ -1,5 +1,7 @@
 //! Cross-sections: what bending, axial and torsional stiffness need of them.
 
+use std::f64::consts::PI;
+
 use dalembert_core::{Inputs, Point, Refusal, Sketch, Symbol, Worksheet};
 use dalembert_mechanics::{Real, section};
 
@@ -170,6 +172,37 @@ impl<W: Worksheet> RoundSectionGiven<W> {
         }
     }
 
+    /// Records the common errors of its area.
+    fn area_errors(&self, sheet: W, symbol: Symbol) {
+        let RoundSectionGiven::Tube { outer, inner } = *self else { return };
+        let square = || section::round_area(outer - inner);
+        sheet.common_error(symbol, "the square of the difference of the diameters taken", square);
+        let unrolled = || outer * PI * (outer - inner) / 2.0;
+        sheet.common_error(symbol, "the wall thickness times the outer circumference taken", unrolled);
+    }
+
+    /// Records the common errors of its second moment of area.
+    fn second_moment_errors(&self, sheet: W, symbol: Symbol) {
+        let polar = || self.polar_moment();
+        sheet.common_error(symbol, "the polar second moment of area used for bending", polar);
+        let RoundSectionGiven::Tube { outer, inner } = *self else { return };
+        let power = || section::round_second_moment(outer - inner);
+        sheet.common_error(symbol, "the fourth power of the difference of the diameters taken", power);
+        let thin = || (outer + inner).powi(3) * (outer - inner) * PI / 128.0;
+        sheet.common_error(symbol, "the formula of a thin-walled tube used", thin);
+    }
+
+    /// Records the common errors of its polar second moment of area.
+    fn polar_moment_errors(&self, sheet: W, symbol: Symbol) {
+        let bending = || self.second_moment();
+        sheet.common_error(symbol, "the second moment of area for bending used in torsion", bending);
+        let RoundSectionGiven::Tube { outer, inner } = *self else { return };
+        let power = || section::round_polar_moment(outer - inner);
+        sheet.common_error(symbol, "the fourth power of the difference of the diameters taken", power);
+        let thin = || (outer + inner).powi(3) * (outer - inner) * PI / 64.0;
+        sheet.common_error(symbol, "the formula of a thin-walled tube used", thin);
+    }
+
     /// Cowper's shear coefficient; the ratio of the diameters of a tube is written as the step `symbol`.
     pub(crate) fn shear_coefficient(&self, poisson: W::Num, sheet: W, symbol: &'static str) -> W::Num {
         match *self {
@@ -194,6 +227,12 @@ impl<W: Worksheet> RoundSectionGiven<W> {
     }
 }
 
+/// Records the common error of the second moment of area of a rectangle.
+fn rectangle_errors<W: Worksheet>([breadth, height]: [W::Num; 2], sheet: W, symbol: Symbol) {
+    let about_edge = || breadth * height.powi(3) / 3.0;
+    sheet.common_error(symbol, "the second moment of area about the edge taken, b h³/3", about_edge);
+}
+
 /// The second moment of area of a section, m⁴, written as the step `symbol` where it is not given.
 ///
 /// # Errors
@@ -212,9 +251,11 @@ pub fn second_moment<W: Worksheet>(
                 RoundSectionGiven::Round { .. } => "Second moment of area of a round section",
                 RoundSectionGiven::Tube { .. } => "Second moment of area of a tube",
             };
+            round.second_moment_errors(sheet, symbol);
             (round.second_moment(), why)
         }
         SectionGiven::Rectangle { breadth, height } => {
+            rectangle_errors([*breadth, *height], sheet, symbol);
             (section::rectangle_second_moment(*breadth, *height), "Second moment of area of a rectangle")
         }
     };
@@ -235,6 +276,7 @@ pub fn area<W: Worksheet>(given: &AxialSectionGiven<W>, sheet: W, symbol: Symbol
                 RoundSectionGiven::Round { .. } => "Area of a circular section",
                 RoundSectionGiven::Tube { .. } => "Area of a tube",
             };
+            round.area_errors(sheet, symbol);
             (round.area(), why)
         }
         AxialSectionGiven::Rectangle { breadth, height } => {
@@ -257,9 +299,12 @@ pub(crate) fn profile<W: Worksheet>(
         ProfileGiven::Given { area, second_moment } => return Ok((*area, *second_moment)),
         ProfileGiven::Round(round) => {
             round.check()?;
+            round.area_errors(sheet, ("A", row).into());
+            round.second_moment_errors(sheet, ("I", row).into());
             (round.area(), round.second_moment())
         }
         ProfileGiven::Rectangle { breadth, height } => {
+            rectangle_errors([*breadth, *height], sheet, ("I", row).into());
             (section::rectangle_area(*breadth, *height), section::rectangle_second_moment(*breadth, *height))
         }
     };
@@ -282,9 +327,14 @@ pub(crate) fn light_profile<W: Worksheet>(
         LightProfileGiven::Given { area, second_moment } => return Ok((*area, *second_moment)),
         LightProfileGiven::Round(round) => {
             round.check()?;
+            if needs_area {
+                round.area_errors(sheet, "A".into());
+            }
+            round.second_moment_errors(sheet, "I".into());
             (round.area(), round.second_moment())
         }
         LightProfileGiven::Rectangle { breadth, height } => {
+            rectangle_errors([*breadth, *height], sheet, "I".into());
             (section::rectangle_area(*breadth, *height), section::rectangle_second_moment(*breadth, *height))
         }
     };
@@ -326,6 +376,7 @@ pub fn polar_moment<W: Worksheet>(
         RoundSectionGiven::Round { .. } => "Polar second moment of area of a round section",
         RoundSectionGiven::Tube { .. } => "Polar second moment of area of a tube",
     };
+    round.polar_moment_errors(sheet, symbol);
     Ok(sheet.step(symbol, "cm^4", round.polar_moment(), (why, BEER.at("app. A"))))
 }
 

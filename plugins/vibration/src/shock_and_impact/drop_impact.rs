@@ -108,10 +108,16 @@ impl Analysis for DropImpact {
             None => speed,
             Some(_) => {
                 let why = ("The body sticks to the pan: momentum is conserved", MERIAM.at("§3/12"));
+                sheet.common_error("v₀", "the kinetic energy taken as conserved in the impact", || {
+                    speed * (body / total).sqrt()
+                });
                 sheet.step("v₀", "m/s", body * speed / total, why)
             }
         };
         let why = "Additional static compression of the spring under the weight of the body";
+        if pan.is_some() {
+            sheet.common_error("δ_w", "the weight of the pan included", || total * gravity / stiffness);
+        }
         let sag = sheet.step("δ_w", "mm", body * gravity / stiffness, why);
         sheet.check(
             "at contact the force missing in the spring is the weight of the body: ωₙ² δ = m g/m_t",
@@ -189,6 +195,19 @@ impl<N: Real> Drop<N> {
                 "Maximum deflection from the static position of pan or cushion: a step of the weight and the velocity at contact",
                 RAO.at("§4.5"),
             );
+            let swing = || self.start / natural;
+            if self.free.is_undamped() {
+                sheet.common_error("yₘ", "the weight omitted during the compression", swing);
+                if self.pan.is_some() {
+                    sheet.common_error("yₘ", "the energy lost in the impact with the pan ignored", || {
+                        self.sag + (self.sag.powi(2) + self.sag * self.speed.powi(2) / self.gravity).sqrt()
+                    });
+                }
+            } else {
+                sheet.common_error("yₘ", "the damping omitted", || {
+                    self.sag + (self.sag.powi(2) + swing().powi(2)).sqrt()
+                });
+            }
             (Some(after), sheet.step("yₘ", "mm", self.deflection(after), why), found.value)
         } else {
             sheet.warn(|| {
@@ -257,8 +276,26 @@ impl<N: Real> Drop<N> {
         };
         let pressed = self.pan_sag.map_or(reached, |pan| reached + pan);
         let why = "Maximum force of spring and damper on the ground";
+        sheet.common_error("F_T", "the weight of the body added to the force of the spring", || {
+            stiffness * pressed + self.body * self.gravity
+        });
+        if !self.free.is_undamped() {
+            sheet.common_error(
+                "F_T",
+                "the damper omitted: the spring alone at its maximum deflection",
+                || stiffness * self.pan_sag.map_or(deflection, |pan| deflection + pan),
+            );
+        }
         let force = sheet.step("F_T", "N", stiffness * pressed, why);
         let why = "Maximum deceleration: the force beyond the weight, over the mass";
+        sheet.common_error("aₘ", "a constant deceleration over the deflection assumed", || {
+            self.start.powi(2) / (deflection * 2.0)
+        });
+        if self.pan.is_some() {
+            sheet.common_error("aₘ", "the force divided by the mass of the body alone", || {
+                force / self.body - self.gravity
+            });
+        }
         let deceleration = sheet.step("aₘ", "m/s^2", natural.powi(2) * (reached - self.sag), why);
         sheet.answer("force", "Maximum force on the ground", force);
         sheet.answer("deceleration", "Maximum deceleration of the body", deceleration);

@@ -1,6 +1,9 @@
 //! A gun that recoils freely on its spring and returns critically damped.
 
-use std::{f64::consts::PI, ops::ControlFlow};
+use std::{
+    f64::consts::{E, PI},
+    ops::ControlFlow,
+};
 
 use dalembert_core::{
     About, Analysis, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
@@ -70,6 +73,12 @@ impl Analysis for GunRecoil {
         );
         let (distance, speed) = match &given.recoil {
             RecoilGiven::Distance { distance } => {
+                sheet.common_error("v₀", "the elastic energy of the spring taken as kR²", || {
+                    *distance * natural * 2.0_f64.sqrt()
+                });
+                sheet.common_error("v₀", "the dashpot assumed to act in the recoil too", || {
+                    *distance * natural * E
+                });
                 let speed = sheet.step(
                     "v₀",
                     "m/s",
@@ -79,6 +88,12 @@ impl Analysis for GunRecoil {
                 (*distance, speed)
             }
             RecoilGiven::Speed { speed } => {
+                sheet.common_error("R", "the elastic energy of the spring taken as kR²", || {
+                    *speed / (natural * 2.0_f64.sqrt())
+                });
+                sheet.common_error("R", "the dashpot assumed to act in the recoil too", || {
+                    *speed / (natural * E)
+                });
                 let distance = sheet.step(
                     "R",
                     "m",
@@ -105,6 +120,9 @@ impl Analysis for GunRecoil {
             sdof::critical_damping(given.stiffness, mass),
             ("Critical damping: the fastest return without oscillation", RAO.at("§2.6")),
         );
+        sheet.common_error("t₁", "the dashpot assumed to act in the recoil too", || {
+            W::Num::from(1.0) / natural
+        });
         let out =
             sheet.step("t₁", "s", W::Num::from(PI) / (natural * 2.0), "Recoil time: a quarter of the period");
         let back = sheet.numerical(
@@ -137,6 +155,7 @@ impl Analysis for GunRecoil {
                 );
             }
         });
+        sheet.common_error("t", "the return assumed undamped: a quarter of the period again", || out * 2.0);
         let total = sheet.step("t", "s", out + back, "Recoil and return together");
         sheet.answer("natural_frequency", "Natural frequency", natural);
         sheet.answer("speed", "Speed at the start of the recoil", speed);

@@ -62,12 +62,23 @@ impl Analysis for RodImpact {
             speed / wave,
             "In a time dt the wave front brings a length c dt to rest, which shortens by v dt",
         );
+        sheet.common_error(
+            "σ",
+            "the momentum balance made with the speed of the rod in place of that of the wave: ρv²",
+            || density * speed.powi(2),
+        );
+        sheet.common_error("σ", "the kinetic energy per unit volume taken as the stress", || {
+            density * speed.powi(2) / 2.0
+        });
         let stress = sheet.step(
             "σ",
             "MPa",
             young * strain,
             ("Stress behind the wavefront: the maximum in the rod", TIMOSHENKO.at("ch. 5")),
         );
+        sheet.common_error("t₁", "the speed of the rod used in place of that of the wave", || {
+            length / speed
+        });
         let whole = sheet.step(
             "t₁",
             "ms",
@@ -76,6 +87,12 @@ impl Analysis for RodImpact {
         );
         let shortening =
             sheet.step("δ", "mm", speed * whole, "Until then the free end has continued at its speed");
+        sheet.common_error("t₂", "the rod treated as a mass on a spring: half a period taken", || {
+            length / wave * std::f64::consts::PI
+        });
+        sheet.common_error("t₂", "the speed of the rod used in place of that of the wave", || {
+            length * 2.0 / speed
+        });
         let contact = sheet.step(
             "t₂",
             "ms",
@@ -122,6 +139,9 @@ impl Analysis for RodImpact {
             );
         }
         if let Some(strength) = given.strength {
+            sheet.common_error("v_y", "the kinetic energy per unit volume set equal to the strength", || {
+                (strength * 2.0 / density).sqrt()
+            });
             let limit = sheet.step(
                 "v_y",
                 "m/s",

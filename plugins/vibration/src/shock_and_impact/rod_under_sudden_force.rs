@@ -71,6 +71,11 @@ impl Analysis for RodUnderSuddenForce {
             force / area,
             "Compressive stress behind the wavefront: the maximum in the rod",
         );
+        sheet.common_error(
+            "v",
+            "the rod treated as rigid: velocity of the centre of mass at that time",
+            || force * time / (density * area * length),
+        );
         let velocity = sheet.step(
             "v",
             "m/s",
@@ -188,6 +193,12 @@ fn displacement<W: Worksheet>(
         _ => "The reflected wave has passed too: faster by v once more",
     };
     let waves = (!passed.is_empty()).then(|| velocity * W::Num::sum(passed));
+    if place.value() > 0.0 {
+        sheet.common_error("u", "the travel time of the wave to the place omitted", || velocity * time);
+    }
+    if parts[1].value() > 0.0 || before.is_some() {
+        sheet.common_error("u", "the reflections of the wave omitted", || velocity * (time - place / wave));
+    }
     let value = W::Num::sum(before.into_iter().chain(waves));
     sheet.step("u", "mm", value, (why, TIMOSHENKO.at("ch. 5")))
 }

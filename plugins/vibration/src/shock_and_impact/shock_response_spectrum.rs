@@ -138,6 +138,11 @@ impl Analysis for ShockResponseSpectrum {
                     (acceleration * duration / 2.0, "Velocity change: area of the triangular pulse")
                 }
             };
+            if let PulseFormGiven::HalfSine { .. } = form {
+                sheet.common_error("ΔV", "the root mean square of the pulse taken as its mean", || {
+                    acceleration * duration / 2.0_f64.sqrt()
+                });
+            }
             let change = sheet.step("ΔV", "m/s", change, why);
             sheet.answer("velocity_change", "Velocity change", change);
             sheet.verify(|| {
@@ -476,6 +481,8 @@ fn largest<W: Worksheet>(
     sheet.answer("largest", "Maximum ordinate over the range", largest_value);
     if let Some((acceleration, _)) = pulse {
         let why = ("Maximum amplification over the range", RAO.at("§4.6"));
+        let sudden = || W::Num::from(2.0);
+        sheet.common_error("Aₘ", "the factor 2 of an undamped system under a sudden load taken", sudden);
         let amplification = sheet.step("Aₘ", "1", largest_value / acceleration, why);
         sheet.answer("largest_amplification", "Maximum amplification over the range", amplification);
         sheet.verify(|| {

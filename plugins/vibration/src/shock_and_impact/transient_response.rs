@@ -282,6 +282,16 @@ impl TransientResponse {
         sheet: W,
     ) -> Result<(), Refusal> {
         let why = "Time of maximum displacement: the first zero of the velocity at which it is reached";
+        let angle = match (&self.excitation, self.course()) {
+            (_, Some(LoadHistory::Step)) => Some((PI, "half of the undamped natural period taken")),
+            (Excitation::Impulse { .. } | Excitation::AngularImpulse { .. }, _) => {
+                Some((PI / 2.0, "a quarter of the undamped natural period taken"))
+            }
+            _ => None,
+        };
+        if let Some((angle, what)) = angle {
+            sheet.common_error("tₘ", what, || W::Num::from(angle) / system.natural);
+        }
         let time = sheet.numerical("tₘ", "s", largest.time, why);
         let x = superposition.displacement(&Instant::largest(time), sheet)?;
         let at = model.motion.at(time.value());

@@ -65,6 +65,8 @@ impl Analysis for BeamAndSprings {
         let springs = network(&given.springs, sheet, &[])?;
         let k = springs.stiffness;
         let FreeDecay { cycles, decrement, damping_ratio: zeta } = decrement(&given.decay, sheet);
+        let what = "the frequency of the decaying motion taken as the natural frequency";
+        sheet.common_error("ωₙ", what, || given.damped_frequency);
         let natural = sheet.step(
             "ωₙ",
             "rad/s",
@@ -81,6 +83,8 @@ impl Analysis for BeamAndSprings {
             sdof::mass_from_natural_frequency(k, natural),
             ("Mass that has this natural frequency on the springs", RAO.at("§2.2")),
         );
+        let of_decrement = || sdof::damping_from_ratio(decrement, k, mass);
+        sheet.common_error("c", "the decrement used in place of the damping ratio", of_decrement);
         let c = sheet.step(
             "c",
             "N*s/m",
@@ -146,6 +150,10 @@ fn excite<W: Worksheet>(
              steady state",
         ));
     }
+    let magnification = || sdof::magnification(ratio, zeta);
+    sheet.common_error("TR", "the magnification taken for the transmissibility", magnification);
+    let undamped = || W::Num::from(1.0) / (W::Num::from(1.0) - ratio.powi(2)).abs();
+    sheet.common_error("TR", "the damping neglected", undamped);
     let transmissibility = sheet.step(
         "TR",
         "1",
@@ -160,6 +168,9 @@ fn excite<W: Worksheet>(
     sheet.answer("frequency_ratio", "Frequency ratio", ratio);
     sheet.answer("transmissibility", "Transmissibility", transmissibility);
     let Some(force) = given.force else { return Ok(None) };
+    sheet.common_error("X", "the static deflection under the force taken", || force / k);
+    let undamped = || force / (k - mass * frequency.powi(2)).abs();
+    sheet.common_error("X", "the damping neglected", undamped);
     let amplitude = sheet.step(
         "X",
         "mm",
@@ -177,6 +188,9 @@ fn excite<W: Worksheet>(
         sdof::phase_lag_from_ratios(ratio, zeta),
         ("The motion lags the force by", RAO.at("§3.4")),
     );
+    sheet.common_error("F_T", "the force of the springs alone taken", || amplitude * k);
+    let added = || amplitude * (k + c * frequency);
+    sheet.common_error("F_T", "the forces of spring and damper added as if in phase", added);
     let transmitted = sheet.step(
         "F_T",
         "N",

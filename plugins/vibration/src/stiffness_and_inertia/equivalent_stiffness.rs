@@ -242,6 +242,9 @@ fn translation<W: Worksheet>(
                 (*share * spring.mass, "Effective mass of the spring, moving with the load")
             }
         };
+        if !matches!(spring.kind, DeflectedGiven::Share { .. }) {
+            sheet.common_error(("m_e", n + 1), "the whole mass of the spring taken", || spring.mass);
+        }
         sheet.step(("m_e", n + 1), "kg", share, (why, RAO.at("§1.8")))
     };
     let moving: Vec<W::Num> = spring_masses.iter().enumerate().map(moving).collect();
@@ -250,6 +253,7 @@ fn translation<W: Worksheet>(
             return mass;
         }
         let terms = std::iter::once(mass).chain(moving.iter().copied());
+        sheet.common_error("m'", "the masses of the springs neglected", || mass);
         sheet.step(
             "m'",
             "kg",
@@ -271,6 +275,7 @@ fn translation<W: Worksheet>(
                         "the natural frequency of the springs alone is below the required one: write a lower frequency or lighter springs",
                     ));
                 }
+                sheet.common_error("m", "the masses of the springs neglected", || all);
                 sheet.step(
                     "m",
                     "kg",
@@ -346,6 +351,7 @@ fn rotation<W: Worksheet>(
         return Ok(());
     };
     let shaft = shaft_inertia.filter(|inertia| inertia.value() > 0.0).map(|inertia| {
+        sheet.common_error("J_e", "the whole moment of inertia of the shaft taken", || inertia);
         sheet.step(
             "J_e",
             "kg*m^2",
@@ -360,12 +366,14 @@ fn rotation<W: Worksheet>(
             let inertia = match shaft {
                 None => sheet.step("J", "kg*m^2", all, why),
                 Some(shaft) => {
-                    let rest = sheet.step("J'", "kg*m^2", all, why) - shaft;
+                    let all = sheet.step("J'", "kg*m^2", all, why);
+                    let rest = all - shaft;
                     if rest.value() <= 0.0 {
                         return Err(Refusal::because(
                             "the natural frequency of the shaft alone is below the required one: write a lower frequency or a lighter shaft",
                         ));
                     }
+                    sheet.common_error("J", "the moment of inertia of the shaft neglected", || all);
                     sheet.step(
                         "J",
                         "kg*m^2",
@@ -380,12 +388,15 @@ fn rotation<W: Worksheet>(
             let inertia = moment_of_inertia(inertia, sheet, "J".into());
             let all = match shaft {
                 None => inertia,
-                Some(shaft) => sheet.step(
-                    "J'",
-                    "kg*m^2",
-                    inertia + shaft,
-                    ("Total rotating moment of inertia: the kinetic energies add up", RAO.at("§1.8")),
-                ),
+                Some(shaft) => {
+                    sheet.common_error("J'", "the moment of inertia of the shaft neglected", || inertia);
+                    sheet.step(
+                        "J'",
+                        "kg*m^2",
+                        inertia + shaft,
+                        ("Total rotating moment of inertia: the kinetic energies add up", RAO.at("§1.8")),
+                    )
+                }
             };
             (inertia, natural(k, all, sheet))
         }

@@ -400,6 +400,8 @@ fn damped<W: Worksheet>(given: &EquivalentSystemGiven<W>, terms: &Terms<W::Num>,
     }
     if zeta.value() < 1.0 {
         let why = ("Frequency of the damped motion", RAO.at("§2.6"));
+        let peak = || natural * (W::Num::from(1.0) - zeta.powi(2) * 2.0).sqrt();
+        sheet.common_error("ω_d", "the frequency of the resonance peak taken, ωₙ√(1 − 2ζ²)", peak);
         let frequency = sheet.step("ω_d", "rad/s", sdof::damped_frequency(natural, zeta), why);
         sheet.answer("damped_frequency", "Damped natural frequency", frequency);
         let rate = damping / (inertia * 2.0);
@@ -443,6 +445,10 @@ fn forced<W: Worksheet>(
         ("Dynamic stiffness, of springs and inertia: K_eq − J_eq ω²", RAO.at("§3.4")),
     );
     let lost = damping.map_or(held * 0.0, |damping| damping * frequency);
+    sheet.common_error("Θ", "the static rotation under the load taken", || moment / stiffness);
+    if damping.is_some() {
+        sheet.common_error("Θ", "the damping neglected", || moment / held.abs());
+    }
     let amplitude = sheet.step(
         "Θ",
         "deg",

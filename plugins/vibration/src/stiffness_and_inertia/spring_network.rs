@@ -5,7 +5,7 @@ use dalembert_core::{
     About, Analysis, Exhibit, Inputs, Reason, Reference, Refusal, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
-    Real, sdof,
+    Real, sdof, spring,
     vibration::network::{Network, NetworkError, SpringDamper},
 };
 use nalgebra::Complex;
@@ -219,6 +219,13 @@ impl SpringNetwork {
             sheet.numerical(("x", n + 1), "mm", *x, why)
         };
         let displacements: Vec<W::Num> = found.iter().enumerate().map(node).collect();
+        let stiffnesses = || elements.iter().filter_map(|element| element.stiffness);
+        if stiffnesses().count() > 1 {
+            let added = || spring::parallel(stiffnesses());
+            sheet.common_error("k", "all springs combined as if in parallel", added);
+            let chained = || spring::series(stiffnesses());
+            sheet.common_error("k", "all springs combined as if in series", chained);
+        }
         let k = sheet.step(
             "k",
             "kN/m",
@@ -292,12 +299,17 @@ impl SpringNetwork {
             sheet.step("X", "mm", (real.powi(2) + imaginary.powi(2)).sqrt(), "Amplitude of the loaded node");
         let lag = sheet.step("φ", "deg", (-imaginary).atan2(real), "The motion lags the force by");
         let square = real.powi(2) + imaginary.powi(2);
+        let over_real = || given.force / real;
+        sheet.common_error("k'", "the force divided by the real part of the displacement", over_real);
         let storage = sheet.step(
             "k'",
             "kN/m",
             given.force * real / square,
             "Real part of the dynamic stiffness F/X, masses included",
         );
+        let over_imaginary = || -(given.force / imaginary);
+        let what = "the force divided by the imaginary part of the displacement";
+        sheet.common_error("k''", what, over_imaginary);
         let loss = sheet.step(
             "k''",
             "kN/m",
@@ -373,6 +385,8 @@ impl SpringNetwork {
             let mut damping_ratio = None;
             if dashpots {
                 let decay = sheet.numerical(("σ", n + 1), "rad/s", -root.re + 0.0, "Its rate of decay");
+                let tangent = || decay / damped;
+                sheet.common_error(("ζ", n + 1), "the decay rate divided by the damped frequency", tangent);
                 let ratio = sheet.step(
                     ("ζ", n + 1),
                     "1",
@@ -451,6 +465,15 @@ fn combined<W: Worksheet>(system: &Network, node: usize, mass: W::Num, sheet: W)
         stiffness,
         ("The springs combined at the mass, as if there were no dampers", RAO.at("§1.7")),
     );
+    let sum = || system.links.iter().map(|link| link.stiffness).sum::<f64>();
+    let added = || (k * (sum() / stiffness) / mass).sqrt();
+    sheet.common_error("ωₙ", "all springs combined as if in parallel", added);
+    let compliance = || {
+        let springs = system.links.iter().filter(|link| link.stiffness > 0.0);
+        springs.map(|link| 1.0 / link.stiffness).sum::<f64>()
+    };
+    let chained = || (k / (stiffness * compliance()) / mass).sqrt();
+    sheet.common_error("ωₙ", "all springs combined as if in series", chained);
     let natural = sheet.step(
         "ωₙ",
         "rad/s",
@@ -496,6 +519,8 @@ fn combined<W: Worksheet>(system: &Network, node: usize, mass: W::Num, sheet: W)
     sheet.answer("combined_damping", "Damping, dampers combined separately from the springs", c);
     sheet.answer("combined_damping_ratio", "Damping ratio, springs and dampers combined separately", ratio);
     if ratio.value() < 1.0 {
+        let peak = || natural * (W::Num::from(1.0) - ratio.powi(2) * 2.0).sqrt();
+        sheet.common_error("ω_d", "the frequency of the resonance peak taken, ωₙ√(1 − 2ζ²)", peak);
         let damped = sheet.step(
             "ω_d",
             "rad/s",

@@ -285,6 +285,19 @@ impl Analysis for SwingTest {
                     ));
                 }
                 let period = period(swings, own, "", sheet);
+                let reduced = || swing::reduced_length(gravity, period);
+                let contact = || journal.powi(2) * reduced() / (*rails - *journal);
+                sheet.common_error("κ²", "the radius of gyration about the point of contact taken", contact);
+                let turned = || {
+                    let path = *rails - *journal;
+                    (*journal / *rails).powi(2) * path * (reduced() - path)
+                };
+                let what =
+                    "the rotation of the body taken relative to the line of centres, not to the ground";
+                sheet.common_error("κ²", what, turned);
+                let full = || journal.powi(2) * (reduced() / *rails - 1.0);
+                let what = "the radius of the surface taken as that of the path of the centre";
+                sheet.common_error("κ²", what, full);
                 let square = sheet.step(
                     "κ²",
                     "cm^2",
@@ -308,12 +321,16 @@ impl Analysis for SwingTest {
             }
             (TestGiven::Incline { body, journal, slope, distance, time }, _) => {
                 let mass = mass(body, gravity, sheet);
+                let mean_speed = || *distance / time.powi(2);
+                sheet.common_error("a", "the mean velocity divided by the time", mean_speed);
                 let acceleration = sheet.step(
                     "a",
                     "m/s^2",
                     *distance * 2.0 / time.powi(2),
                     "Acceleration of the centre, from rest: s = a t²/2",
                 );
+                let contact = || journal.powi(2) * gravity * slope.sin() / acceleration;
+                sheet.common_error("κ²", "the radius of gyration about the point of contact taken", contact);
                 let square = sheet.step(
                     "κ²",
                     "cm^2",

@@ -9,13 +9,15 @@ use dalembert_mechanics::{
 };
 
 mod drawing;
+mod lumped;
 mod sprung;
 
 use self::sprung::{SprungBeam, SprungMass, SprungShape};
 use crate::{
     shared::{
         continuous::{
-            LineMass, Sampled, ShearModulus, draw_support, line_mass, shapes_film, shapes_plot, shear_modulus,
+            LineMass, Sampled, ShearModulus, draw_support, line_mass, overtone_errors, shapes_film,
+            shapes_plot, shear_modulus,
         },
         section::{Profile, RoundSection, profile, shear_coefficient},
         support::{Restraint, Support},
@@ -190,16 +192,22 @@ impl Analysis for BeamVibration {
             .collect::<Result<_, _>>()
             .map_err(|err| refusal(&err))?;
         let why = self.equation(&beam);
+        let mut first = None;
         for (n, (root, shape)) in (1..).zip(roots.iter().zip(&shapes)) {
             sheet.keep_going()?;
             let cite = if why.1 { RAO.at("§8.5") } else { WITTRICK.at("pp. 263–284") };
             let beta = sheet.numerical(("β", n), "1", *root, (why.0.clone(), cite));
+            if n == 1 {
+                self.lumped_errors(given, unit, line * length, sheet);
+            }
+            overtone_errors(n, first, true, sheet);
             let omega = sheet.step(
                 ("ω", n),
                 "rad/s",
                 beta.powi(2) * unit,
                 Text::new("Natural frequency {n}").with("n", n),
             );
+            first = first.or(Some(omega));
             let frequency = sheet.step(("f", n), "Hz", omega, "In cycles per second");
             sheet.verify(|| {
                 if why.1 {
@@ -433,6 +441,8 @@ fn buckling<W: Worksheet>(
         load,
         "Compression, over EI/L², at which the lowest frequency becomes zero: the beam buckles",
     );
+    let pinned = || bending * std::f64::consts::PI.powi(2) / length.powi(2);
+    sheet.common_error("N_cr", "Euler's load π²EI/L² of pinned ends used", pinned);
     let critical = sheet.step("N_cr", "kN", ratio * bending / length.powi(2), "Buckling load");
     sheet.answer("buckling_load", "Buckling load", critical);
     sheet.verify(|| {

@@ -101,6 +101,9 @@ impl Analysis for BeamWithTipBody {
         let timoshenko = self.theory == BendingTheory::Timoshenko;
         let shape = tip_section(&given.section, timoshenko.then_some(given.poisson), sheet)?;
         let length = given.length;
+        sheet.common_error("G", "Young's modulus used as the shear modulus", || given.young);
+        let bulk = || given.young / ((W::Num::from(1.0) - given.poisson * 2.0) * 3.0);
+        sheet.common_error("G", "the bulk modulus, E/(3(1 − 2ν)), used", bulk);
         let shear = sheet.step(
             "G",
             "GPa",
@@ -173,6 +176,15 @@ impl Analysis for BeamWithTipBody {
                     WITTRICK.at("pp. 263–284"),
                 ),
             );
+            if n == 1 {
+                let softer = || given.young * shape.moments[0].min(shape.moments[1]) * 3.0 / length.powi(3);
+                let massless = || (softer() / total).sqrt();
+                let words = "the body taken as a point mass at the tip of a beam without mass";
+                sheet.common_error(("f", n), words, massless);
+                let whole = || (softer() / (total + line * length)).sqrt();
+                let words = "the whole mass of the beam added to the body as a point mass at the tip";
+                sheet.common_error(("f", n), words, whole);
+            }
             let frequency = sheet.step(("f", n), "Hz", omega, "In cycles per second");
             sheet.verify(|| {
                 sheet.check_zero(

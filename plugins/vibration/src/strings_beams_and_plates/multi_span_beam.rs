@@ -14,7 +14,9 @@ use dalembert_mechanics::{
 
 use crate::{
     shared::{
-        continuous::{HALF_BEAM, LineMass, Sampled, draw_support, line_mass, shapes_film, shapes_plot},
+        continuous::{
+            HALF_BEAM, LineMass, Sampled, draw_support, line_mass, overtone_errors, shapes_film, shapes_plot,
+        },
         letters::of_row,
         section::{Profile, profile},
         support::{Restraint, Support},
@@ -128,7 +130,22 @@ impl Analysis for MultiSpanBeam {
             .map_err(|err| refusal(&err))?;
         sheet.keep_going()?;
         let duplicates = |n: usize| roots.get(n).is_some_and(|next| next / roots[n - 1] < 1.0 + 1e-7);
+        if self.spans.len() > 1 {
+            let square = std::f64::consts::PI.powi(2);
+            let longest = || {
+                let all = properties.iter().zip(&given.spans);
+                let longest = all.reduce(|a, b| if b.1.length.value() > a.1.length.value() { b } else { a });
+                longest.map_or(unit, |((bending, line), span)| {
+                    (*bending / (*line * span.length.powi(4))).sqrt() * square
+                })
+            };
+            sheet.common_error(("ω", 1), "the longest span alone taken, pinned at both ends", longest);
+            let whole = || unit * square;
+            sheet.common_error(("ω", 1), "the supports between the ends left out, both ends pinned", whole);
+        }
+        let mut first = None;
         for (n, (root, shape)) in (1..).zip(roots.iter().zip(&shapes)) {
+            overtone_errors(n, first, true, sheet);
             let beta = sheet.numerical(
                 ("β", n),
                 "1",
@@ -145,6 +162,7 @@ impl Analysis for MultiSpanBeam {
                 beta.powi(2) * unit,
                 Text::new("Natural frequency {n}").with("n", n),
             );
+            first = first.or(Some(omega));
             let frequency = sheet.step(("f", n), "Hz", omega, "In cycles per second");
             sheet.verify(|| {
                 sheet.check(

@@ -2,6 +2,8 @@
 
 mod pictures;
 
+use std::f64::consts::FRAC_PI_2;
+
 use dalembert_core::{
     About, Analysis, Cell, Column, Exhibit, Inputs, Refusal, TableExhibit, Text, Worksheet, register,
 };
@@ -12,7 +14,10 @@ use dalembert_mechanics::{
 };
 
 use self::pictures::{Figure, Outline as Shown};
-use crate::sources::{ABRAMOWITZ, LEISSA, RAO};
+use crate::{
+    shared::continuous::overtone_errors,
+    sources::{ABRAMOWITZ, LEISSA, RAO},
+};
 
 /// The body and how many of its frequencies are wanted.
 #[derive(Clone, Debug, Inputs)]
@@ -241,9 +246,10 @@ impl PlateAndMembrane {
     ) -> Result<Vec<Figure>, Refusal> {
         let aspect = length.value() / breadth.value();
         strip(aspect)?;
-        let mut figures = Vec::new();
+        let (mut figures, mut first) = (Vec::new(), None);
         for (k, [m, n]) in (1..).zip(rectangular_membrane::patterns(aspect, self.modes)) {
             let half = |count: usize, side: W::Num| (W::Num::from(count as f64) / side).powi(2);
+            overtone_errors(k, first, false, sheet);
             let omega = sheet.step(
                 ("ω", k),
                 "rad/s",
@@ -255,6 +261,7 @@ impl PlateAndMembrane {
                     RAO.at("§8.6"),
                 ),
             );
+            first = first.or(Some(omega));
             let frequency = frequency(k, omega, [m, n], "Half waves along a and along b", sheet);
             sheet.verify(|| {
                 let quotient =
@@ -294,7 +301,7 @@ impl PlateAndMembrane {
     /// A rectangular plate with two opposite edges simply supported.
     fn rectangle<W: Worksheet>(&self, plate: &Levy, unit: W::Num, sheet: W) -> Result<Vec<Figure>, Refusal> {
         let modes = plate.modes(self.modes).map_err(|err| refusal(&err))?;
-        let mut figures = Vec::new();
+        let (mut figures, mut first) = (Vec::new(), None);
         for (k, mode) in (1..).zip(modes) {
             sheet.keep_going()?;
             let number = sheet.numerical(
@@ -310,8 +317,15 @@ impl PlateAndMembrane {
                     LEISSA.at("§4.2"),
                 ),
             );
+            if k == 1 {
+                let strip = || unit * std::f64::consts::PI.powi(2);
+                let words = "the plate taken as a strip of the length a, pinned at its ends";
+                sheet.common_error(("ω", k), words, strip);
+            }
+            overtone_errors(k, first, false, sheet);
             let omega =
                 sheet.step(("ω", k), "rad/s", number * unit, Text::new("Natural frequency {n}").with("n", k));
+            first = first.or(Some(omega));
             let pattern = [mode.half_waves, mode.place];
             let frequency =
                 frequency(k, omega, pattern, "Half waves along a, and number of the shape across", sheet);
@@ -339,7 +353,7 @@ impl PlateAndMembrane {
 
     /// A circle: λ is the wave number times the radius.
     fn round<W: Worksheet>(&self, body: Round, unit: W::Num, sheet: W) -> Result<Vec<Figure>, Refusal> {
-        let mut figures = Vec::new();
+        let (mut figures, mut first) = (Vec::new(), None);
         let (why, cite) = match body {
             Round::Membrane => ("Zero {s} of the Bessel function J of order {n}", ABRAMOWITZ.at("§9.5")),
             Round::Plate { edge: Edge::Clamped, .. } => (
@@ -355,11 +369,22 @@ impl PlateAndMembrane {
                 LEISSA.at("ch. 2"),
             ),
         };
+        // The lowest number of a string or a beam as long as the diameter.
+        let across = match body {
+            Round::Membrane => Some((FRAC_PI_2, "the membrane taken as a string across its diameter")),
+            Round::Plate { edge: Edge::Clamped, .. } => Some((5.593_321, AS_BEAM)),
+            Round::Plate { edge: Edge::Simple, .. } => Some((FRAC_PI_2.powi(2), AS_BEAM)),
+            Round::Plate { edge: Edge::Free, .. } => None,
+        };
         for (k, mode) in (1..).zip(body.modes(self.modes)) {
             sheet.keep_going()?;
             let why = Text::new(why).with("s", mode.place).with("n", mode.diameters);
             let root = sheet.numerical(("λ", k), "1", mode.root, (why, cite));
             let reason = Text::new("Natural frequency {n}").with("n", k);
+            if let (1, Some((number, words))) = (k, across) {
+                sheet.common_error(("ω", k), words, || unit * number);
+            }
+            overtone_errors(k, first, false, sheet);
             let (number, omega) = match body {
                 Round::Membrane => (root, sheet.step(("ω", k), "rad/s", root * unit, reason)),
                 Round::Plate { .. } => {
@@ -368,6 +393,7 @@ impl PlateAndMembrane {
                     (number, sheet.step(("ω", k), "rad/s", number * unit, reason))
                 }
             };
+            first = first.or(Some(omega));
             let circles = mode.circles();
             let pattern = [mode.diameters, circles.len()];
             let frequency = frequency(k, omega, pattern, "Nodal diameters and nodal circles", sheet);
@@ -422,6 +448,9 @@ impl PlateAndMembrane {
         }
     }
 }
+
+/// Common error of a round plate.
+const AS_BEAM: &str = "the plate taken as a beam across its diameter";
 
 /// The frequency in Hz, and the pattern, as answers.
 fn frequency<W: Worksheet>(

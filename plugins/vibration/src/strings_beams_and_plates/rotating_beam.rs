@@ -142,6 +142,10 @@ impl Analysis for RotatingBeam {
                     WRIGHT.at("pp. 197–202"),
                 ),
             );
+            let at_rest = || still * unit;
+            sheet.common_error(("ω_f", n), "the stiffening by the centrifugal force left out", at_rest);
+            let rigid = || ((still * unit).powi(2) + speed.powi(2)).sqrt();
+            sheet.common_error(("ω_f", n), "Southwell's coefficient taken as 1", rigid);
             let flap = sheet.step(
                 ("ω_f", n),
                 "rad/s",
@@ -157,6 +161,10 @@ impl Analysis for RotatingBeam {
                             "the blade is unstable in the plane of rotation: write a larger stiffness",
                         ));
                     }
+                    let at_rest = || still * unit;
+                    sheet.common_error(("ω", n), "the frequency at rest used, rotation left out", at_rest);
+                    let whole = || (flap.powi(2) - speed.powi(2)).sqrt();
+                    sheet.common_error(("ω", n), "the motion taken to lie in the plane of rotation", whole);
                     sheet.step(
                         ("ω", n),
                         "rad/s",

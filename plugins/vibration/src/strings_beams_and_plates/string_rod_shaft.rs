@@ -1,6 +1,7 @@
 //! Strings, rods, shafts and shear beams: bodies of one wave equation.
 
 mod drawing;
+mod lumped;
 
 use dalembert_core::{
     About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet, register,
@@ -14,8 +15,8 @@ use dalembert_mechanics::{
 use crate::{
     shared::{
         continuous::{
-            LineMass, LineMassGiven, Sampled, ShearModulus, draw_support, line_mass, shapes_film,
-            shapes_plot, shear_modulus,
+            LineMass, LineMassGiven, Sampled, ShearModulus, ShearModulusGiven, draw_support, line_mass,
+            overtone_errors, shapes_film, shapes_plot, shear_modulus,
         },
         section::RoundSection,
     },
@@ -269,15 +270,21 @@ impl Analysis for StringRodShaft {
         sheet.answer("wave_speed", "Wave speed", body.speed);
         let why = equation(ends);
         let shapes: Vec<wave::WaveShape> = roots.iter().map(|root| wave::shape(ends, *root)).collect();
+        let mut first = None;
         for (n, (root, shape)) in (1..).zip(roots.iter().zip(&shapes)) {
             sheet.keep_going()?;
             let beta = sheet.numerical(("β", n), "1", *root, (why.clone(), RAO.at("§§8.2–8.4")));
+            if n == 1 {
+                lumped::errors(&body, given.length, sheet);
+            }
+            overtone_errors(n, first, false, sheet);
             let omega = sheet.step(
                 ("ω", n),
                 "rad/s",
                 beta * body.speed / given.length,
                 Text::new("Natural frequency {n}").with("n", n),
             );
+            first = first.or(Some(omega));
             let frequency = sheet.step(("f", n), "Hz", omega, "In cycles per second");
             sheet.verify(|| {
                 sheet.check(
@@ -391,6 +398,14 @@ fn body<W: Worksheet>(
             let modulus = shear_modulus(shear, sheet, "G");
             let (torsion, polar) = torsion_section(section, sheet)?;
             let why = ("Torsional wave speed along a shaft", RAO.at("§8.4"));
+            if let ShearModulusGiven::Isotropic { young, .. } = shear {
+                let along = || (*young / *density).sqrt();
+                sheet.common_error("c", "the speed of longitudinal waves, √(E/ρ), used", along);
+            }
+            if !matches!(section, TorsionSectionGiven::Round(_)) {
+                let round = || (modulus / *density).sqrt();
+                sheet.common_error("c", "the wave speed of a round shaft, √(G/ρ), used", round);
+            }
             let speed = match section {
                 TorsionSectionGiven::Round(_) => sheet.step("c", "m/s", (modulus / *density).sqrt(), why),
                 _ => sheet.step("c", "m/s", (modulus * torsion / (*density * polar)).sqrt(), why),

@@ -20,7 +20,7 @@ mod model;
 use self::model::{VaryingBeam, VaryingMode};
 
 use crate::{
-    shared::continuous::{Sampled, draw_support, shapes_film, shapes_plot},
+    shared::continuous::{Sampled, draw_support, overtone_errors, shapes_film, shapes_plot},
     sources::{BEER, RAO, TIMOSHENKO},
 };
 
@@ -178,6 +178,7 @@ impl Analysis for TaperedBeam {
         let (lambdas, shapes) = ritz(beam.terms())?;
         let before = ritz(beam.terms() - 3)?.0;
         sheet.keep_going()?;
+        let mut first = None;
         for (n, (lambda, shape)) in (1..).zip(lambdas.iter().zip(&shapes)) {
             let settled = (lambda / before[n - 1] - 1.0).abs() < 1e-7;
             if !(*lambda > 0.0 && settled) {
@@ -194,8 +195,18 @@ impl Analysis for TaperedBeam {
                     RAO.at("§8.8"),
                 ),
             );
+            if n == 1
+                && let Some(uniform) = self.uniform_number()
+            {
+                let words = "the section of the left end taken for the whole beam";
+                sheet.common_error(("ω", n), words, || unit * uniform);
+                let middle = || unit * uniform * (depth + 1.0) / 2.0;
+                sheet.common_error(("ω", n), "the section at the middle taken for the whole beam", middle);
+            }
+            overtone_errors(n, first, true, sheet);
             let omega =
                 sheet.step(("ω", n), "rad/s", number * unit, Text::new("Natural frequency {n}").with("n", n));
+            first = first.or(Some(omega));
             let frequency = sheet.step(("f", n), "Hz", omega, "In cycles per second");
             sheet.verify(|| {
                 sheet.check(
@@ -259,6 +270,23 @@ impl TaperedBeam {
             TaperedSupport::Pinned => EndSupport::Pinned,
             TaperedSupport::Clamped => EndSupport::Clamped,
         }))
+    }
+
+    /// The lowest frequency number of a uniform beam on the same supports; `None` for a table, and where nothing holds
+    /// the beam in place.
+    fn uniform_number(&self) -> Option<f64> {
+        if self.table().is_some() {
+            return None;
+        }
+        Some(match (&self.left, &self.right) {
+            (TaperedSupport::Clamped, TaperedSupport::Free)
+            | (TaperedSupport::Free, TaperedSupport::Clamped) => 3.516_015,
+            (TaperedSupport::Pinned, TaperedSupport::Pinned) => std::f64::consts::PI.powi(2),
+            (TaperedSupport::Clamped, TaperedSupport::Pinned)
+            | (TaperedSupport::Pinned, TaperedSupport::Clamped) => 15.418_206,
+            (TaperedSupport::Clamped, TaperedSupport::Clamped) => 22.373_285,
+            _ => return None,
+        })
     }
 
     /// Draws the supports of a beam from `(0, y)` to `(width, y)`.

@@ -148,8 +148,15 @@ impl<N: Real> FreeResponse<N> {
                 RAO.at("§2.6"),
             )
         };
+        let one = N::from(1.0);
+        let peak = || natural * (one - zeta.powi(2) * 2.0).sqrt();
+        sheet.common_error("ω_d", "the frequency of the resonance peak taken, ωₙ√(1 − 2ζ²)", peak);
         let damped = sheet.step("ω_d", "rad/s", sdof::damped_frequency(natural, zeta), why);
+        let undamped = || N::from(2.0) * PI / natural;
+        sheet.common_error("T_d", "the period without damping used", undamped);
         let period = sheet.step("T_d", "s", N::from(2.0) * PI / damped, "Period of the damped motion");
+        let light = || zeta * 2.0 * PI;
+        sheet.common_error("δ", "2π times the damping ratio taken, as for light damping", light);
         let decrement = sheet.step(
             "δ",
             "1",
@@ -161,6 +168,10 @@ impl<N: Real> FreeResponse<N> {
         sheet.answer("period", "Period", period);
         sheet.answer("decrement", "Logarithmic decrement", decrement);
         if zeta.value() > 0.0 {
+            let light = || decrement * 2.0;
+            sheet.common_error("ψ", "twice the decrement taken, as for light damping", light);
+            let of_amplitude = || one - (-decrement).exp();
+            sheet.common_error("ψ", "the loss of amplitude taken for that of energy", of_amplitude);
             let lost = sheet.step(
                 "ψ",
                 "%",
@@ -180,6 +191,8 @@ impl<N: Real> FreeResponse<N> {
             sheet.answer("overshoot", "Overshoot of a release from rest", overshoot);
             sheet.verify(|| cycle(zeta, lost, overshoot, sheet));
         }
+        let over_natural = || (v0 + zeta * natural * x0) / natural;
+        sheet.common_error("B", "the natural frequency used in place of the damped one", over_natural);
         let b = sheet.step(
             "B",
             units.displacement,
@@ -263,6 +276,13 @@ impl<N: Real> FreeResponse<N> {
         }
     }
 
+    /// Records the common error of the largest displacement.
+    pub(super) fn maximum_errors<W: Worksheet<Num = N>>(&self, sheet: W) {
+        let FreeResponse::Oscillating { natural, x0, v0, .. } = *self else { return };
+        let undamped = || (x0.powi(2) + (v0 / natural).powi(2)).sqrt();
+        sheet.common_error("Xₘₐₓ", "the damping neglected", undamped);
+    }
+
     /// Square of the envelope at a state: `x² + ((v + ζωₙ x)/ω_d)²`, once the motion oscillates.
     pub(super) fn radius_squared(&self, [x, v]: [N; 2]) -> N {
         match *self {
@@ -277,6 +297,7 @@ impl<N: Real> FreeResponse<N> {
     /// Displacement, velocity and acceleration at the asked time, written down.
     pub(super) fn state<W: Worksheet<Num = N>>(&self, t: N, units: &Units, sheet: W) -> [N; 3] {
         let [x, v, a] = [units.symbol, units.velocity_symbol, units.acceleration_symbol];
+        self.errors(t, units, sheet);
         let x = sheet.step(
             x,
             units.displacement,
@@ -301,9 +322,34 @@ impl<N: Real> FreeResponse<N> {
         [x, v, a]
     }
 
+    /// Records the common errors of displacement and velocity at the asked time.
+    fn errors<W: Worksheet<Num = N>>(&self, t: N, units: &Units, sheet: W) {
+        let (x, v) = (units.symbol, units.velocity_symbol);
+        match *self {
+            FreeResponse::Harmonic { natural, size, .. } => {
+                let what = "the motion assumed to start at its maximum, without a phase angle";
+                sheet.common_error(x, what, || size * (natural * t).cos());
+                sheet.common_error(v, what, || -(size * natural * (natural * t).sin()));
+            }
+            FreeResponse::Oscillating { natural, zeta, damped, x0, v0, b, size } => {
+                let undamped = FreeResponse::Harmonic { natural, x0, v0, b: v0 / natural, size };
+                sheet.common_error(x, "the damping neglected", || undamped.displacement(t));
+                sheet.common_error(v, "the damping neglected", || undamped.velocity(t));
+                let decay = || (-(zeta * natural * t)).exp();
+                let at_natural = || decay() * (x0 * (natural * t).cos() + b * (natural * t).sin());
+                sheet.common_error(x, "the natural frequency used in place of the damped one", at_natural);
+                let rate = || decay() * damped * (b * (damped * t).cos() - x0 * (damped * t).sin());
+                sheet.common_error(v, "the exponential not differentiated", rate);
+            }
+            FreeResponse::Double { .. } | FreeResponse::Exponentials { .. } => {}
+        }
+    }
+
     /// The envelope at a time, where there is one.
     pub(super) fn envelope<W: Worksheet<Num = N>>(&self, t: N, units: &Units, sheet: W) -> Option<N> {
-        let FreeResponse::Oscillating { natural, zeta, size, .. } = *self else { return None };
+        let FreeResponse::Oscillating { natural, zeta, x0, size, .. } = *self else { return None };
+        let from_start = || x0.abs() * (-(zeta * natural * t)).exp();
+        sheet.common_error("X_t", "the envelope assumed to start at the initial displacement", from_start);
         let envelope = size * (-(zeta * natural * t)).exp();
         Some(sheet.step(
             "X_t",
@@ -316,6 +362,10 @@ impl<N: Real> FreeResponse<N> {
     /// Time at which the envelope has decayed to a level.
     pub(super) fn settling_of_envelope<W: Worksheet<Num = N>>(&self, level: N, sheet: W) -> Option<N> {
         let FreeResponse::Oscillating { natural, zeta, size, .. } = *self else { return None };
+        let rule = || N::from(4.0) / (zeta * natural);
+        sheet.common_error("tₑ", "the rule of thumb for the settling time used, 4/(ζωₙ)", rule);
+        let decimal = || (size / level).log10() / (zeta * natural);
+        sheet.common_error("tₑ", "the logarithm to base 10 used in place of the natural one", decimal);
         let time = (size / level).ln() / (zeta * natural);
         Some(sheet.step(
             "tₑ",
@@ -336,6 +386,10 @@ impl<N: Real> FreeResponse<N> {
                 (-(shares[1] / shares[0])).ln() / (roots[0] - roots[1])
             }
         };
+        if let FreeResponse::Harmonic { natural: w, .. } | FreeResponse::Oscillating { damped: w, .. } = *self
+        {
+            sheet.common_error("t₀", "a quarter of a period taken", || N::from(PI) / w / 2.0);
+        }
         sheet.step("t₀", "s", time, why)
     }
 
@@ -354,6 +408,10 @@ impl<N: Real> FreeResponse<N> {
                 (-(shares[1] * roots[1] / (shares[0] * roots[0]))).ln() / (roots[0] - roots[1])
             }
         };
+        if let FreeResponse::Harmonic { natural: w, .. } | FreeResponse::Oscillating { damped: w, .. } = *self
+        {
+            sheet.common_error(("t", 1), "a quarter of a period taken", || N::from(PI) / w / 2.0);
+        }
         sheet.step(("t", 1), "s", time, why)
     }
 }

@@ -1,5 +1,7 @@
 //! The vibrating system of a free vibration: body, springs, damping and start.
 
+use std::f64::consts::PI;
+
 use dalembert_core::{Inputs, Refusal, Worksheet};
 use dalembert_mechanics::{Real, sdof};
 
@@ -217,16 +219,30 @@ fn damping_ratio<W: Worksheet>(
         DampingDataGiven::Ratio { ratio } => *ratio,
         DampingDataGiven::Critical {} => sheet.step("ζ", "1", one, "The damping is critical"),
         DampingDataGiven::Overshoot { overshoot } => {
+            let decimal = || (one / *overshoot).log10();
+            sheet.common_error("Λ", "the logarithm to base 10 used in place of the natural one", decimal);
             let log = sheet.step(
                 "Λ",
                 "1",
                 (one / *overshoot).ln(),
                 "Half a cycle reduces the amplitude from 1 to the overshoot: half the logarithmic decrement",
             );
+            let whole = || sdof::damping_ratio_from_decrement(log);
+            sheet.common_error("ζ", "the overshoot taken as the amplitude after a whole cycle", whole);
+            let light = || log / PI;
+            sheet.common_error(
+                "ζ",
+                "the logarithm of the overshoot divided by π, as for light damping",
+                light,
+            );
             let why = ("Damping ratio from that decrement", RAO.at("§2.6.3"));
             sheet.step("ζ", "1", sdof::damping_ratio_from_decrement(log * 2.0), why)
         }
         DampingDataGiven::Settling { time } => {
+            let rule = || W::Num::from(4.0) / (natural * *time);
+            sheet.common_error("ζ", "the rule of thumb for the settling time used, 4/(ζωₙ)", rule);
+            let decimal = || (one / settled).log10() / (natural * *time);
+            sheet.common_error("ζ", "the logarithm to base 10 used in place of the natural one", decimal);
             let why = "The envelope e^(−ζωₙt) has decayed to the fraction taken as settled";
             sheet.step("ζ", "1", (one / settled).ln() / (natural * *time), why)
         }

@@ -1,5 +1,7 @@
 //! The decrement of a table of amplitudes.
 
+use std::f64::consts::LN_10;
+
 use dalembert_core::{Refusal, Text, Worksheet};
 use dalembert_mechanics::{Real, vibration::decay_fit};
 
@@ -31,6 +33,11 @@ pub(super) fn least_squares<W: Worksheet>(peaks: &[MeasuredPeak], sheet: W) -> R
     sheet.answer("amplitudes", "Number of amplitudes", number);
     let products = sheet.numerical("S_nx", "1", both, "Sum of (n − n̄)(ln X − mean of ln X) over the table");
     let spread = sheet.numerical("S_nn", "1", squares, "Sum of (n − n̄)² over the table");
+    let (first, last) = (&peaks[0], &peaks[peaks.len() - 1]);
+    let ends = || W::Num::from((first.amplitude / last.amplitude).ln() / (last.cycles - first.cycles));
+    sheet.common_error("δ", "only the first and the last amplitude used", ends);
+    let decimal = || -products / spread / LN_10;
+    sheet.common_error("δ", "the logarithm to base 10 used in place of the natural one", decimal);
     let decrement = sheet.step(
         "δ",
         "1",

@@ -116,6 +116,15 @@ fn free_and_forced<W: Worksheet>(
             "the two frequencies are the same: there is no damping, or it is too light to be read from them",
         ));
     }
+    let share = || W::Num::from(1.0) - (peak / damped).powi(2);
+    sheet.common_error("ζ", "the frequency of the free vibration taken as the undamped one", || {
+        (share() / 2.0).sqrt()
+    });
+    sheet.common_error(
+        "ζ",
+        "the peak taken as the damped natural frequency, the free vibration as the undamped one",
+        || share().sqrt(),
+    );
     let zeta = sheet.step(
         "ζ",
         "1",
@@ -181,6 +190,8 @@ fn resonance_and_far<W: Worksheet>(
                     "the amplitude at resonance does not exceed that far above it, so there is no resonance: write the larger amplitude as that at resonance",
                 )
             })?;
+            let light = || W::Num::from(0.5) / peak;
+            sheet.common_error("ζ", "the formula for light damping, ζ = 1/(2Λ), used", light);
             let zeta = sheet.step(
                 "ζ",
                 "1",
@@ -233,6 +244,9 @@ fn two_speeds<W: Worksheet>(
             "these amplitudes are larger than any damping allows: do amplitudes, speeds and m₀e/m belong to one mass on one spring?",
         ));
     }
+    sheet.common_error("ζ", "the first speed taken as that of resonance, ζ = 1/(2Λ₁)", || {
+        W::Num::from(0.5) / first
+    });
     let zeta = sheet.step(
         "ζ",
         "1",
@@ -283,6 +297,17 @@ fn resonance_ratio<W: Worksheet>(
         let why = Text::new("no damping gives an amplitude ratio as small as this: it must be above {least}");
         return Err(Refusal::because(why.with_quantity("least", least, "1")));
     }
+    let undamped = || {
+        let detuned = (W::Num::from(1.0) - frequency_ratio.powi(2)).abs() / (amplitude_ratio * 2.0);
+        match excitation {
+            MachineExcitation::Force => detuned,
+            MachineExcitation::Unbalance => detuned / frequency_ratio.powi(2),
+        }
+    };
+    sheet.common_error("ζ", "the damping neglected at the other frequency", undamped);
+    sheet.common_error("ζ", "the ratio of the amplitudes taken as the magnification at resonance", || {
+        W::Num::from(0.5) / amplitude_ratio
+    });
     let zeta = sheet.step("ζ", "1", zeta, (why, RAO.at("§3.4")));
     let one = W::Num::from(1.0);
     let ratio = match excitation {

@@ -45,6 +45,12 @@ pub(super) fn identify<W: Worksheet>(
             RAO.at("§3.4"),
         ),
     );
+    sheet.common_error("ωₚ", "the arithmetic mean of the half-power frequencies taken", || {
+        (lower + upper) / 2.0
+    });
+    sheet.common_error("ωₚ", "the geometric mean of the half-power frequencies taken", || {
+        (lower * upper).sqrt()
+    });
     let peak = sheet.step(
         "ωₚ",
         "Hz",

@@ -17,12 +17,24 @@ pub(super) fn solve<W: Worksheet>(
     time: W::Num,
     sheet: W,
 ) {
+    let displacement = || amplitude * (frequency * time - lag).sin();
+    sheet.common_error("W", "the amplitude of the force multiplied by the displacement at that time", || {
+        force * displacement()
+    });
+    sheet.common_error("W", "force and displacement at that time multiplied", || {
+        force * (frequency * time).sin() * displacement()
+    });
     let work = sheet.step(
         "W",
         "J",
         force * amplitude / 2.0
             * (frequency * time * lag.sin() + (lag.cos() - (frequency * time * 2.0 - lag).cos()) / 2.0),
         ("Work up to that time: the integral of F₀ sin ωt · Xω cos (ωt − φ)", THOMSON.at("ch. 3")),
+    );
+    sheet.common_error(
+        "W_T",
+        "the amplitude of the force multiplied by the distance travelled in a cycle, 4X",
+        || force * amplitude * 4.0,
     );
     let cycle = sheet.step(
         "W_T",
@@ -39,6 +51,9 @@ pub(super) fn solve<W: Worksheet>(
         force * amplitude * frequency * lag.sin() / 2.0,
         "Mean power: that work, ω/2π times per second",
     );
+    sheet.common_error("P_max", "the amplitudes of force and velocity multiplied", || {
+        force * amplitude * frequency
+    });
     let largest = sheet.step(
         "P_max",
         "W",

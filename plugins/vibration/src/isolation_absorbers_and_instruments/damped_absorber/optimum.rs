@@ -25,6 +25,10 @@ pub(super) fn fixed_points<W: Worksheet>(system: &AbsorberSystem<W::Num>, sheet:
         "Tuning by the invariant points: the two frequencies at which the response is independent of damping, brought to equal height",
         DEN_HARTOG.at("§3.3"),
     );
+    let natural = || W::Num::from(1.0);
+    sheet.common_error("f_opt", "the absorber tuned to the natural frequency of the main system", natural);
+    let random = || (ratio / 2.0 + 1.0).sqrt() / (ratio + 1.0);
+    sheet.common_error("f_opt", "the tuning for a random force used", random);
     let tuning = sheet.step("f_opt", "1", absorber::den_hartog_tuning(ratio), why);
     let why = ("Squares of the ratios of the invariant points: their mean", DEN_HARTOG.at("§3.3"));
     let mean = sheet.step("b", "1", absorber::fixed_points_mean(ratio, tuning), why);
@@ -44,6 +48,12 @@ pub(super) fn fixed_points<W: Worksheet>(system: &AbsorberSystem<W::Num>, sheet:
         "Damping: mean square of the two values that give zero slope of the response at one or the other invariant point",
         BROCK.at(""),
     );
+    let one_point =
+        || (ratio * (W::Num::from(3.0) - (ratio / (ratio + 2.0)).sqrt()) / ((ratio + 1.0) * 8.0)).sqrt();
+    let what = "the damping for zero slope at the lower invariant point alone used";
+    sheet.common_error("ζ_opt", what, one_point);
+    let random = || (ratio * (ratio * 0.75 + 1.0) / ((ratio + 1.0) * (ratio / 2.0 + 1.0) * 4.0)).sqrt();
+    sheet.common_error("ζ_opt", "the damping for a random force used", random);
     let own = sheet.step("ζ_opt", "1", absorber::den_hartog_damping(ratio), why);
     sheet.answer("tuning", "Tuning by the invariant points", tuning);
     let damping =
@@ -148,6 +158,8 @@ pub(super) fn viscous<W: Worksheet>(
         "Optimum damping relative to the main frequency, c/(2 m_a ω_m): the peak lies at the invariant point of an undamped main system",
         DEN_HARTOG.at("§3.3"),
     );
+    let with_spring = || (ratio * 3.0 / ((ratio + 1.0).powi(3) * 8.0)).sqrt();
+    sheet.common_error("γ_h", "the damping of a tuned absorber, with a spring, used", with_spring);
     let damping = sheet.step("γ_h", "1", absorber::viscous_damping(ratio), why);
     let why = ("Frequency ratio of the invariant point", DEN_HARTOG.at("§3.3"));
     let point = sheet.step("g_h", "1", absorber::viscous_fixed_point(ratio), why);

@@ -5,6 +5,9 @@ use dalembert_mechanics::{Real, vibration::pendulum_absorber::Pair};
 
 use crate::sources::DEN_HARTOG;
 
+/// Common error of the steady motion.
+const LOCKED: &str = "the pendulum taken as locked to the body that carries it";
+
 /// A body with a pendulum.
 pub(super) struct BodyWithPendulum<N> {
     /// True for a rotor, false for a body in translation.
@@ -101,10 +104,12 @@ impl<N: Real> BodyWithPendulum<N> {
         let (body, swing) = (load * rest / determinant, load * coupling / determinant);
         let why = "Amplitude of the body; negative if opposed to the load";
         let body = if self.on_rotor {
+            sheet.common_error("Θ", LOCKED, || load / still);
             let body = sheet.step("Θ", "deg", body, why);
             sheet.answer("rotor_amplitude", "Amplitude of the rotor", body);
             body
         } else {
+            sheet.common_error("X", LOCKED, || load / still);
             let body = sheet.step("X", "mm", body, why);
             sheet.answer("amplitude", "Amplitude of the mass", body);
             body

@@ -31,6 +31,9 @@ impl<N: Real> MassWithPendulum<N> {
             LengthGiven::Tuned {} => {
                 let why =
                     ("Length that tunes the pendulum to the force, from ω² = g/l", DEN_HARTOG.at("ch. 3"));
+                let by_springs = || self.gravity * self.body / self.stiffness;
+                let what = "the pendulum tuned to the natural frequency of the mass on its springs";
+                sheet.common_error("l", what, by_springs);
                 let length = sheet.step("l", "m", self.gravity / self.frequency.powi(2), why);
                 sheet.answer("length", "Length of the pendulum", length);
                 (length, None)
@@ -65,6 +68,10 @@ impl<N: Real> MassWithPendulum<N> {
                         "the mass for a limited swing follows from the force: write its amplitude",
                     ));
                 };
+                if gyration.is_some() {
+                    let point = || force / (self.gravity * *swing);
+                    sheet.common_error("m", "the pendulum taken as a point mass", point);
+                }
                 let mass = sheet.step(
                     "m",
                     "kg",

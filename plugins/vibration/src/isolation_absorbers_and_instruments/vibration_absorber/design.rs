@@ -13,6 +13,13 @@ use super::{
 };
 use crate::{shared::oscillator::is_one, sources::RAO};
 
+/// Common errors of the absorber.
+const TUNED_TO_MAIN: &str =
+    "the absorber tuned to the natural frequency of the main system in place of the speed";
+const MAIN_AT_SPEED: &str =
+    "the formula for an absorber tuned to the natural frequency of the main system used";
+const FIXED: &str = "the absorber mass taken as fixed to the main system";
+
 /// Requirement on the absorber, or its known parameter.
 pub(super) enum AbsorberRequirement<N> {
     Stroke(N),
@@ -82,6 +89,8 @@ impl<N: Real> Main<N> {
                 );
                 let stiffness =
                     sheet.step(motion.absorber_stiffness(), motion.stiffness_unit(), force / *stroke, why);
+                let by_natural = || sdof::mass_from_natural_frequency(stiffness, self.natural);
+                sheet.common_error(motion.absorber_mass(), TUNED_TO_MAIN, by_natural);
                 let mass = sheet.step(
                     motion.absorber_mass(),
                     motion.mass_unit(),
@@ -150,6 +159,8 @@ impl<N: Real> Main<N> {
 
     /// The spring that tunes the absorber to the speed.
     fn tuned<W: Worksheet<Num = N>>(&self, mass: N, sheet: W) -> N {
+        let by_natural = || sdof::stiffness_from_natural_frequency(mass, self.natural);
+        sheet.common_error(self.motion.absorber_stiffness(), TUNED_TO_MAIN, by_natural);
         sheet.step(
             self.motion.absorber_stiffness(),
             self.motion.stiffness_unit(),
@@ -161,6 +172,8 @@ impl<N: Real> Main<N> {
     /// Mass and spring of a tuned absorber of that mass ratio.
     fn sized<W: Worksheet<Num = N>>(&self, ratio: N, sheet: W) -> (N, N) {
         let mass = ratio * self.mass;
+        let of_total = || mass / (N::from(1.0) - ratio);
+        sheet.common_error(self.motion.absorber_mass(), "the mass ratio taken over the total mass", of_total);
         let mass = sheet.step(
             self.motion.absorber_mass(),
             self.motion.mass_unit(),
@@ -175,6 +188,7 @@ impl<N: Real> Main<N> {
         let why = ("Tuning: absorber frequency (= speed) over main-system frequency", RAO.at("§9.11"));
         let tuning = sheet.step("f", "1", self.speed / self.natural, why);
         let at = |symbol: &'static str, p: N, why: &'static str| {
+            sheet.common_error(symbol, MAIN_AT_SPEED, || absorber::mass_ratio_when_tuned(p));
             sheet.step(symbol, "1", absorber::mass_ratio_of_resonance(p, tuning), (why, RAO.at("§9.11")))
         };
         let first = at(
@@ -235,7 +249,17 @@ impl<N: Real> Main<N> {
         let difference = sheet.step("Δg", "1", absorber::resonance_difference(tuning, ratio), why);
         let upper = sheet.step("g₂", "1", (sum + difference) / 2.0, "Upper resonance, frequency ratio");
         let lower = sheet.step("g₁", "1", tuning / upper, "Lower resonance, as a ratio");
+        let when_tuned = |sign: f64| {
+            let split = (ratio + ratio.powi(2) / 4.0).sqrt() * sign;
+            (ratio / 2.0 + 1.0 + split).sqrt() * self.natural
+        };
+        sheet.common_error("Ω₁", MAIN_AT_SPEED, || when_tuned(-1.0));
+        let fixed = || (self.stiffness / (self.mass + mass)).sqrt();
+        sheet.common_error("Ω₁", FIXED, fixed);
         let lower = sheet.step("Ω₁", "rad/s", lower * self.natural, "Lower resonance");
+        sheet.common_error("Ω₂", MAIN_AT_SPEED, || when_tuned(1.0));
+        let at_rest = || ((self.stiffness + stiffness) / self.mass).sqrt();
+        sheet.common_error("Ω₂", "the absorber mass taken as at rest", at_rest);
         let upper = sheet.step("Ω₂", "rad/s", upper * self.natural, "Upper resonance");
         sheet.verify(|| {
             let [m, k] = [self.mass.value(), self.stiffness.value()];
@@ -289,6 +313,9 @@ impl<N: Real> Main<N> {
                  excitation",
                 RAO.at("§9.11"),
             );
+            let by_main = || -force / self.stiffness;
+            let what = "the stiffness of the main system used in place of that of the absorber";
+            sheet.common_error(motion.absorber_motion(), what, by_main);
             let absorbing = sheet.step(motion.absorber_motion(), unit, -force / stiffness, why);
             sheet.answer("absorber_motion", "Motion of the absorber, along the excitation", absorbing);
             // Where it was tuned, that is how its stiffness or mass was found.
@@ -317,7 +344,12 @@ impl<N: Real> Main<N> {
         let determinant = sheet.step("Δ", motion.determinant_unit(), determinant, why);
         let main = force * (stiffness - mass * self.speed.powi(2)) / determinant;
         let why = ("Motion of the main system: negative if opposite to the excitation", RAO.at("§9.11"));
+        let together = || force / (self.stiffness - (self.mass + mass) * self.speed.powi(2));
+        sheet.common_error(motion.main_motion(), FIXED, together);
         let main = sheet.step(motion.main_motion(), unit, main, why);
+        let relative = || force * mass * self.speed.powi(2) / determinant;
+        let what = "the motion of the absorber taken relative to the main system";
+        sheet.common_error(motion.absorber_motion(), what, relative);
         let why = ("Motion of the absorber: negative if opposite to the excitation", RAO.at("§9.11"));
         let absorbing = sheet.step(motion.absorber_motion(), unit, force * stiffness / determinant, why);
         sheet.answer("main_motion", "Motion of the main system, along the excitation", main);

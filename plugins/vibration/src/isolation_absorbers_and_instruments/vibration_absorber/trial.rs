@@ -95,6 +95,11 @@ pub(super) fn solve<W: Worksheet>(
         "From both resonances: natural frequency of the main system, since the product of the two resonances equals that of the two natural frequencies",
         RAO.at("§9.11"),
     );
+    let middle = || (lower + upper) / 2.0;
+    sheet.common_error("ω_m", "the mean of the two resonances taken as the natural frequency", middle);
+    let geometric = || (lower * upper).sqrt();
+    let what = "the geometric mean of the two resonances taken as the natural frequency";
+    sheet.common_error("ω_m", what, geometric);
     let natural = sheet.step("ω_m", "rad/s", lower * upper / tuned, why);
     let why = ("Mass ratio, from the sum of the squares of the two resonances", RAO.at("§9.11"));
     let ratio = sheet.step("μ", "1", absorber::mass_ratio_of_split(first, second), why);

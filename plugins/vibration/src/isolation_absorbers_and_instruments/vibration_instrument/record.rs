@@ -38,6 +38,7 @@ pub(super) fn solve<W: Worksheet>(
             ));
         }
         let why = ("Ratio of reading to true value of this tone", RAO.at("§10.3"));
+        instrument.factor_errors(("M", n).into(), ratio, zeta, sheet);
         let factor = sheet.step(("M", n), "1", instrument.factor(ratio, zeta), why);
         let other = instrument.factor_of_square(ratio, zeta);
         sheet.check("the same from the square of the frequency ratio", other, factor);

@@ -24,6 +24,9 @@ pub enum Arrival {
     },
 }
 
+/// Common error of the stiffnesses.
+const BOTH_LIMITS: &str = "both limits, of acceleration and of travel, taken as reached";
+
 /// Every stiffness with which acceleration and travel stay within their limits.
 pub(super) fn solve<W: Worksheet>(
     mounts: &Mounts<W::Num>,
@@ -40,6 +43,10 @@ pub(super) fn solve<W: Worksheet>(
             sheet.step("v₀", "m/s", (mounts.gravity * *height * 2.0).sqrt(), "Final velocity of the fall")
         }
     };
+    if let Some(travel) = travel {
+        let by_travel = || (acceleration / travel).sqrt();
+        sheet.common_error("ω_A", BOTH_LIMITS, by_travel);
+    }
     let natural = sheet.step(
         "ω_A",
         "rad/s",
@@ -51,6 +58,8 @@ pub(super) fn solve<W: Worksheet>(
     );
     let stiffest =
         sheet.step("k_A", "N/m", mass * natural.powi(2), "Maximum stiffness, from the acceleration");
+    let constant = || velocity.powi(2) / (acceleration * 2.0);
+    sheet.common_error("x_A", "the deceleration assumed to be constant", constant);
     let least = sheet.step(
         "x_A",
         "mm",
@@ -69,6 +78,8 @@ pub(super) fn solve<W: Worksheet>(
     sheet.answer("travel", "Deflection of the stiffest mounts", least);
     let softest = travel.map(|travel| {
         let why = "Minimum stiffness, from the travel: ½ k d² = ½ m v₀²";
+        let as_force = || mass * acceleration / travel;
+        sheet.common_error("k_d", BOTH_LIMITS, as_force);
         let softest = sheet.step("k_d", "N/m", mass * (velocity / travel).powi(2), why);
         sheet.answer("least_stiffness", "Minimum total stiffness of the mounts", softest);
         sheet.check(

@@ -215,6 +215,13 @@ fn total<W: Worksheet>(
     sheet: W,
 ) -> Result<W::Num, Refusal> {
     sheet.keep_going()?;
+    if parts.len() > 1 {
+        let sizes = || W::Num::sum(parts.iter().map(|part| part.abs()));
+        sheet.common_error(names.total, "the root mean squares of the modes added as numbers", sizes);
+        let signed = || W::Num::sum(parts.iter().copied()).abs();
+        sheet.common_error(names.total, "the responses of the modes added with their signs", signed);
+        sheet.common_error(names.total, "the first mode alone counted", || parts[0].abs());
+    }
     let squares = W::Num::sum(parts.iter().map(|part| part.powi(2))).sqrt();
     let (value, size) = if !sum.coherent || parts.len() == 1 {
         (sheet.step(names.total, names.unit, squares, (names.why, RAO.at("ch. 14"))), squares.value().powi(2))

@@ -13,6 +13,10 @@ pub(super) struct Combined<N> {
     pub(super) cqc: N,
 }
 
+/// Common errors of a sum of modes.
+const SIGNED: &str = "the responses of the modes added with their signs";
+const FIRST_MODE: &str = "the first mode alone counted";
+
 /// Writes the three sums of the responses of modes.
 pub(super) fn combined<W: Worksheet>(
     parts: &[W::Num],
@@ -28,9 +32,13 @@ pub(super) fn combined<W: Worksheet>(
     let symbol = |base: &'static str| row.map_or(Symbol::from(base), |row| Symbol::from(base).row(row));
     let why =
         ("Absolute sum: all modes at their maximum at the same time, an upper bound", CHOPRA.at("§13.7"));
+    let signed = || W::Num::sum(parts.iter().copied()).abs();
+    sheet.common_error(symbol(abs), SIGNED, signed);
     let abs = sheet.step(symbol(abs), unit, W::Num::sum(parts.iter().map(|part| part.abs())), why);
     let why = ("Square root of the sum of squares (SRSS): well-separated modes", CHOPRA.at("§13.7"));
     let squares = W::Num::sum(parts.iter().map(|part| part.powi(2)));
+    sheet.common_error(symbol(srss), SIGNED, signed);
+    sheet.common_error(symbol(srss), FIRST_MODE, || parts[0].abs());
     let srss = sheet.step(symbol(srss), unit, squares.sqrt(), why);
     let mut terms: Vec<W::Num> = parts.iter().map(|part| part.powi(2)).collect();
     for i in 0..parts.len() {
@@ -42,6 +50,14 @@ pub(super) fn combined<W: Worksheet>(
         "Complete quadratic combination: with the correlation of closely spaced modes and the signs",
         CHOPRA.at("§13.7"),
     );
+    let with_cross = |term: &dyn Fn(usize, usize) -> W::Num| {
+        let pairs = (0..parts.len()).flat_map(|i| (i + 1..parts.len()).map(move |j| (i, j)));
+        (squares + W::Num::sum(pairs.map(|(i, j)| term(i, j)))).sqrt()
+    };
+    let unsigned = || with_cross(&|i, j| correlations[i][j] * (parts[i] * parts[j]).abs() * 2.0);
+    sheet.common_error(symbol(cqc), "the signs of the modes dropped in the cross terms", unsigned);
+    let once = || with_cross(&|i, j| correlations[i][j] * parts[i] * parts[j]);
+    sheet.common_error(symbol(cqc), "the cross term of each pair of modes counted only once", once);
     let cqc = sheet.step(symbol(cqc), unit, W::Num::sum(terms).sqrt(), why);
     sheet.verify(|| {
         let products = (0..parts.len()).flat_map(|i| (0..i).map(move |j| (i, j)));

@@ -103,6 +103,17 @@ pub(super) fn work<W: Worksheet>(
         W::Num::sum(arms().map(|(beta, angle)| beta * (order * angle).sin())),
         "Sum of their sine components",
     );
+    let star = |arms: Vec<(W::Num, W::Num)>| {
+        let part =
+            |of: fn(W::Num) -> W::Num| W::Num::sum(arms.iter().map(|(beta, phase)| *beta * of(*phase)));
+        (part(Real::cos).powi(2) + part(Real::sin).powi(2)).sqrt()
+    };
+    let aligned = || W::Num::sum(arms().map(|(beta, _)| beta.abs()));
+    sheet.common_error(("S", row), "the phase vectors added as numbers", aligned);
+    let equal = || star(arms().map(|(_, angle)| (W::Num::from(1.0), order * angle)).collect());
+    sheet.common_error(("S", row), "all cranks given the same amplitude, without the mode shape", equal);
+    let first = || star(arms().collect());
+    sheet.common_error(("S", row), "the firing angles not multiplied by the order", first);
     let sum = sheet.step(
         ("S", row),
         "1",
@@ -146,6 +157,8 @@ pub(super) fn work<W: Worksheet>(
             )
         }
     };
+    let of_shaft = || torque * sum / (speed.powi(2) * vibration.inertia);
+    sheet.common_error(("Θ₀", row), "the speed of the crankshaft used as the frequency", of_shaft);
     let equilibrium = sheet.step(
         ("Θ₀", row),
         "deg",
@@ -173,8 +186,12 @@ pub(super) fn work<W: Worksheet>(
         }
         CrankshaftDampingGiven::Cranks { coefficient } => {
             let squares = W::Num::sum(arms().map(|(beta, _)| beta.powi(2)));
+            let linear = || W::Num::sum(arms().map(|(beta, _)| beta));
+            sheet.common_error(("B", row), "the amplitudes not squared", linear);
             let squares =
                 sheet.step(("B", row), "1", squares, "Sum of the squared amplitudes of the damped cranks");
+            let of_shaft = || torque * sum / (*coefficient * speed * squares);
+            sheet.common_error(("Θ", row), "the speed of the crankshaft used as the frequency", of_shaft);
             let steady = torque * sum / (*coefficient * vibration.frequency * squares);
             let steady = sheet.step(("Θ", row), "deg", steady, (balance, DEN_HARTOG.at("ch. 5")));
             (steady, coefficient.value() * squares.value())
@@ -200,12 +217,12 @@ pub(super) fn work<W: Worksheet>(
     }
     let why = Text::new("Maximum vibratory torque in the crankshaft, behind {mass}")
         .with_text("mass", line.names[most].clone());
-    let largest = sheet.step(
-        Symbol::from("Q").row(row),
-        "N*m",
-        line.stiffnesses[most] * twist(most).abs() * steady,
-        why,
-    );
+    let applied = || torque * sum;
+    let symbol = Symbol::from("Q").row(row);
+    sheet.common_error(symbol, "the torques of the cylinders taken as the torque in the shaft", applied);
+    let slow = || line.stiffnesses[most] * twist(most).abs() * equilibrium;
+    sheet.common_error(symbol, "the equilibrium amplitude used in place of that at resonance", slow);
+    let largest = sheet.step(symbol, "N*m", line.stiffnesses[most] * twist(most).abs() * steady, why);
     sheet.answer(("shaft_torque", row), "Maximum torque in the crankshaft", largest);
     sheet.verify(|| {
         let inertias = || line.inertias[..=most].iter().zip(&vibration.shape).map(|(j, beta)| *j * *beta);

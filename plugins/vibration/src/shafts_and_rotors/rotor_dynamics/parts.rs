@@ -268,6 +268,8 @@ pub(super) fn disc<W: Worksheet>(
                     "the bore of a disc is not below its outer diameter: write the larger one as the outer",
                 ));
             }
+            let squared = || *density * (*outer - *bore).powi(2) * *width * std::f64::consts::PI / 4.0;
+            sheet.common_error(("m_d", n), "the square of the difference of the diameters taken", squared);
             let mass = sheet.step(
                 ("m_d", n),
                 "kg",
@@ -280,6 +282,9 @@ pub(super) fn disc<W: Worksheet>(
                 formula::polar(mass, *outer, *bore),
                 ("Moment of inertia of the disc about the axis", FRISWELL.at("app. 1")),
             );
+            let about_face = || polar / 2.0 + mass * width.powi(2) / 3.0;
+            let what = "the moment of inertia about a diameter of the face taken";
+            sheet.common_error(("I_d", n), what, about_face);
             let diametral = sheet.step(
                 ("I_d", n),
                 "kg*m^2",

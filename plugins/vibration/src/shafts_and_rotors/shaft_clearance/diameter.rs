@@ -51,6 +51,11 @@ impl ShaftClearance {
                 section::round_second_moment(diameter),
                 ("Second moment of area of the shaft to be checked", BEER.at("app. A")),
             );
+            let spread = || {
+                let bending = shaft_given.young * moment;
+                bending * shaft.mounting.spread_load() / shaft_given.length.powi(3)
+            };
+            sheet.common_error("k", "the deflection under a uniformly distributed load used", spread);
             let k = sheet.step(
                 "k",
                 "MN/m",
@@ -166,6 +171,8 @@ fn diameter_of<W: Worksheet>(
             ),
         ),
     };
+    let spread = || stiffness * length.powi(3) / (young * shaft.mounting.spread_load());
+    sheet.common_error(moment_symbol, "the deflection under a uniformly distributed load used", spread);
     let moment = sheet.step(moment_symbol, "cm^4", moment, why);
     let diameter = sheet.step(
         symbol,

@@ -67,6 +67,21 @@ impl ShaftClearance {
             ),
             (LimitedBy::Peak, None) => unreachable!("an undamped peak within the range was answered above"),
         };
+        match (by, zeta) {
+            (LimitedBy::LowestSpeed, _) => {
+                let other = || speeds[1];
+                sheet.common_error("ω_w", "the highest speed of the range taken as the worst", other);
+            }
+            (LimitedBy::HighestSpeed, _) => {
+                let other = || speeds[0];
+                sheet.common_error("ω_w", "the lowest speed of the range taken as the worst", other);
+            }
+            (LimitedBy::Peak, Some(zeta)) => {
+                let forced = || natural * sdof::magnification_peak_ratio(zeta);
+                sheet.common_error("ω_w", "the peak of the response to a constant force used", forced);
+            }
+            (LimitedBy::Peak, None) => {}
+        }
         let speed = sheet.step("ω_w", "rpm", speed, (how, RAO.at("§3.7")));
         let ratio =
             sheet.step("r", "1", sdof::frequency_ratio(speed, natural), "Frequency ratio at this speed");
@@ -75,6 +90,10 @@ impl ShaftClearance {
             Some(zeta) => whirl::eccentricity_from_amplitude(given.clearance, ratio, zeta),
             None => given.clearance * (one - ratio.powi(2)).abs() / ratio.powi(2),
         };
+        if let Some(zeta) = zeta {
+            let resonance = || given.clearance * zeta * 2.0;
+            sheet.common_error("e_R", "the amplitude at r = 1, e/(2ζ), used", resonance);
+        }
         let largest = sheet.step(
             "e_R",
             "mm",

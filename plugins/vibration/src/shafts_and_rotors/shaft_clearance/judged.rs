@@ -65,6 +65,8 @@ impl ShaftClearance {
             Some(c) => sdof::unbalance_amplitude(unbalance, k, given.mass, c, speed),
             None => unbalance * speed.powi(2) / (k - given.mass * speed.powi(2)).abs(),
         };
+        let slow = || unbalance * speed.powi(2) / k;
+        sheet.common_error("X_w", "the static deflection under the force m₀eω² taken", slow);
         let amplitude = sheet.step("X_w", "mm", amplitude, ("Its maximum amplitude", RAO.at("§3.7")));
         sheet.verify(|| {
             let ratio = speed / natural;

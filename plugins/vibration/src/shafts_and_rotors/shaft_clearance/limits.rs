@@ -29,7 +29,12 @@ pub(super) fn undamped_limits<W: Worksheet>(
         sheet.check("same limit evaluated over the whole speed range", k, kernel.into());
         k
     };
+    let one = W::Num::from(1.0);
     let soft = permitted.soft.map(|limit| {
+        let highest = || whirl::soft_limit_undamped(m, u, r, speeds[1]);
+        sheet.common_error("kₛ", "the highest speed of the range taken as the worst", highest);
+        let forced = || m * speeds[0].powi(2) / (one + u / (m * r));
+        sheet.common_error("kₛ", "the amplitude under a constant force, e/|1 − r²|, used", forced);
         let k = sheet.step(
             "kₛ",
             "MN/m",
@@ -39,6 +44,10 @@ pub(super) fn undamped_limits<W: Worksheet>(
         hold(k, speeds[0], limit.stiffness)
     });
     let stiff = permitted.stiff.map(|limit| {
+        let lowest = || whirl::stiff_limit_undamped(m, u, r, speeds[0]);
+        sheet.common_error("kₕ", "the lowest speed of the range taken as the worst", lowest);
+        let forced = || m * speeds[1].powi(2) / (one - u / (m * r));
+        sheet.common_error("kₕ", "the amplitude under a constant force, e/|1 − r²|, used", forced);
         let k = sheet.step(
             "kₕ",
             "MN/m",
@@ -69,6 +78,8 @@ pub(super) fn ratio_limits<W: Worksheet>(
         k
     };
     let soft = permitted.soft.map(|limit| {
+        let highest = || whirl::soft_limit(m, u, r, speeds[1], ratio);
+        sheet.common_error("kₛ", "the highest speed of the range taken as the worst", highest);
         let k = sheet.step(
             "kₛ",
             "MN/m",
@@ -81,6 +92,8 @@ pub(super) fn ratio_limits<W: Worksheet>(
         hold(k, speeds[0], limit.stiffness)
     });
     let stiff = permitted.stiff.map(|limit| {
+        let lowest = || whirl::stiff_limit(m, u, r, speeds[0], ratio);
+        sheet.common_error("kₕ", "the lowest speed of the range taken as the worst", lowest);
         let k = sheet.step(
             "kₕ",
             "MN/m",

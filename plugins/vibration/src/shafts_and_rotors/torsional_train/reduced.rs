@@ -129,12 +129,13 @@ pub(super) fn reduce<W: Worksheet>(
         station.inertia = match parts[..] {
             [] => None,
             [one] => Some(one),
-            _ => Some(sheet.step(
-                ("J_g", station.discs[0] + 1),
-                "kg*m^2",
-                W::Num::sum(parts),
-                "Meshing gears rotate together: their reduced moments of inertia add up",
-            )),
+            _ => {
+                let symbol = ("J_g", station.discs[0] + 1);
+                let unreduced = || W::Num::sum(station.discs.iter().filter_map(|disc| inertias[*disc]));
+                sheet.common_error(symbol, "the moments of inertia added without being reduced", unreduced);
+                let why = "Meshing gears rotate together: their reduced moments of inertia add up";
+                Some(sheet.step(symbol, "kg*m^2", W::Num::sum(parts), why))
+            }
         };
     }
     let mut links = Vec::new();

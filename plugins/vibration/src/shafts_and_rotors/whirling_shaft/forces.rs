@@ -3,9 +3,9 @@
 use dalembert_core::Worksheet;
 use dalembert_mechanics::Real;
 
-use super::{Rotor, ShaftAxisGiven, WhirlingShaft, WhirlingShaftGiven};
+use super::{Rotor, ShaftAxisGiven, ShaftSpeedGiven, WhirlingShaft, WhirlingShaftGiven};
 use crate::{
-    shared::jeffcott::{RotorShaft, RotorShaftGiven},
+    shared::jeffcott::{Mounting, RotorShaft, RotorShaftGiven},
     sources::{BEER, RAO, SHIGLEY},
 };
 
@@ -18,6 +18,19 @@ pub(super) fn forces<W: Worksheet>(
     amplitude: W::Num,
     sheet: W,
 ) {
+    let speed = || match &given.speed {
+        ShaftSpeedGiven::Given { speed } => *speed,
+        ShaftSpeedGiven::Multiple { ratio } => *ratio * rotor.natural,
+    };
+    let rigid = || rotor.mass * rotor.eccentricity * speed().powi(2);
+    sheet.common_error("F", "the shaft taken as rigid, with the force m e ω²", rigid);
+    if let Some(zeta) = rotor.damping_ratio {
+        let damped = || {
+            let damping = zeta * (speed() / rotor.natural) * 2.0;
+            rotor.stiffness * amplitude * (W::Num::from(1.0) + damping.powi(2)).sqrt()
+        };
+        sheet.common_error("F", "the damping force at the rotor added to the force of the shaft", damped);
+    }
     let force = sheet.step(
         "F",
         "N",
@@ -59,6 +72,14 @@ pub(super) fn forces<W: Worksheet>(
         return;
     };
     let total = largest.unwrap_or(force);
+    if *mounting == Mounting::ClampedPinned {
+        sheet.common_error("R_b", "half of the load taken at each bearing", || total / 2.0);
+        sheet.common_error("R_b", "the load on the pinned bearing taken", || total * 5.0 / 16.0);
+        let under = || total * *length * 5.0 / 32.0;
+        sheet.common_error("M", "the bending moment at the rotor used", under);
+        let pinned = || total * *length / 4.0;
+        sheet.common_error("M", "the bending moment of a simply supported shaft used", pinned);
+    }
     let reaction = sheet.step(
         "R_b",
         "N",

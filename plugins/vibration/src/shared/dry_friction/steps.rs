@@ -12,27 +12,8 @@ use dalembert_mechanics::{
     },
 };
 
-use super::{FrictionOscillator, FrictionUnits};
+use super::{FrictionSystem, common_errors};
 use crate::sources::{GROVER, RAO};
-
-/// The oscillator and what follows from its friction.
-pub(super) struct FrictionSystem<'t, N> {
-    pub(super) given: &'t FrictionOscillator<N>,
-    pub(super) units: FrictionUnits,
-    /// `F/k`
-    pub(super) offset: N,
-    /// `F_s/k`
-    pub(super) hold: N,
-    /// Of the viscous part; `None` where there is none.
-    pub(super) zeta: Option<N>,
-}
-
-impl<N> FrictionSystem<'_, N> {
-    /// Chooses what belongs to the motion of the body.
-    pub(super) fn of<T>(&self, translation: T, rotation: T) -> T {
-        self.units.motion.of(translation, rotation)
-    }
-}
 
 /// The first turning point.
 pub(super) struct First<N> {
@@ -70,6 +51,7 @@ pub(super) fn to_rest<W: Worksheet>(
         }
     };
     if more > 0.0 {
+        common_errors::half_cycles(system, first.amplitude, viscous, sheet);
         let needed = sheet.step(
             "n′",
             "1",
@@ -90,6 +72,8 @@ pub(super) fn to_rest<W: Worksheet>(
             ),
         }
         sheet.answer("strokes_exact", "Half-cycles to rest, before rounding up", needed);
+        let not_rounded = || first.time.map_or(needed * half, |begun| begun + needed * half);
+        sheet.common_error("t_R", "the number of half-cycles not rounded up", not_rounded);
     }
     let strokes =
         sheet.numerical("n", "1", more, ("Half-cycles to rest: that number rounded up", RAO.at("§2.9")));
@@ -99,7 +83,9 @@ pub(super) fn to_rest<W: Worksheet>(
             (first.amplitude + constant) * (-(strokes * (one / kept).ln())).exp() - constant
         }
     };
-    let position = if (more % 2.0 == 0.0) == first.positive { distance } else { -distance };
+    let is_positive = (more % 2.0 == 0.0) == first.positive;
+    let position = if is_positive { distance } else { -distance };
+    common_errors::rest(system, [first.amplitude, strokes], viscous, is_positive, sheet);
     let position =
         sheet.step(system.units.rest, system.units.displacement, position, ("Rest position", RAO.at("§2.9")));
     let run = strokes * half;
@@ -162,6 +148,8 @@ fn stroke<W: Worksheet>(system: &FrictionSystem<W::Num>, sheet: W) -> (W::Num, O
             W::Num::from(PI) / system.given.natural,
             "Duration of a half-cycle, from one turning point to the next",
         );
+        let what = "the friction loss of a half-cycle used for a whole cycle";
+        sheet.common_error(system.units.loss, what, || system.offset * 2.0);
         let loss = sheet.step(
             system.units.loss,
             system.units.displacement,
@@ -183,6 +171,8 @@ fn stroke<W: Worksheet>(system: &FrictionSystem<W::Num>, sheet: W) -> (W::Num, O
         sdof::damped_frequency(system.given.natural, zeta),
         ("Frequency of the half-cycles", RAO.at("§2.6")),
     );
+    let undamped = || W::Num::from(PI) / system.given.natural;
+    sheet.common_error("T/2", "the period without damping used", undamped);
     let half = sheet.step(
         "T/2",
         "s",
@@ -241,6 +231,7 @@ fn first_turning<W: Worksheet>(
             (y0.powi(2) + (speed / system.given.natural).powi(2)).sqrt(),
             ("Amplitude of the first half-cycle about that position", RAO.at("§2.9")),
         );
+        common_errors::first_turning(system, half, sheet);
         let turned = (speed / system.given.natural).atan2(y0) / system.given.natural;
         let turned = sheet.step("t₁", "s", turned, "First turning point after the start");
         let displacement = if forward { radius - system.offset } else { system.offset - radius };
@@ -398,6 +389,7 @@ pub(super) fn fall<W: Worksheet>(
             ((first.amplitude + constant) / (asked + constant)).ln() / ((W::Num::from(1.0) / kept).ln() * 2.0)
         }
     };
+    common_errors::fall(system, [first.amplitude, asked], first.viscous, sheet);
     let exact = sheet.step(
         "Nₐ′",
         "1",
@@ -511,6 +503,7 @@ pub(super) fn at_time<W: Worksheet>(
     let (x, v) = match system.zeta {
         None => {
             let angle = system.given.natural * lapse;
+            common_errors::state(system, time, [centre, from, angle], sheet);
             let (mut x, mut v) = (centre + from * angle.cos(), -(from * system.given.natural * angle.sin()));
             if let Some(speed) = speed {
                 x = x + speed / system.given.natural * angle.sin();

@@ -107,6 +107,9 @@ fn ends<W: Worksheet>(
         (Some(zeta), Some(share)) => whirl::speed_below(natural, share, zeta),
         _ => whirl::speed_below_undamped(natural, eccentricity, amplitude),
     };
+    let one = W::Num::from(1.0);
+    let forced = || natural * (one - eccentricity / amplitude).sqrt();
+    sheet.common_error("ω₁", "the amplitude under a constant force, e/|1 − r²|, used", forced);
     let below = sheet.step(
         "ω₁",
         "rpm",
@@ -128,6 +131,8 @@ fn ends<W: Worksheet>(
             (Some(zeta), Some(share)) => whirl::speed_above(natural, share, zeta),
             _ => whirl::speed_above_undamped(natural, eccentricity, amplitude),
         };
+        let forced = || natural * (one + eccentricity / amplitude).sqrt();
+        sheet.common_error("ω₂", "the amplitude under a constant force, e/|1 − r²|, used", forced);
         let above = sheet.step(
             "ω₂",
             "rpm",

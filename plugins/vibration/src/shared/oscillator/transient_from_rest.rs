@@ -115,6 +115,11 @@ impl<N: Real> BuildUp<N> {
             Wave::Cosine => deflection / 2.0 * angle * angle.sin(),
         };
         let why = "Without damping at the natural frequency the motion grows with the time";
+        sheet.common_error(
+            self.motion.displacement(),
+            "the envelope of the growing motion taken as the displacement",
+            || deflection / 2.0 * angle,
+        );
         let x = sheet.step(
             self.motion.displacement(),
             self.motion.displacement_unit(),
@@ -179,6 +184,13 @@ impl<N: Real> BuildUp<N> {
         } else {
             ("Displacement: steady-state motion and decaying free vibration", RAO.at("§3.4"))
         };
+        if zeta.value() != 0.0 {
+            sheet.common_error(
+                self.motion.displacement(),
+                "the frequency of the excitation used in the decay of the free vibration",
+                || steady + (-(zeta * self.frequency * time)).exp() * free,
+            );
+        }
         let x = sheet.step(self.motion.displacement(), self.motion.displacement_unit(), motion, why);
         (x, amplitude.value() + x0.value().abs() + b.value().abs())
     }

@@ -1,7 +1,7 @@
 //! The parts of a network of springs, linear or torsional.
 
 use dalembert_core::{Symbol, Text, Worksheet};
-use dalembert_mechanics::spring;
+use dalembert_mechanics::{Real, spring};
 
 use crate::sources::RAO;
 
@@ -81,6 +81,10 @@ impl<W: Worksheet> Build<'_, W> {
             SpringMotion::Translation => "Springs in series: the deflections add up",
             SpringMotion::Rotation => "Torsional springs in series: the angles of twist add up",
         };
+        if members.len() > 1 {
+            let added = || spring::parallel(members.iter().map(|member| member.stiffness));
+            self.common_error("the springs combined as if in parallel", &added);
+        }
         let k = self.step(spring::series(members.iter().map(|member| member.stiffness)), why);
         self.element(k, Joined::Series(members))
     }
@@ -90,6 +94,10 @@ impl<W: Worksheet> Build<'_, W> {
             SpringMotion::Translation => "Springs in parallel: the forces add up",
             SpringMotion::Rotation => "Torsional springs in parallel: the torques add up",
         };
+        if members.len() > 1 {
+            let chained = || spring::series(members.iter().map(|member| member.stiffness));
+            self.common_error("the springs combined as if in series", &chained);
+        }
         let k = self.step(spring::parallel(members.iter().map(|member| member.stiffness)), why);
         self.element(k, Joined::Parallel(members))
     }
@@ -103,11 +111,22 @@ impl<W: Worksheet> Build<'_, W> {
     ) -> Element<W::Num> {
         let ratio = self.sheet.step(symbol("i", self.place), "1", ratio, why);
         let behind = spring::parallel(members.iter().map(|member| member.stiffness));
+        let backwards = || behind / ratio.powi(2);
+        self.common_error("the stiffness reflected to the wrong side, by the inverse ratio", &backwards);
+        if members.len() > 1 {
+            let chained = || spring::series(members.iter().map(|member| member.stiffness));
+            let reflected = || spring::reflected_stiffness(chained(), ratio);
+            self.common_error("the springs combined as if in series", &reflected);
+        }
         let k = self.step(
             spring::reflected_stiffness(behind, ratio),
             "Both store the same energy, so the stiffness varies as the square of the ratio",
         );
         self.element(k, Joined::Through(ratio, members))
+    }
+
+    fn common_error(&self, what: &'static str, wrong: &dyn Fn() -> W::Num) {
+        self.sheet.common_error(symbol(self.motion.symbol(), self.place), what, wrong);
     }
 
     fn step(&self, stiffness: W::Num, why: &'static str) -> W::Num {

@@ -1,7 +1,7 @@
 //! The stiffness of single springs.
 
 use dalembert_core::{Reason, Refusal, Worksheet};
-use dalembert_mechanics::{Real, beam, sdof, spring};
+use dalembert_mechanics::{Real, beam, sdof, section, spring};
 
 use super::{SpringGiven, symbol};
 use crate::{
@@ -22,37 +22,62 @@ pub(super) fn stiffness<W: Worksheet>(
     let written = |k: W::Num, why: Reason| sheet.step(symbol("k", place), "kN/m", k, why);
     let modulus = |shear: &ShearModulusGiven<W>| shear_modulus(shear, sheet, symbol("G", place));
     let moment = |section: &SectionGiven<W>| second_moment(section, sheet, symbol("I", place));
+    let error = |what: &'static str, wrong: &dyn Fn() -> W::Num| {
+        sheet.common_error(symbol("k", place), what, wrong);
+    };
     let (k, why) = match given {
         SpringGiven::Stiffness { stiffness } => return Ok(*stiffness),
         SpringGiven::Equal { count, stiffness } => {
+            error("the springs combined as if in series", &|| *stiffness / *count);
             (*stiffness * *count, ("Equal springs side by side: their stiffnesses add up", RAO.at("§1.7")))
         }
-        SpringGiven::Cantilever { length, young, section } => (
-            beam::cantilever(*young, moment(section)?, *length),
-            ("Stiffness of a cantilever under a force at its end", RAO.at("§1.7")),
-        ),
+        SpringGiven::Cantilever { length, young, section } => {
+            let second = moment(section)?;
+            let spread = || *young * second * 8.0 / length.powi(3);
+            error("the deflection under a uniformly distributed load used", &spread);
+            (
+                beam::cantilever(*young, second, *length),
+                ("Stiffness of a cantilever under a force at its end", RAO.at("§1.7")),
+            )
+        }
         SpringGiven::SimplySupported { length, distance, young, section } => match distance {
-            None => (
-                beam::simply_supported_middle(*young, moment(section)?, *length),
-                ("Midspan stiffness of a simply supported beam", RAO.at("§1.7")),
-            ),
+            None => {
+                let second = moment(section)?;
+                let spread = || *young * second * 384.0 / (length.powi(3) * 5.0);
+                error("the deflection under a uniformly distributed load used", &spread);
+                (
+                    beam::simply_supported_middle(*young, second, *length),
+                    ("Midspan stiffness of a simply supported beam", RAO.at("§1.7")),
+                )
+            }
             Some(distance) => {
                 within(distance, length)?;
+                let second = moment(section)?;
+                let middle = || beam::simply_supported_middle(*young, second, *length);
+                error("the midspan formula used for a load that is elsewhere", &middle);
                 (
-                    beam::simply_supported(*young, moment(section)?, *length, *distance),
+                    beam::simply_supported(*young, second, *length, *distance),
                     ("Stiffness of a simply supported beam at the load", BEER.at("app. D")),
                 )
             }
         },
         SpringGiven::Clamped { length, distance, young, section } => match distance {
-            None => (
-                beam::clamped_clamped_middle(*young, moment(section)?, *length),
-                ("Midspan stiffness of a beam clamped at both ends", RAO.at("§1.7")),
-            ),
+            None => {
+                let second = moment(section)?;
+                let spread = || *young * second * 384.0 / length.powi(3);
+                error("the deflection under a uniformly distributed load used", &spread);
+                (
+                    beam::clamped_clamped_middle(*young, second, *length),
+                    ("Midspan stiffness of a beam clamped at both ends", RAO.at("§1.7")),
+                )
+            }
             Some(distance) => {
                 within(distance, length)?;
+                let second = moment(section)?;
+                let middle = || beam::clamped_clamped_middle(*young, second, *length);
+                error("the midspan formula used for a load that is elsewhere", &middle);
                 (
-                    beam::clamped_clamped(*young, moment(section)?, *length, *distance),
+                    beam::clamped_clamped(*young, second, *length, *distance),
                     ("Stiffness at the load of a beam clamped at both ends", SHIGLEY.at("table A-9")),
                 )
             }
@@ -67,8 +92,11 @@ pub(super) fn stiffness<W: Worksheet>(
             ),
             Some(distance) => {
                 within(distance, length)?;
+                let second = moment(section)?;
+                let middle = || beam::clamped_pinned_middle(*young, second, *length);
+                error("the midspan formula used for a load that is elsewhere", &middle);
                 (
-                    beam::clamped_pinned(*young, moment(section)?, *length, *distance),
+                    beam::clamped_pinned(*young, second, *length, *distance),
                     (
                         "Stiffness at the load of a beam clamped at one end and pinned at the other",
                         SHIGLEY.at("table A-9"),
@@ -76,10 +104,17 @@ pub(super) fn stiffness<W: Worksheet>(
                 )
             }
         },
-        SpringGiven::Overhang { length, overhang, young, section } => (
-            beam::overhang(*young, moment(section)?, *length, *overhang),
-            ("Stiffness of a beam at the end of its overhang", SHIGLEY.at("table A-9")),
-        ),
+        SpringGiven::Overhang { length, overhang, young, section } => {
+            let second = moment(section)?;
+            let clamped = || beam::cantilever(*young, second, *overhang);
+            error("the overhang taken as a cantilever clamped at its support", &clamped);
+            let whole = || beam::cantilever(*young, second, *length + *overhang);
+            error("the whole beam taken as a cantilever", &whole);
+            (
+                beam::overhang(*young, second, *length, *overhang),
+                ("Stiffness of a beam at the end of its overhang", SHIGLEY.at("table A-9")),
+            )
+        }
         SpringGiven::Column { length, young, section } => (
             beam::clamped_guided(*young, moment(section)?, *length),
             ("Stiffness of a fixed–guided column", RAO.at("§1.7")),
@@ -89,6 +124,11 @@ pub(super) fn stiffness<W: Worksheet>(
             (spring::axial(*young, area, *length), ("Axial stiffness of a bar", RAO.at("§1.7")))
         }
         SpringGiven::TaperedBar { length, young, first_diameter, second_diameter } => {
+            let uniform = |diameter: W::Num| spring::axial(*young, section::round_area(diameter), *length);
+            let mean = || uniform((*first_diameter + *second_diameter) / 2.0);
+            error("the mean diameter used, as for a uniform bar", &mean);
+            let mean_area = || (uniform(*first_diameter) + uniform(*second_diameter)) / 2.0;
+            error("the mean of the two end areas used, as for a uniform bar", &mean_area);
             let k = spring::tapered_axial(*young, *first_diameter, *second_diameter, *length);
             return Ok(written(k, "Axial stiffness of a tapered round bar".into()));
         }
@@ -102,10 +142,18 @@ pub(super) fn stiffness<W: Worksheet>(
             );
             (torsional / lever.powi(2), ("Stiffness at the end of the lever", RAO.at("§1.7")))
         }
-        SpringGiven::Helical { shear, wire_diameter, coil_diameter, coils } => (
-            spring::helical(modulus(shear), *wire_diameter, *coil_diameter, *coils),
-            ("Stiffness of a helical spring", RAO.at("§1.7")),
-        ),
+        SpringGiven::Helical { shear, wire_diameter, coil_diameter, coils } => {
+            let shear = modulus(shear);
+            let radius = || spring::helical(shear, *wire_diameter, *coil_diameter * 2.0, *coils);
+            error("the formula in terms of the coil radius used with the diameter", &radius);
+            let inner = || *coil_diameter - *wire_diameter;
+            let outer = || spring::helical(shear, *wire_diameter, inner(), *coils);
+            error("the mean diameter of the coils taken as the outer one", &outer);
+            (
+                spring::helical(shear, *wire_diameter, *coil_diameter, *coils),
+                ("Stiffness of a helical spring", RAO.at("§1.7")),
+            )
+        }
         SpringGiven::Deflected { load, deflection } => {
             (*load / *deflection, ("Stiffness: load over deflection", RAO.at("§1.7")))
         }
@@ -114,6 +162,12 @@ pub(super) fn stiffness<W: Worksheet>(
             ("Stiffness that gives this mass this natural frequency", RAO.at("§2.2")),
         ),
         SpringGiven::Leaf { young, leaves, breadth, thickness, span } => {
+            let second = |depth: W::Num| section::rectangle_second_moment(*breadth, depth);
+            let supported = |second: W::Num| beam::simply_supported_middle(*young, second, *span);
+            let uniform = || supported(second(*thickness) * *leaves);
+            error("the leaves taken as uniform beams, all of the whole span", &uniform);
+            let solid = || supported(second(*thickness * *leaves));
+            error("the leaves taken as one solid beam of their whole thickness", &solid);
             let k = spring::leaf(*young, *leaves, *breadth, *thickness, *span);
             return Ok(written(k, "Stiffness of a semi-elliptic leaf spring of uniform strength".into()));
         }
@@ -126,6 +180,10 @@ pub(super) fn stiffness<W: Worksheet>(
             return Ok(written(k, "Stiffness of a gas behind a piston".into()));
         }
         SpringGiven::TautString { tension, left, right } => {
+            let series = || *tension / (*left + *right);
+            error("the tension divided by the whole length", &series);
+            let middle = || *tension * 4.0 / (*left + *right);
+            error("the midspan formula used for a load that is elsewhere", &middle);
             let k = spring::taut_string(*tension, *left, *right);
             return Ok(written(k, "Stiffness of a taut string at the load".into()));
         }
@@ -138,6 +196,8 @@ pub(super) fn stiffness<W: Worksheet>(
             return Ok(written(k, "Buoyancy is the restoring force of a floating body".into()));
         }
         SpringGiven::UTube { density, area, gravity } => {
+            let one_side = || spring::buoyancy(*density, *gravity, *area);
+            error("the level taken to change on one side only", &one_side);
             let k = spring::u_tube(*density, *gravity, *area);
             return Ok(written(k, "The weight of the higher column restores the liquid level".into()));
         }

@@ -1,7 +1,7 @@
 //! Torsional springs: what brings a body back that turns about an axis, as one number `k_t`.
 
 use dalembert_core::{Inputs, Reason, Refusal, Worksheet};
-use dalembert_mechanics::{Real, beam, spring as kernel};
+use dalembert_mechanics::{Real, beam, section, spring as kernel};
 
 use super::{
     Spring, SpringGiven,
@@ -222,55 +222,105 @@ fn single<W: Worksheet>(
     let modulus = |shear: &ShearModulusGiven<W>| shear_modulus(shear, sheet, symbol("G", place));
     let moment = |section: &SectionGiven<W>| second_moment(section, sheet, symbol("I", place));
     let polar = |section: &ShaftSectionGiven<W>| polar_moment(section, sheet, symbol("I_p", place));
+    let error = |what: &'static str, wrong: &dyn Fn() -> W::Num| {
+        sheet.common_error(symbol("k_t", place), what, wrong);
+    };
     let (k, why): (W::Num, Reason) = match given {
         TorsionalSpringGiven::Stiffness { stiffness } => return Ok(*stiffness),
         TorsionalSpringGiven::Shaft { length, shear, section } => (
             kernel::torsional(modulus(shear), polar(section)?, *length),
             ("Torsional stiffness of a shaft", RAO.at("§1.7")).into(),
         ),
-        TorsionalSpringGiven::TaperedShaft { length, shear, first_diameter, second_diameter } => (
-            kernel::tapered_torsional(modulus(shear), *first_diameter, *second_diameter, *length),
-            "Torsional stiffness of a tapered round shaft".into(),
-        ),
-        TorsionalSpringGiven::Helical { young, wire_diameter, coil_diameter, coils } => (
-            kernel::helical_torsional(*young, *wire_diameter, *coil_diameter, *coils),
-            "Twisting a helical spring about its axis bends the wire".into(),
-        ),
+        TorsionalSpringGiven::TaperedShaft { length, shear, first_diameter, second_diameter } => {
+            let shear = modulus(shear);
+            let ends = [*first_diameter, *second_diameter];
+            let uniform = |polar: W::Num| kernel::torsional(shear, polar, *length);
+            let mean = || uniform(section::round_polar_moment((ends[0] + ends[1]) / 2.0));
+            error("the mean diameter used, as for a uniform shaft", &mean);
+            let mean_moment = || uniform(W::Num::sum(ends.map(section::round_polar_moment)) / 2.0);
+            error("the mean of the two end polar moments of area used, as for a uniform shaft", &mean_moment);
+            (
+                kernel::tapered_torsional(shear, *first_diameter, *second_diameter, *length),
+                "Torsional stiffness of a tapered round shaft".into(),
+            )
+        }
+        TorsionalSpringGiven::Helical { young, wire_diameter, coil_diameter, coils } => {
+            let twisted = || kernel::helical_torsional(*young, *wire_diameter, *coil_diameter, *coils) * 2.0;
+            error("the polar second moment of area of the wire used for its bending", &twisted);
+            (
+                kernel::helical_torsional(*young, *wire_diameter, *coil_diameter, *coils),
+                "Twisting a helical spring about its axis bends the wire".into(),
+            )
+        }
         TorsionalSpringGiven::Spiral { length, young, section } => (
             kernel::spiral(*young, moment(section)?, *length),
             ("Stiffness of a spiral spring", RAO.at("§1.7")).into(),
         ),
-        TorsionalSpringGiven::Cantilever { length, young, section } => (
-            beam::cantilever_tip_rotation(*young, moment(section)?, *length),
-            ("A couple at the tip of a cantilever rotates the tip by M L/(E I)", BEER.at("app. D")).into(),
-        ),
-        TorsionalSpringGiven::SimplySupported { length, young, section } => (
-            beam::simply_supported_end_rotation(*young, moment(section)?, *length),
-            ("A couple at the end of a simply supported beam rotates that end by M L/(3 E I)", BEER.at("app. D"))
-                .into(),
-        ),
-        TorsionalSpringGiven::ClampedPinned { length, young, section } => (
-            beam::clamped_pinned_end_rotation(*young, moment(section)?, *length),
-            "A couple at the pinned end of a beam clamped at the other end rotates the pinned end by M L/(4 E I)".into(),
-        ),
+        TorsionalSpringGiven::Cantilever { length, young, section } => {
+            let second = moment(section)?;
+            let force = || beam::cantilever(*young, second, *length) * length.powi(2);
+            error("the stiffness against a force at the tip used, times the length squared", &force);
+            let slope = || *young * second * 2.0 / *length;
+            error("the rotation of the tip under a force used in place of that under a moment", &slope);
+            (
+                beam::cantilever_tip_rotation(*young, second, *length),
+                ("A couple at the tip of a cantilever rotates the tip by M L/(E I)", BEER.at("app. D"))
+                    .into(),
+            )
+        }
+        TorsionalSpringGiven::SimplySupported { length, young, section } => {
+            let second = moment(section)?;
+            let clamped = || beam::clamped_pinned_end_rotation(*young, second, *length);
+            error("the far end of the beam taken as clamped", &clamped);
+            let far = || *young * second * 6.0 / *length;
+            error("the rotation of the far end used", &far);
+            (
+                beam::simply_supported_end_rotation(*young, second, *length),
+                (
+                    "A couple at the end of a simply supported beam rotates that end by M L/(3 E I)",
+                    BEER.at("app. D"),
+                )
+                    .into(),
+            )
+        }
+        TorsionalSpringGiven::ClampedPinned { length, young, section } => {
+            let second = moment(section)?;
+            let pinned = || beam::simply_supported_end_rotation(*young, second, *length);
+            error("the far end of the beam taken as pinned", &pinned);
+            let free = || beam::cantilever_tip_rotation(*young, second, *length);
+            error("the pinned end taken as free", &free);
+            (
+                beam::clamped_pinned_end_rotation(*young, second, *length),
+                "A couple at the pinned end of a beam clamped at the other end rotates the pinned end by M L/(4 E I)".into(),
+            )
+        }
         TorsionalSpringGiven::Arm { arm, members } => {
             let springs = |(n, member): (usize, &SpringGiven<W>)| {
                 super::network(member, sheet, &[place, &[n + 1]].concat()).map(|element| element.stiffness)
             };
             let springs = members.iter().enumerate().map(springs).collect::<Result<Vec<_>, _>>()?;
+            if springs.len() > 1 {
+                let chained = || arm.powi(2) * kernel::series(springs.iter().copied());
+                error("the springs combined as if in series", &chained);
+            }
             (
                 arm.powi(2) * kernel::parallel(springs),
-                ("A rotation θ deflects the springs by r θ, and their force has the arm r", RAO.at("§1.7")).into(),
+                ("A rotation θ deflects the springs by r θ, and their force has the arm r", RAO.at("§1.7"))
+                    .into(),
             )
         }
         TorsionalSpringGiven::Pendulum { mass, distance, gravity } => (
             kernel::pendulum_torsional(*mass, *gravity, *distance),
             "The weight exerts the restoring moment of a pendulum".into(),
         ),
-        TorsionalSpringGiven::Wires { mass, radius, length, gravity } => (
-            kernel::bifilar_stiffness(*mass, *gravity, *radius, *length),
-            "The wires lean by r θ/l and their tension, in total the weight, restores the body".into(),
-        ),
+        TorsionalSpringGiven::Wires { mass, radius, length, gravity } => {
+            let hung = || kernel::pendulum_torsional(*mass, *gravity, *length);
+            error("the body taken as a pendulum of the length of the wires", &hung);
+            (
+                kernel::bifilar_stiffness(*mass, *gravity, *radius, *length),
+                "The wires lean by r θ/l and their tension, in total the weight, restores the body".into(),
+            )
+        }
         TorsionalSpringGiven::Gears { .. }
         | TorsionalSpringGiven::Series { .. }
         | TorsionalSpringGiven::Parallel { .. } => {

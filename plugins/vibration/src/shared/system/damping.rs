@@ -9,6 +9,11 @@ use nalgebra::DMatrix;
 
 use crate::sources::RAO;
 
+/// Common errors of the coefficients of Rayleigh damping.
+pub(crate) const ONE_TERM: &str =
+    "the coefficient found from one mode, the other term of the damping left out";
+pub(crate) const MEAN_RATIO: &str = "the mean damping ratio used for both modes";
+
 /// Damping of the system.
 #[derive(Clone, Debug, Inputs)]
 pub enum SystemDamping {
@@ -150,12 +155,15 @@ pub(crate) fn decays<W: Worksheet>(
                 ));
             }
             let (z1, w1, z2, w2) = (*first_ratio, *first_frequency, *second_ratio, *second_frequency);
+            sheet.common_error("β", ONE_TERM, || z2 * 2.0 / w2);
+            sheet.common_error("β", MEAN_RATIO, || (z1 + z2) / (w1 + w2));
             let beta = sheet.step(
                 "β",
                 "s",
                 (z2 * w2 - z1 * w1) * 2.0 / (w2.powi(2) - w1.powi(2)),
                 ("Rayleigh damping has ζ = α/(2ω) + βω/2; from the two points", RAO.at("§6.15")),
             );
+            sheet.common_error("α", MEAN_RATIO, || (z1 + z2) * w1 * w2 / (w1 + w2));
             let alpha =
                 sheet.step("α", "1/s", z1 * w1 * 2.0 - beta * w1.powi(2), "From the first of the two points");
             if alpha.value() < 0.0 || beta.value() < 0.0 {

@@ -117,6 +117,12 @@ pub(crate) fn ratios<W: Worksheet>(
         if ratio.value() < 1.0 {
             let one = W::Num::from(1.0);
             let natural = *frequency;
+            let of_peak = || natural * (one - ratio.powi(2) * 2.0).sqrt();
+            sheet.common_error(
+                ("ω_d", mode + 1),
+                "the frequency of the largest steady amplitude used",
+                of_peak,
+            );
             let frequency = sheet.step(
                 ("ω_d", mode + 1),
                 "rad/s",
@@ -202,6 +208,9 @@ fn complex<W: Worksheet>(
             (real.powi(2) + damped.powi(2)).sqrt(),
             "Its modulus: natural frequency of the damped mode",
         );
+        let over_damped = || -real / damped;
+        let what = "the decay rate divided by the damped frequency";
+        sheet.common_error(("ζ", place), what, over_damped);
         let ratio = sheet.step(("ζ", place), "1", -real / natural, "Damping ratio of the damped mode");
         sheet.answer(("complex_frequency", place), "Natural frequency of the damped mode", natural);
         sheet.answer(("damped_frequency", place), "Damped frequency", damped);

@@ -49,6 +49,8 @@ pub(crate) fn solve<W: Worksheet>(
         return Err(unstable());
     }
     let frequency = |place: usize, square: W::Num| {
+        let uncoupled = || (if place == 1 { first.min(second) } else { first.max(second) }).sqrt();
+        sheet.common_error(("ω", place), "the coupling of the two coordinates neglected", uncoupled);
         sheet.step(("ω", place), "rad/s", square.sqrt(), ("Natural frequency", RAO.at("§5.3")))
     };
     let (lower, lowest) = if rigid {

@@ -7,6 +7,7 @@ use dalembert_mechanics::{
         LoadLaw, LoadSegment, Oscillator, OscillatorState, TransientMotion, TransientOutput,
     },
 };
+use dalembert_numerics::quadrature::integral;
 
 use super::{Excitation, ExcitationGiven, ForceSizeGiven, TorqueSizeGiven, cannot};
 use crate::{
@@ -85,6 +86,16 @@ impl<N: Real> LoadModel<N> {
             _ => piece.from,
         });
         if last.is_finite() { last } else { 0.0 }
+    }
+
+    /// Area under a pulse, over that of the rectangle about it.
+    pub(super) fn share(&self) -> Option<f64> {
+        let (size, duration) = (self.size?.value(), self.duration?.value());
+        let ends = self.pieces.iter().skip(1).map(|next| next.from).chain([duration]);
+        let area = |(piece, end): (&LoadSegment, f64)| {
+            integral(|time| piece.law.at(time - piece.from), [piece.from, end], 8)
+        };
+        Some(self.pieces.iter().zip(ends).map(area).sum::<f64>() / (size * duration))
     }
 
     /// Restoring displacement of spring and damper at a time, by the Duhamel integral over unit impulses.

@@ -52,6 +52,15 @@ pub(super) fn stress<W: Worksheet>(
         }
         _ => return Err(unknown()),
     };
+    match given {
+        SpringGiven::SimplySupported { length, distance: Some(_), .. } => {
+            sheet.common_error("M_b", "the moment of a load at midspan used", || force * *length / 4.0);
+        }
+        SpringGiven::Clamped { length, .. } => {
+            sheet.common_error("M_b", "the moment of a simply supported beam used", || force * *length / 4.0);
+        }
+        _ => {}
+    }
     let moment = sheet.step("M_b", "kN*m", moment, (why, BEER.at("app. D")));
     let second_moment = second_moment(section, sheet, Symbol::from("I_b"))?;
     let why = ("Bending stress at the extreme fibre", BEER.at("§4.4"));

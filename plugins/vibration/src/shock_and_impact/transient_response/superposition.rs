@@ -110,6 +110,9 @@ impl<'m, N: Real> Superposition<'m, N> {
             }
             None => (sum, ("Displacement of the free motion", RAO.at("§2.6"))),
         };
+        if instant.row.is_none() {
+            self.common_errors(terms, symbol, sheet);
+        }
         let x = sheet.step(symbol, unit, x, why);
         sheet.verify(|| {
             let what = "displacement by the exact recurrence over the pieces of the load";
@@ -117,6 +120,33 @@ impl<'m, N: Real> Superposition<'m, N> {
             self.hold_to_duhamel(time, x, sheet);
         });
         Ok(x)
+    }
+
+    /// Common errors in the largest displacement.
+    fn common_errors<W: Worksheet<Num = N>>(&self, terms: &[LoadTerm<N>], symbol: Symbol, sheet: W) {
+        let DampedOscillator { natural, ratio, .. } = self.system;
+        if let Some(size) = self.model.size {
+            let sudden = || size * 2.0;
+            sheet.common_error(
+                symbol,
+                "the factor 2 of an undamped system under a sudden load taken",
+                sudden,
+            );
+            if let Some(duration) = self.model.duration {
+                sheet.common_error(symbol, "the pulse treated as an impulse without duration", || {
+                    size * natural * duration * self.model.share().unwrap_or(f64::NAN)
+                });
+            }
+        } else if ratio.value() > 0.0 {
+            let part = |term: &LoadTerm<N>| match (&term.unit, &term.weight) {
+                (Unit::Impulse, Weight::Times(velocity)) => *velocity / natural,
+                (_, Weight::Times(displacement)) => *displacement,
+                _ => N::from(f64::NAN),
+            };
+            sheet.common_error(symbol, "the damping omitted", || {
+                N::sum(terms.iter().map(|term| part(term).powi(2))).sqrt()
+            });
+        }
     }
 
     /// The size of what is added up at a time, for the rounding of checks.

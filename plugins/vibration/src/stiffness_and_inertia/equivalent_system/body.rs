@@ -61,6 +61,10 @@ pub(super) fn terms<W: Worksheet>(
             "nothing brings the body back to its position: write a spring, or the weight of a hanging lever",
         ));
     }
+    if weights.is_some() && !springs.is_empty() {
+        let of_springs = || W::Num::sum(springs.iter().copied());
+        sheet.common_error("K_eq", "the moment of the weights neglected", of_springs);
+    }
     let stiffness = sheet.step(
         "K_eq",
         "N*m/rad",
@@ -108,6 +112,13 @@ fn lever<W: Worksheet>(
             );
             let why = ("Moment of inertia of the bar about the pivot: m L²/12 + m d²", RAO.at("§2.3"));
             let own = *mass * length.powi(2) / 12.0 + *mass * centre.powi(2);
+            let about_centre = || *mass * length.powi(2) / 12.0;
+            sheet.common_error("J_b", "the parallel-axis term omitted", about_centre);
+            let about_end = || *mass * length.powi(2) / 3.0;
+            sheet.common_error("J_b", "the moment of inertia about the end of the rod taken", about_end);
+            let added = || *mass * length.powi(2) / 3.0 + *mass * centre.powi(2);
+            let what = "the parallel-axis term added to the moment of inertia about the end";
+            sheet.common_error("J_b", what, added);
             inertias.push(sheet.step("J_b", "kg*m^2", own, why));
             moments.push(*mass * centre);
         }
@@ -158,6 +169,9 @@ fn rolling<W: Worksheet>(
     sheet: W,
 ) -> Result<(W::Num, Option<W::Num>), Refusal> {
     let own = shape.about_centre([mass, radius], sheet);
+    sheet.common_error("J_C", "the moment of inertia about the centre used for a rolling body", || own);
+    let translation = || mass * radius.powi(2);
+    sheet.common_error("J_C", "the kinetic energy of the rotation neglected", translation);
     let about = sheet.step(
         "J_C",
         "kg*m^2",
@@ -176,6 +190,12 @@ fn rolling<W: Worksheet>(
                 "The centre moves by r θ on a circle of radius R − r: moment of the weight for each radian",
                 RAO.at("§2.3"),
             );
+            let pendulum = || mass * *gravity * (*large - radius);
+            let what = "the angle of the body taken as that of its centre about the centre of the surface";
+            sheet.common_error("K_g", what, pendulum);
+            let full = || mass * *gravity * radius.powi(2) / *large;
+            let what = "the radius of the surface taken as that of the path of the centre";
+            sheet.common_error("K_g", what, full);
             let weight = mass * *gravity * radius.powi(2) / (*large - radius);
             Some(sheet.step("K_g", "N*m/rad", weight, why))
         }
@@ -201,6 +221,10 @@ fn with_cords<W: Worksheet>(own: W::Num, masses: &[CordMassGiven<W>], sheet: W) 
 fn spring_term<W: Worksheet>(n: usize, spring: &AttachedSpringGiven<W>, sheet: W) -> W::Num {
     match spring {
         AttachedSpringGiven::Linear { stiffness, arm, angle } => {
+            if let Some(angle) = angle {
+                let unsquared = || *stiffness * arm.powi(2) * angle.cos();
+                sheet.common_error(("K", n), "the cosine of the inclination not squared", unsquared);
+            }
             let (value, why) = match angle {
                 None => (
                     *stiffness * arm.powi(2),

@@ -32,6 +32,10 @@ pub(super) fn one_point<W: Worksheet>(
             "the period is that of a simple pendulum shorter than the distance to the centre of mass, which is impossible: write a longer period or a smaller distance",
         ));
     }
+    let simple = || mass * reduced.powi(2);
+    sheet.common_error("J_O", "the body taken as a simple pendulum of the equivalent length", simple);
+    let point = || mass * distance.powi(2);
+    sheet.common_error("J_O", "the body taken as a point mass at its centre", point);
     let about = sheet.step(
         "J_O",
         "kg*m^2",
@@ -96,6 +100,9 @@ pub(super) fn two_points<W: Worksheet>(
     }
     let [near, far] = match side {
         CentreSide::Between => {
+            let shared = || distance * first / (first + second);
+            let what = "the distance divided in proportion to the equivalent lengths";
+            sheet.common_error(("h", 1), what, shared);
             let near = sheet.step(
                 ("h", 1),
                 "mm",
@@ -121,6 +128,10 @@ pub(super) fn two_points<W: Worksheet>(
         ));
     }
     sheet.answer("centre", "Centre of mass from the first point", near);
+    let about = || mass * near * first;
+    sheet.common_error("J", "the moment of inertia about the first point taken", about);
+    let simple = || mass * near.powi(2);
+    sheet.common_error("J", "the body taken as a point mass at its centre", simple);
     let inertia = sheet.step(
         "J",
         "kg*m^2",

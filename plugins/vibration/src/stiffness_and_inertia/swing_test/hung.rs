@@ -36,6 +36,8 @@ pub(super) fn on_wires<W: Worksheet>(
                     "the wires are too short to reach from one circle to the other: write a larger length",
                 ));
             }
+            let what = "the length of the inclined wires taken as the vertical distance";
+            sheet.common_error("h", what, || length);
             sheet.step(
                 "h",
                 "mm",
@@ -65,6 +67,8 @@ pub(super) fn on_wires<W: Worksheet>(
                     empty,
                 );
             });
+            let body_alone = || of(mass * gravity, time);
+            sheet.common_error("J_s", "the weight of the platform omitted", body_alone);
             let both = sheet.step("J_s", "kg*m^2", of((mass + given.mass) * gravity, time), why);
             if alone.value() >= both.value() {
                 return Err(Refusal::because(
@@ -72,10 +76,18 @@ pub(super) fn on_wires<W: Worksheet>(
                 ));
             }
             sheet.answer("platform", "Moment of inertia of the platform", alone);
+            let body_alone = || of(mass * gravity, time) - of(mass * gravity, empty);
+            sheet.common_error("J", "the weight of the body alone taken with both periods", body_alone);
             let inertia = sheet.step("J", "kg*m^2", both - alone, "Contribution of the body to the platform");
             ((mass + given.mass, both), inertia)
         }
         _ => {
+            let pendulum = || mass * length * swing::reduced_length(gravity, time);
+            sheet.common_error("J", "the body taken as a pendulum of the length of the wires", pendulum);
+            if top.is_some() {
+                let upright = || swing::on_wires(mass * gravity, radius, radius, height, time);
+                sheet.common_error("J", "the wires taken as vertical, with the radius at the body", upright);
+            }
             let inertia = sheet.step("J", "kg*m^2", of(mass * gravity, time), why);
             ((mass, inertia), inertia)
         }
@@ -129,6 +141,12 @@ pub(super) fn on_torsion_wire<W: Worksheet>(
                 "The stiffness is the same: J/T² = (J + J_a)/T_a², so that J follows from the two periods",
                 RAO.at("§2.3"),
             );
+            let unsquared = || added * time / (longer - time);
+            sheet.common_error("J", "the periods used in place of their squares", unsquared);
+            let separate = || added * (time / longer).powi(2);
+            sheet.common_error("J", "the second period taken as that of the added inertia alone", separate);
+            let total = || added * longer.powi(2) / (longer.powi(2) - time.powi(2));
+            sheet.common_error("J", "the added inertia included in the result", total);
             let inertia =
                 sheet.step("J", "kg*m^2", added * time.powi(2) / (longer.powi(2) - time.powi(2)), why);
             let both = (inertia + added) * (4.0 * PI * PI) / longer.powi(2);
