@@ -275,10 +275,16 @@ impl VirtualPower {
     fn powers<W: Worksheet>(&self, given: &VirtualPowerGiven<W>, sheet: W) -> Vec<Load<W::Num>> {
         let mut loads = Vec::new();
         for (row, (force, this)) in self.forces.iter().zip(&given.forces).enumerate() {
+            let velocity = velocity_of(&force.point, &this.point, &given.bodies);
+            sheet.common_error(
+                ("P_F", row + 1),
+                "the magnitudes of force and velocity multiplied, without the angle between them",
+                || this.force.magnitude() * velocity.magnitude(),
+            );
             let power = sheet.step(
                 ("P_F", row + 1),
                 "W",
-                work::force_power(this.force, velocity_of(&force.point, &this.point, &given.bodies)),
+                work::force_power(this.force, velocity),
                 Named("Power of the force {name}", &force.name, RIUL.at("eqs. 1, 5")),
             );
             loads.push(Load { kind: Kind::Force, row, power });
@@ -299,6 +305,11 @@ impl VirtualPower {
                     "N",
                     work::weight(this.mass, given.gravity),
                     Named("Weight of {name}", &body.name, RIUL.at("example 1")),
+                );
+                sheet.common_error(
+                    ("P_W", row + 1),
+                    "the whole speed used for the weight, not its vertical part",
+                    || weight.magnitude() * this.velocity.magnitude(),
                 );
                 let power = sheet.step(
                     ("P_W", row + 1),
@@ -393,6 +404,11 @@ impl VirtualPower {
                     "1",
                     *given_direction / given_direction.magnitude(),
                     "Unit vector along the driving force",
+                );
+                sheet.common_error(
+                    "v",
+                    "the whole speed of the point used, not its part along the force",
+                    || velocity.magnitude(),
                 );
                 let rate = sheet.step(
                     "v",

@@ -102,6 +102,14 @@ impl Analysis for AFrame {
                     spread_part(*length * angle.cos()) * 2.0,
                     "Virtual increase of the restrained distance per unit δθ",
                 );
+                if let FootRestraint::Feet = self.held {
+                    let leaning = || (*weight + *load / 2.0) * angle.tan();
+                    sheet.common_error(
+                        "T",
+                        "the force of the floor on a foot taken along the ladder, as in a two-force member",
+                        leaning,
+                    );
+                }
                 let force =
                     sheet.step("T", "N", (*weight + *load) * fall / apart, (reason, RIUL.at("eq. 3")));
                 match self.held {
@@ -111,6 +119,14 @@ impl Analysis for AFrame {
                 (*angle, force)
             }
             AFrameUnknownGiven::Angle { force } => {
+                if let FootRestraint::Feet = self.held {
+                    let leaning = || *force / (*weight + *load / 2.0);
+                    sheet.common_error(
+                        "tan θ",
+                        "the force of the floor on a foot taken along the ladder, as in a two-force member",
+                        leaning,
+                    );
+                }
                 let slope = sheet.step(
                     "tan θ",
                     "1",

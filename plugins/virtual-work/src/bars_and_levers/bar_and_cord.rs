@@ -132,6 +132,9 @@ impl Shapes for BarAndCord {
             cord(lengths, angle),
             "Length of the cord between bar and pulley, by the law of cosines",
         );
+        let attachment = lengths[1];
+        sheet.common_error(("s′", n), "the cord taken as perpendicular to the bar", || -attachment);
+        sheet.common_error(("s′", n), "the cord taken as vertical", || -(attachment * angle.cos()));
         let s1 = sheet.step(
             ("s′", n),
             "m",

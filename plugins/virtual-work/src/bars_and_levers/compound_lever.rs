@@ -152,6 +152,12 @@ impl Analysis for CompoundLever {
             [only] => only,
             _ => sheet.step("ΣU", "N*m", W::Num::sum(works.iter().copied()), "Virtual work of all loads"),
         };
+        let moments = || {
+            W::Num::sum(given.loads.iter().map(|load| match &load.kind {
+                LoadKindGiven::Force { force, arm } => *force * *arm,
+                LoadKindGiven::Couple { couple } => *couple,
+            }))
+        };
         let reason = ("The total virtual work is zero", RIUL.at("eq. 3"));
         let still = || {
             Refusal::because(
@@ -172,6 +178,13 @@ impl Analysis for CompoundLever {
                 if way.value() == 0.0 {
                     return Err(still());
                 }
+                if !self.links.is_empty() {
+                    sheet.common_error(
+                        "P",
+                        "all moments balanced as on one lever, without the ratios of the links",
+                        || -moments() / *arm,
+                    );
+                }
                 let force = sheet.step("P", "N", -total / way, reason);
                 sheet.answer("force", "Equilibrant force", force);
                 (force, way)
@@ -188,6 +201,13 @@ impl Analysis for CompoundLever {
                     return Err(still());
                 }
                 let couple = if lever == 1 { -total } else { -total / way };
+                if !self.links.is_empty() {
+                    sheet.common_error(
+                        "M_P",
+                        "all moments balanced as on one lever, without the ratios of the links",
+                        || -moments(),
+                    );
+                }
                 let couple = sheet.step("M_P", "N*m", couple, reason);
                 sheet.answer("couple", "Equilibrant couple", couple);
                 (couple, way)
@@ -241,6 +261,11 @@ impl CompoundLever {
                 None => ratio,
                 Some(before) => *before * ratio,
             };
+            if let Some(before) = turns.last() {
+                sheet.common_error(("φ", row + 2), "the ratios of the links added, not multiplied", || {
+                    *before + ratio
+                });
+            }
             turns.push(sheet.step(
                 ("φ", row + 2),
                 "1",

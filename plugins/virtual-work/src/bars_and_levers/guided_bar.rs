@@ -14,7 +14,7 @@ pub use crate::shared::one_degree_of_freedom::Position;
 use crate::{
     shared::{
         equilibria::down,
-        one_degree_of_freedom::{PotentialTerm, Shapes, SingleDofMachine, spring, weight},
+        one_degree_of_freedom::{PotentialTerm, Shapes, SingleDofMachine, sine_error, spring, weight},
     },
     sources::{BEER, HIBBELER, RIUL},
 };
@@ -177,6 +177,12 @@ impl Shapes for GuidedBar {
             }
         }
         shapes
+    }
+
+    fn common_errors<W: Worksheet>(&self, lengths: &[W::Num], angle: W::Num, sheet: W) {
+        if let GuidedSpring::Horizontal { .. } = self.spring {
+            sine_error([lengths[1], lengths[2], angle], sheet);
+        }
     }
 }
 

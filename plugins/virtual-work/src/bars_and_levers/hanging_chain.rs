@@ -92,6 +92,16 @@ impl Analysis for HangingChain {
             let own = given.bars[row].weight / 2.0;
             let under = given.bars[row + 1..].iter().map(|bar| bar.weight).chain([given.vertical]);
             let under = under.filter(|pull| pull.value() != 0.0);
+            let weights = || given.bars.iter().map(|bar| bar.weight);
+            let above = || W::Num::sum([own].into_iter().chain(weights().take(row)).chain([given.vertical]));
+            let halves =
+                || W::Num::sum(weights().skip(row).map(|weight| weight / 2.0).chain([given.vertical]));
+            sheet.common_error(
+                ("G", row + 1),
+                "the weights of the bars above counted in place of those below",
+                above,
+            );
+            sheet.common_error(("G", row + 1), "half the weight of each bar below counted", halves);
             pulls.push(sheet.step(
                 ("G", row + 1),
                 "N",

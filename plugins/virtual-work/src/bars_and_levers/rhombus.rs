@@ -15,7 +15,7 @@ use crate::{
     shared::{
         equilibria::down,
         figure,
-        one_degree_of_freedom::{PotentialTerm, Shapes, SingleDofMachine, spring, weight},
+        one_degree_of_freedom::{PotentialTerm, Shapes, SingleDofMachine, sine_error, spring, weight},
     },
     sources::{BEER, HIBBELER, RIUL},
 };
@@ -131,6 +131,12 @@ impl Shapes for Rhombus {
             Across::Height => spring([high, -wide, -high], l * free.cos() * 2.0),
         };
         vec![[-(l * cos * 4.0), l * sin * 4.0, l * cos * 4.0], [-high, wide, high], stretch]
+    }
+
+    fn common_errors<W: Worksheet>(&self, lengths: &[W::Num], angle: W::Num, sheet: W) {
+        if let Across::Sides = self.across {
+            sine_error([lengths[0] * 2.0, lengths[1], angle], sheet);
+        }
     }
 }
 

@@ -87,6 +87,14 @@ impl Analysis for RobervalBalance {
         let right = match given.right_mass {
             Some(mass) => {
                 let right = sheet.step("W₂", "N", mass * *gravity, "Weight on the right pan");
+                let as_lever = || {
+                    (right * (*right_arm + *right_offset) - left * (*left_arm + *left_offset)) * angle.cos()
+                };
+                sheet.common_error(
+                    "T",
+                    "the offsets of the masses added to the arms, as on a plain lever",
+                    as_lever,
+                );
                 let couple = sheet.step(
                     "T",
                     "N*m",
@@ -101,6 +109,12 @@ impl Analysis for RobervalBalance {
                 if angle.value().cos() < 1e-12 {
                     return Err(Refusal::because("the beams are vertical: no weight does virtual work"));
                 }
+                let as_lever = || left * (*left_arm + *left_offset) / (*right_arm + *right_offset);
+                sheet.common_error(
+                    "W₂",
+                    "the offsets of the masses added to the arms, as on a plain lever",
+                    as_lever,
+                );
                 let right = sheet.step(
                     "W₂",
                     "N",
@@ -117,11 +131,21 @@ impl Analysis for RobervalBalance {
             }
         };
         let pull = |weight: W::Num, offset: W::Num| weight * offset / *height;
+        sheet.common_error(
+            "H₁",
+            "the moment of the weight taken about the pivot of the beams, not about its stem",
+            || pull(left, *left_arm + *left_offset),
+        );
         let left_force = sheet.step(
             "H₁",
             "N",
             pull(left, *left_offset),
             "Pull of the left stem on the upper beam and push on the lower one: they hold the stem vertical against W₁ e₁",
+        );
+        sheet.common_error(
+            "H₂",
+            "the moment of the weight taken about the pivot of the beams, not about its stem",
+            || pull(right, *right_arm + *right_offset),
         );
         let right_force = sheet.step(
             "H₂",

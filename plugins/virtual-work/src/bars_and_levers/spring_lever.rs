@@ -295,6 +295,10 @@ impl SpringLever {
         sheet: W,
     ) -> Result<(f64, f64), Refusal> {
         let [energy, unit, second] = law.unit_spring(1, angle, sheet);
+        if let Geometry::Sides { height } = law.geometry {
+            let small = || height.powi(2) * angle * 2.0;
+            sheet.common_error("u′", "the stretch and its arm taken as at small angles", small);
+        }
         let unit = sheet.step(
             "u′",
             if matches!(law.geometry, Geometry::Torsion { .. }) { "rad" } else { "mm^2" },
@@ -423,6 +427,7 @@ impl SpringLever {
         let bend = match &law.geometry {
             Geometry::Points { on_arm, fixed, between, .. } => {
                 let rate = law::rate(*on_arm, *fixed, *between, law::length(*on_arm, *fixed, *between));
+                sheet.common_error("s′₀", "the spring taken as perpendicular to the arm", || *on_arm);
                 sheet.step("s′₀", "mm", rate, "Derivative of the spring length at θ = 0").powi(2)
             }
             Geometry::Torsion { .. } => W::Num::from(1.0),

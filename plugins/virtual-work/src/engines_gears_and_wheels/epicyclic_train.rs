@@ -174,6 +174,16 @@ impl Analysis for EpicyclicTrain {
         };
         let why =
             "Ratio with the arm fixed: ring (or second sun) over sun; each external mesh reverses the sense";
+        if let Gears::Simple { .. } = self.gears {
+            sheet.common_error(
+                "e",
+                "the ratio of sun and planet used in place of that of sun and ring",
+                || -(zs / first),
+            );
+        } else {
+            let idler = || if let Gears::Suns { .. } = self.gears { zs / zr } else { -(zs / zr) };
+            sheet.common_error("e", "the compound planet taken as an idler", idler);
+        }
         let held = sheet.step("e", "1", value, (why, NORTON.at("ch. 9")));
         if driven_is_stuck(self.fixed, held.value()) {
             return Err(Refusal::because(
@@ -195,6 +205,13 @@ impl Analysis for EpicyclicTrain {
             Member::Ring => "Willis, ω_R − ω_A = e (ω_S − ω_A), with the ring fixed: driven over driver",
             Member::Arm => "Willis, ω_R − ω_A = e (ω_S − ω_A), with the arm fixed: driven over driver",
         };
+        if self.fixed != Member::Arm {
+            let as_fixed_axes = || match (self.fixed, self.driver) {
+                (Member::Ring, Member::Sun) | (Member::Sun, Member::Arm) => held,
+                _ => one / held,
+            };
+            sheet.common_error("i", "the ratio of the train with its arm fixed used", as_fixed_axes);
+        }
         let inner = sheet.step("i", "1", ratio, (why, SHIGLEY.at("ch. 9")));
         let (mut total, mut driver_speed) = (inner, given.speed);
         if let Some(pinion) = &self.pinion {
@@ -223,6 +240,11 @@ impl Analysis for EpicyclicTrain {
         let planet = sheet.numerical(symbol("z", "P"), "1", size, "Teeth of the planet on the sun");
         let against = if self.fixed == Member::Sun {
             let why = "Speed of the planet relative to the arm: it rolls on the fixed sun";
+            sheet.common_error(
+                symbol("ω", "P/A"),
+                "the absolute speed of the planet taken, not that relative to the arm",
+                || arm * zs / planet + arm,
+            );
             let against = sheet.step(symbol("ω", "P/A"), "rpm", arm * zs / planet, why);
             sheet.answer("planet_speed", "Speed of the planet relative to the arm", against);
             against
@@ -230,6 +252,13 @@ impl Analysis for EpicyclicTrain {
             let sun = speed_of(Member::Sun);
             let relative = if self.fixed == Member::Arm { sun } else { sun - arm };
             let why = "Speed of the planet relative to the arm: it meshes with the sun";
+            if self.fixed != Member::Arm {
+                sheet.common_error(
+                    symbol("ω", "P/A"),
+                    "the absolute speed of the planet taken, not that relative to the arm",
+                    || arm - relative * zs / planet,
+                );
+            }
             let against = sheet.step(symbol("ω", "P/A"), "rpm", -(relative * zs / planet), why);
             sheet.answer("planet_speed", "Speed of the planet relative to the arm", against);
             against
@@ -255,6 +284,13 @@ impl Analysis for EpicyclicTrain {
             }
         };
         let why = "Equilibrium of the three torques on sun, ring and arm: holding torque of the fixed member";
+        if self.pinion.is_some() {
+            sheet.common_error(
+                symbol("T", "fix"),
+                "the torque on the pinion shaft taken for that on the driving member",
+                || -(input + load),
+            );
+        }
         let holding = sheet.step(symbol("T", "fix"), "N*m", -(on_driver + load), (why, BEVAN.at("ch. 12")));
         sheet.answer("holding_torque", "Holding torque of the fixed member", holding);
         let power = sheet.step("P", "W", input * given.speed, "Power of the driving shaft");

@@ -106,6 +106,7 @@ impl Analysis for EquivalentRod {
             "Length of the simple pendulum equivalent to the rod about the gudgeon pin",
         );
         let cite = KHURMI.at("ch. 15");
+        sheet.common_error("b′", "the length of the pendulum, from the gudgeon pin, taken", || pendulum);
         let conjugate = sheet.step(
             "b′",
             "mm",
@@ -115,12 +116,15 @@ impl Analysis for EquivalentRod {
                 cite,
             ),
         );
+        let words = "the length of the rod used in place of the distance between the masses";
+        sheet.common_error("m₁", words, || mass * conjugate / length);
         let first = sheet.step(
             "m₁",
             "kg",
             equivalent::share(mass, near, conjugate),
             ("Mass at the gudgeon pin: total mass and centre of mass are preserved", cite),
         );
+        sheet.common_error("m₂", words, || mass * near / length);
         let second =
             sheet.step("m₂", "kg", equivalent::share(mass, conjugate, near), ("The other mass", cite));
         let gudgeon = sheet.step(
@@ -131,6 +135,13 @@ impl Analysis for EquivalentRod {
         );
         let crank_pin =
             sheet.step("m_c", "kg", equivalent::share(mass, far, near), ("Mass at the crank pin", cite));
+        let pins = || mass * near * far;
+        sheet.common_error("ΔI", "the rod taken as a uniform bar, m l²/12", || {
+            mass * length.powi(2) / 12.0 - pins()
+        });
+        sheet.common_error("ΔI", "the moment of inertia of the rod about its gudgeon pin used", || {
+            mass * (radius.powi(2) + near.powi(2)) - pins()
+        });
         let missing = sheet.step(
             "ΔI",
             "kg*m^2",
@@ -224,6 +235,11 @@ impl EquivalentRod {
                 }
                 let why =
                     "Both oscillations give the same radius of gyration: a (L_g − a) = (l − a)(L_c − l + a)";
+                sheet.common_error(
+                    "a",
+                    "the rod divided in proportion to the lengths of the two pendulums",
+                    || span * first / (first + second),
+                );
                 let distance = sheet.step("a", "mm", span * over / sum, why);
                 sheet.answer("centre", "Distance of the centre of mass from the gudgeon pin", distance);
                 if first.value() < distance.value() {

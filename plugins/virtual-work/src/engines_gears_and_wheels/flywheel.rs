@@ -188,6 +188,17 @@ impl Analysis for Flywheel {
                     "Moment of inertia: the energy ½ I (ω₁² − ω₂²) = I ω² C_s absorbs the fluctuation",
                     cite,
                 );
+                let of_range = || energy * 2.0 / (given.speed * *fluctuation).powi(2);
+                let below_given = || {
+                    let slow = W::Num::from(1.0) - *fluctuation;
+                    energy * 2.0 / (square * (W::Num::from(1.0) - slow.powi(2)))
+                };
+                sheet.common_error(
+                    "I_F",
+                    "the energy of the difference of the speeds, ½ I (ω₁ − ω₂)², used",
+                    of_range,
+                );
+                sheet.common_error("I_F", "the given speed taken as the maximum speed", below_given);
                 let inertia = sheet.step("I_F", "kg*m^2", energy / (square * *fluctuation), why);
                 if let Some(radius) = radius {
                     let mass = sheet.step("m_F", "kg", inertia / radius.powi(2), "Mass of the flywheel");
@@ -199,6 +210,15 @@ impl Analysis for Flywheel {
             FlywheelUnknownGiven::Fluctuation { inertia } => {
                 let inertia = inertia.moment(sheet);
                 let why = ("Coefficient of fluctuation of speed, from I ω² C_s = ΔE", cite);
+                let of_range = || (energy * 2.0 / inertia).sqrt() / given.speed;
+                let below_given =
+                    || W::Num::from(1.0) - (W::Num::from(1.0) - energy * 2.0 / (inertia * square)).sqrt();
+                sheet.common_error(
+                    "C_s",
+                    "the energy of the difference of the speeds, ½ I (ω₁ − ω₂)², used",
+                    of_range,
+                );
+                sheet.common_error("C_s", "the given speed taken as the maximum speed", below_given);
                 (inertia, sheet.step("C_s", "%", energy / (inertia * square), why))
             }
         };
@@ -395,6 +415,17 @@ fn fluctuation<W: Worksheet>(curved: &Curved, speed: W::Num, mean: W::Num, done:
     );
     let least_work =
         sheet.numerical("E₂", "J", least.1, "Minimum of the same work: the speed is minimum there");
+    if cycle.crossings.len() > 2 {
+        let areas = || {
+            let works = &cycle.crossings;
+            (0..works.len()).map(move |n| works[(n + 1) % works.len()].1 - works[n].1)
+        };
+        let of_range = |area: f64| (most_work - least_work) * (area / (most.1 - least.1));
+        let largest = || of_range(areas().map(f64::abs).fold(0.0, f64::max));
+        let above = || of_range(areas().filter(|area| *area > 0.0).sum());
+        sheet.common_error("ΔE", "the largest single area between the moment and the load taken", largest);
+        sheet.common_error("ΔE", "all areas above the load added up", above);
+    }
     let energy =
         sheet.step("ΔE", "J", most_work - least_work, ("Fluctuation of energy", KHURMI.at("ch. 16")));
     let power = sheet.step("P", "kW", mean * speed, "Mean power");
@@ -463,6 +494,12 @@ fn energy_of_areas<W: Worksheet>(
     let most_area = sheet.step("A_max", "mm^2", sum(most), why);
     let why = "Minimum cumulative area, at a crossing";
     let least_area = sheet.step("A_min", "mm^2", sum(least), why);
+    if given.len() > 2 {
+        let largest = || given.iter().fold(given[0].abs(), |most, area| most.max(area.abs())) * scale;
+        let above = || W::Num::sum(given.iter().copied().filter(|area| area.value() > 0.0)) * scale;
+        sheet.common_error("ΔE", "the largest single area between the moment and the load taken", largest);
+        sheet.common_error("ΔE", "all areas above the load added up", above);
+    }
     let energy = sheet.step(
         "ΔE",
         "J",

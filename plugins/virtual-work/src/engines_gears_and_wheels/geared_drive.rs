@@ -189,6 +189,8 @@ impl Analysis for GearedDrive {
             "Inertia referred to the driven shaft: the load drives the motor, and the gears take 1/η"
         };
         let cite = KHURMI.at("ch. 3");
+        let on_motor = || shaft.inertia / ratio.powi(2) + motor_inertia;
+        sheet.common_error("I_e", "the inertias referred to the motor shaft", on_motor);
         let total =
             sheet.step("I_e", "kg*m^2", shaft.inertia + ratio.powi(2) * motor_inertia * gain, (words, cite));
         let (torque, acceleration) = match given.sought {
@@ -222,6 +224,11 @@ impl Analysis for GearedDrive {
         }
         let passed = shaft.inertia * acceleration;
         let why = "Torque of the gears on the driven shaft";
+        sheet.common_error(
+            "T_g",
+            "the motor torque times the ratio taken, the inertia of the motor neglected",
+            || ratio * gain * torque,
+        );
         let passed = sheet.step("T_g", "N*m", load.map_or(passed, |load| passed + load), why);
         sheet.answer("gear_torque", "Torque of the gears, driven shaft", passed);
         sheet.verify(|| {
@@ -240,6 +247,7 @@ impl Analysis for GearedDrive {
             sheet.check_sum(what, motor_inertia * fast, own, size / self.ratio);
         });
         if let Some(speed) = given.speed {
+            sheet.common_error("P", "the power on the driven shaft taken", || passed * speed);
             let power = sheet.step("P", "kW", torque * ratio * speed, "Power of the motor at that speed");
             sheet.answer("power", "Power of the motor at that speed", power);
             sheet.check_sum(

@@ -169,6 +169,9 @@ impl Analysis for RollingDisc {
         sheet.answer("normal_force", "Normal force of the floor", normal);
         if normal.value() > 0.0 {
             let needed = friction.abs() / normal;
+            sheet.common_error("μ", "the normal force taken as the weight alone", || {
+                friction.abs() / (given.mass * given.gravity)
+            });
             let needed = sheet.step("μ", "1", needed, "Minimum coefficient of friction to prevent slip");
             sheet.answer("needed_friction", "Minimum coefficient of friction to prevent slip", needed);
             sheet.verify(|| {
@@ -237,6 +240,7 @@ impl Template for RollingDisc {
         let position = sheet.step("x", "mm", position, "Position of the centre of the disc");
         let why = "Virtual displacement of the centre for δθ_2 = 1";
         let shift = -(r * (two - three).sin()) / three.cos();
+        sheet.common_error("u", "the obliquity of the rod neglected", || -(r * two.sin()));
         let shift = sheet.step("u", "mm", shift, (why, SHIGLEY.at("ch. 3")));
         let (mut velocity, mut acceleration) = (zero, zero);
         if self.moves() {
@@ -248,6 +252,13 @@ impl Template for RollingDisc {
             let why = ("Angular acceleration of the rod", SHIGLEY.at("ch. 4"));
             let bent = sheet.step(symbol("α", "3"), "rad/s^2", bent, why);
             let value = loops::slider_acceleration(r, l, two, three, speed, turning, alpha, bent);
+            let first = || -(r * speed.powi(2) * two.cos()) - r * alpha * two.sin();
+            let second = || {
+                let doubled = two * 2.0;
+                r.powi(2) / l * (speed.powi(2) * doubled.cos() + alpha * doubled.sin() / 2.0)
+            };
+            sheet.common_error("a", "the obliquity of the rod neglected", first);
+            sheet.common_error("a", "the approximate formula of two terms used", || first() - second());
             acceleration = sheet.step(
                 "a",
                 "m/s^2",
@@ -274,6 +285,12 @@ impl Template for RollingDisc {
         works.mass(FOUR, given.mass, disc);
         let (square, why) = self.gyration(given);
         if self.moves() && square.value() > 0.0 && self.mass > 0.0 {
+            let about_contact = || given.mass * (square + given.radius.powi(2));
+            sheet.common_error(
+                "I",
+                "the moment of inertia about the contact point used together with the translation",
+                about_contact,
+            );
             let inertia = sheet.step("I", "kg*m^2", given.mass * square, why);
             let why = "Virtual work of the inertia couple: the disc turns by −u/R, α = −a/R";
             let work = -(inertia * acceleration * shift) / given.radius.powi(2);

@@ -311,6 +311,11 @@ impl Template for FiveBar {
                 let shift = first.shift + second.shift * gear;
                 let shift = sheet.step_vector(symbol("u", "P"), "mm", shift, (why, SHIGLEY.at("ch. 3")));
                 let why = "Torque on the first crank: T_2 δθ_2 + F · u_P = 0";
+                sheet.common_error(
+                    symbol("T", "2"),
+                    "the magnitudes of force and displacement multiplied, without the angle between them",
+                    || -(force.magnitude() * shift.magnitude()),
+                );
                 let torque =
                     sheet.step(symbol("T", "2"), "N*m", -(force.dot(shift)), (why, RIUL.at("eq. 1")));
                 let [x, y, _] = force.components();
@@ -318,9 +323,20 @@ impl Template for FiveBar {
             }
             (&FiveBarUnknownGiven::Torques { force }, None) => {
                 let why = "Torque on the first crank, the second fixed: T_2 δθ_2 + F · u_P2 = 0";
+                let whole = |shift: W::Vec| -(force.magnitude() * shift.magnitude());
+                sheet.common_error(
+                    symbol("T", "2"),
+                    "the magnitudes of force and displacement multiplied, without the angle between them",
+                    || whole(first.shift),
+                );
                 let one =
                     sheet.step(symbol("T", "2"), "N*m", -(force.dot(first.shift)), (why, RIUL.at("eq. 1")));
                 let why = "Torque on the second crank, the first fixed: T_5 δθ_5 + F · u_P5 = 0";
+                sheet.common_error(
+                    symbol("T", "5"),
+                    "the magnitudes of force and displacement multiplied, without the angle between them",
+                    || whole(second.shift),
+                );
                 let two =
                     sheet.step(symbol("T", "5"), "N*m", -(force.dot(second.shift)), (why, RIUL.at("eq. 1")));
                 let [x, y, _] = force.components();

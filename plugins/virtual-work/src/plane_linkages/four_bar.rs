@@ -164,6 +164,10 @@ impl Analysis for FourBar {
         sheet.keep_going()?;
         let between = (found.angles[1] - found.angles[0]).cos().abs().acos();
         let why = ("Transmission angle: the acute angle between coupler and rocker", NORTON.at("ch. 3"));
+        let of_crank = || (found.angles[1] - given.angle).cos().abs().acos();
+        sheet.common_error("μ", "the angle between crank and rocker taken", of_crank);
+        let of_coupler = || (found.angles[0] - given.angle).cos().abs().acos();
+        sheet.common_error("μ", "the angle between crank and coupler taken", of_coupler);
         let between = sheet.step("μ", "deg", between, why);
         sheet.answer("transmission_angle", "Transmission angle", between);
         sheet.verify(|| {

@@ -240,8 +240,18 @@ impl Template for OscillatingCylinder {
             sheet.step_vector("ê", "1", span / length, "Unit vector from the fixed pin to the crank pin");
         let across = works::across::<W>(along);
         let why = ("Virtual change of the length for δθ_2 = 1: δs = ê · δr_A", BEER.at("§10.1"));
+        sheet.common_error(
+            symbol("u", "s"),
+            "the whole displacement of the crank pin taken along the cylinder",
+            || pin.shift.magnitude(),
+        );
         let shift = sheet.step(symbol("u", "s"), "mm", pin.shift.dot(along), why);
         let why = ("Virtual rotation of the cylinder for δθ_2 = 1", SHIGLEY.at("ch. 3"));
+        sheet.common_error(
+            symbol("h", "4"),
+            "the whole displacement of the crank pin taken across the cylinder",
+            || pin.shift.magnitude() / length,
+        );
         let ratio = sheet.step(symbol("h", "4"), "1", pin.shift.dot(across) / length, why);
         let (mut rate, mut lengthening, mut coriolis) = (zero, zero, zero);
         let mut swing = RotatingLinkWork { angle: tilt, ratio, speed: zero, acceleration: zero };
@@ -253,7 +263,7 @@ impl Template for OscillatingCylinder {
             let value = pin.acceleration.dot(along) + length * swing.speed.powi(2);
             let why = ("Acceleration of the piston in the cylinder", SHIGLEY.at("ch. 4"));
             lengthening = sheet.step(symbol("a", "s"), "m/s^2", value, why);
-            coriolis = kinematics::coriolis(swing.speed, rate, sheet);
+            coriolis = kinematics::coriolis(swing.speed, rate, given.speed, sheet);
             let value = (pin.acceleration.dot(across) - coriolis) / length;
             let why = ("Angular acceleration of the cylinder, minus the Coriolis term", SHIGLEY.at("ch. 4"));
             swing.acceleration = sheet.step(symbol("α", "4"), "rad/s^2", value, why);

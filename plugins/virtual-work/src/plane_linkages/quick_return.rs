@@ -286,7 +286,7 @@ impl Template for QuickReturn {
                 pin.shift.dot(along) * given.speed,
                 "Velocity of the crank pin along the slot",
             );
-            coriolis = kinematics::coriolis(lever.speed, slip, sheet);
+            coriolis = kinematics::coriolis(lever.speed, slip, given.speed, sheet);
             slip_acceleration = sheet.step(
                 symbol("a", "s"),
                 "m/s^2",

@@ -242,6 +242,11 @@ impl ScotchYoke {
             "Where sin θ (A + B cos θ) is a maximum: 2B cos² θ + A cos θ − B = 0, in magnitude of the cosine";
         let cosine = sheet.step("c", "1", cosine, why);
         let largest = (W::Num::from(1.0) - cosine.powi(2)).sqrt() * (load + inertia * cosine);
+        sheet.common_error(
+            symbol("T", "max"),
+            "the amplitudes of both torques added, as if reached at one angle",
+            || load + inertia / 2.0,
+        );
         let largest =
             sheet.step(symbol("T", "max"), "N*m", largest, "Maximum torque over a revolution, in magnitude");
         sheet.answer("largest_torque", "Maximum torque over a revolution, in magnitude", largest);

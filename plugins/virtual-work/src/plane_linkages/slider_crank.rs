@@ -267,6 +267,8 @@ impl Template for SliderCrank {
                 SHIGLEY.at("ch. 3"),
             ),
         );
+        let two_terms = || -(r * (two.sin() + r / l * (two * 2.0).sin() / 2.0));
+        sheet.common_error(symbol("u", "B"), "the approximate formula of two terms used", two_terms);
         let shift = sheet.step(
             symbol("u", "B"),
             "mm",
@@ -288,6 +290,20 @@ impl Template for SliderCrank {
                 "rad/s^2",
                 loops::rod_acceleration(r, l, two, three, speed, rod_speed, alpha),
                 ("Angular acceleration of the rod", SHIGLEY.at("ch. 4")),
+            );
+            let first = || -(r * speed.powi(2) * two.cos()) - r * alpha * two.sin();
+            let second = || {
+                let doubled = two * 2.0;
+                r.powi(2) / l * (speed.powi(2) * doubled.cos() + alpha * doubled.sin() / 2.0)
+            };
+            sheet.common_error(symbol("a", "B"), "the obliquity of the rod neglected", first);
+            sheet.common_error(symbol("a", "B"), "the approximate formula of two terms used", || {
+                first() - second()
+            });
+            sheet.common_error(
+                symbol("a", "B"),
+                "the normal acceleration r ω² of the crank pin used",
+                || -(r * speed.powi(2)),
             );
             acceleration = sheet.step(
                 symbol("a", "B"),
@@ -379,6 +395,8 @@ impl SliderCrank {
     /// Transmission angle of the rod, here and at its worst in a revolution.
     fn transmission<W: Worksheet>(&self, given: &SliderCrankGiven<W>, rod_angle: W::Num, sheet: W) {
         let why = "Transmission angle: the acute angle between the rod and the normal of the slider's line, 90° − |θ_3|";
+        let at_crank = || (given.angle - rod_angle).cos().abs().acos();
+        sheet.common_error("μ", "the angle between crank and rod taken", at_crank);
         let angle = sheet.step("μ", "deg", rod_angle.sin().abs().acos(), (why, NORTON.at("ch. 3")));
         sheet.answer("transmission_angle", "Transmission angle", angle);
         let (r, l, e) = (given.crank, given.rod, given.offset);

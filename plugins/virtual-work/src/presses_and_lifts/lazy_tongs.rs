@@ -103,9 +103,14 @@ impl Analysis for LazyTongs {
             .map(|(row, (load, this))| {
                 let work = this.force * rise;
                 let work = if load.hinge == Hinge::Upper { work } else { -work };
+                let growing = || work * f64::from(2 * load.square - 1);
+                let words = "the rise of the hinge taken in proportion to its distance from A";
+                sheet.common_error(("U", row + 1), words, growing);
                 sheet.step(("U", row + 1), "N*m", work, "Virtual work against the load per unit δθ")
             })
             .collect();
+        let upper = || W::Num::sum(given.loads.iter().map(|load| load.force)) * rise / near;
+        sheet.common_error("X_B", "all hinges taken to rise, including the lower ones", upper);
         let along = sheet.step(
             "X_B",
             "N",
@@ -125,6 +130,8 @@ impl Analysis for LazyTongs {
             .map(|(row, (load, this))| {
                 let place = f64::from(2 * load.square - 1);
                 let x = side * angle.cos();
+                let end = || this.force * side * angle.cos() * f64::from(2 * load.square);
+                sheet.common_error(("V", row + 1), "the load taken to act at the end of its square", end);
                 let x = if load.square == 1 { x } else { x * place };
                 sheet.step(
                     ("V", row + 1),
@@ -134,6 +141,8 @@ impl Analysis for LazyTongs {
                 )
             })
             .collect();
+        let shared = || W::Num::sum(given.loads.iter().map(|load| load.force)) / 2.0;
+        sheet.common_error("Y_B", "the loads shared equally by the two supports", shared);
         let up = sheet.step(
             "Y_B",
             "N",

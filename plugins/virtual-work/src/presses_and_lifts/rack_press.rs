@@ -91,6 +91,8 @@ impl Analysis for RackPress {
         let radius = match &given.pinion {
             PinionGiven::Radius { radius } => *radius,
             PinionGiven::Teeth { module, teeth } => {
+                let outer = || *module * (*teeth + 2.0) / 2.0;
+                sheet.common_error("r", "the outer radius of the pinion used", outer);
                 sheet.step("r", "mm", *module * *teeth / 2.0, "Pitch radius of the pinion")
             }
         };
@@ -137,6 +139,8 @@ impl Analysis for RackPress {
         let advantage =
             sheet.step("a", "1", press / force, "Mechanical advantage: ratio of ram force to handle force");
         let stroke = sheet.step("X", "mm", ram * TAU, "Travel of the ram per turn of the handle");
+        let hand = || force * given.handle;
+        sheet.common_error("M", "the torque of the hand on the handle taken", hand);
         let tooth = sheet.step("M", "N*m", press * radius, "Torque on the pinion");
         sheet.answer("mechanical_advantage", "Mechanical advantage", advantage);
         sheet.answer("stroke", "Travel of the ram per turn of the handle", stroke);

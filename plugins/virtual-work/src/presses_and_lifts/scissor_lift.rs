@@ -150,13 +150,13 @@ impl Analysis for ScissorLift {
                 "both ends of the cylinder are at the same point: it has no length",
             ));
         }
-        let cylinder = sheet.step(
+        let length_of_cylinder = sheet.step(
             "c",
             "m",
             W::Num::sum(spans.iter().map(|span| span.powi(2))).sqrt(),
             "Length of the cylinder",
         );
-        sheet.answer("cylinder_length", "Length of the cylinder", cylinder);
+        sheet.answer("cylinder_length", "Length of the cylinder", length_of_cylinder);
         let ways: Vec<W::Num> = [0, 1]
             .into_iter()
             .filter_map(|axis| {
@@ -173,10 +173,15 @@ impl Analysis for ScissorLift {
         if ways.is_empty() {
             return Err(stuck());
         }
+        let moved = || {
+            let way = |axis: usize| difference(from.way[axis], to.way[axis]);
+            W::Num::sum([0, 1].into_iter().filter_map(way).map(|way| way.powi(2))).sqrt()
+        };
+        sheet.common_error("c′", "the whole relative displacement of the ends taken", moved);
         let growth = sheet.step(
             "c′",
             "m",
-            W::Num::sum(ways) / cylinder,
+            W::Num::sum(ways) / length_of_cylinder,
             "Virtual elongation of the cylinder per unit δθ: 2 c δc = 2 Δx δΔx + 2 Δy δΔy",
         );
         if growth.value().abs() < 1e-9 * length.value() {
@@ -202,6 +207,14 @@ impl Analysis for ScissorLift {
             ScissorLiftUnknownGiven::Cylinder { load } => {
                 let share = if self.frames == 1 { *load } else { *load / frames };
                 let work = bars.map_or(share * rise, |bars| share * rise + bars);
+                let leaned = || share * length_of_cylinder / spans[1];
+                sheet.common_error("F", "the load taken to rest on the inclined cylinder alone", leaned);
+                let between_feet = || share * stages / theta.tan();
+                sheet.common_error(
+                    "F",
+                    "the formula for a cylinder between the feet, nW/tan θ, used",
+                    between_feet,
+                );
                 let force = sheet.step("F", "N", work / growth, (reason, RIUL.at("eq. 3")));
                 sheet.answer("cylinder_force", "Force of each cylinder", force);
                 (force, *load)
@@ -209,6 +222,14 @@ impl Analysis for ScissorLift {
             ScissorLiftUnknownGiven::Load { cylinder } => {
                 let work = bars.map_or(*cylinder * growth, |bars| *cylinder * growth - bars);
                 let load = if self.frames == 1 { work / rise } else { work / rise * frames };
+                let leaned = || *cylinder * spans[1] / length_of_cylinder * frames;
+                sheet.common_error("W", "the load taken to rest on the inclined cylinder alone", leaned);
+                let between_feet = || *cylinder * theta.tan() / stages * frames;
+                sheet.common_error(
+                    "W",
+                    "the formula for a cylinder between the feet, nW/tan θ, used",
+                    between_feet,
+                );
                 let load = sheet.step("W", "N", load, (reason, RIUL.at("eq. 3")));
                 sheet.answer("load", "Load on the table", load);
                 (*cylinder, load)
@@ -232,6 +253,8 @@ impl Analysis for ScissorLift {
             }
         });
         if let Some(speed) = given.speed {
+            let upward = || speed * spans[1] / length_of_cylinder;
+            sheet.common_error("v_T", "the vertical component of the speed of the cylinder taken", upward);
             let table = sheet.step("v_T", "m/s", speed * ratio, "Speed of the table");
             sheet.answer("table_speed", "Speed of the table", table);
             sheet.verify(|| {

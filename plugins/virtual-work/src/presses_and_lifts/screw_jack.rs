@@ -145,6 +145,12 @@ impl Analysis for ScrewJack {
         let over = |load: W::Num| ratio.map_or(load, |ratio| load * ratio);
         let (load, force) = match &given.sought {
             ScrewJackUnknownGiven::Effort { load } => {
+                if let JackFrameGiven::Rhombus { angle, .. } | JackFrameGiven::Scissors { angle, .. } =
+                    &given.frame
+                {
+                    let words = "the force in a link, P/(2 sin θ), taken for that in the screw";
+                    sheet.common_error("T", words, || *load / (angle.sin() * 2.0));
+                }
                 let force = match ratio {
                     None => *load,
                     Some(_) => sheet.step(
@@ -310,12 +316,20 @@ impl ScrewJack {
         let collar = (screw.collar_diameter.value() * screw.collar_friction.value() != 0.0)
             .then(|| screw.collar_friction * screw.collar_diameter / 2.0);
         let with_collar = |arm: W::Num| collar.map_or(arm, |collar| arm + collar);
+        let added = || with_collar(nuts(screw.diameter / 2.0 * (slope.tan() + friction.tan())));
+        sheet.common_error("q", "tan α and tan φ added", added);
         let raise = sheet.step(
             "q",
             "mm",
             with_collar(nuts(screw.diameter / 2.0 * (slope + friction).tan())),
             ("Torque per unit axial force, raising", BEER.at("§8.2B")),
         );
+        let subtracted = || with_collar(nuts(screw.diameter / 2.0 * (friction.tan() - slope.tan())));
+        sheet.common_error("q₂", "tan α subtracted from tan φ", subtracted);
+        if let Some(collar) = collar {
+            let driven = || nuts(screw.diameter / 2.0 * (friction - slope).tan()) - collar;
+            sheet.common_error("q₂", "the collar taken to help the load drive the screw", driven);
+        }
         let lower = sheet.step(
             "q₂",
             "mm",

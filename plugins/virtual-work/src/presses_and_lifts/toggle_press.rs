@@ -70,6 +70,7 @@ impl Analysis for TogglePress {
                 Text::new("the link at the ram does not reach the line of thrust: it is {short} too short");
             return Err(Refusal::NoAnswer(why.with_quantity("short", height.value() - l2.value(), "mm")));
         }
+        sheet.common_error("β", "both links taken at the same angle to the line of thrust", || alpha);
         let beta = sheet.step(
             "β",
             "deg",
@@ -90,6 +91,8 @@ impl Analysis for TogglePress {
             l1 * alpha.sin() + l2 * beta.sin() * turn,
             "Virtual retraction of the ram per unit δα, from x = L₁ cos α + L₂ cos β",
         );
+        let equal_links = "the formula for two equal links, Q = P/(2 tan α), used";
+        sheet.common_error("r", equal_links, || W::Num::from(0.5) / alpha.tan());
         let ratio = sheet.step(
             "r",
             "1",
@@ -99,35 +102,47 @@ impl Analysis for TogglePress {
         let words = "P δy + Q δx = 0: the virtual works of the knee force and of the thrust cancel";
         let (knee, thrust) = match &given.sought {
             TogglePressUnknownGiven::Thrust { knee } => {
+                sheet.common_error("Q", equal_links, || *knee / (alpha.tan() * 2.0));
+                let half = "the force in a link, P/(2 sin α), taken for the thrust";
+                sheet.common_error("Q", half, || *knee / (alpha.sin() * 2.0));
                 let thrust = sheet.step("Q", "N", *knee * rise / retreat, (words, RIUL.at("eq. 3")));
                 sheet.answer("thrust", "Thrust of the ram", thrust);
                 (*knee, thrust)
             }
             TogglePressUnknownGiven::Knee { thrust } => {
+                sheet.common_error("P", equal_links, || *thrust * alpha.tan() * 2.0);
                 let knee = sheet.step("P", "N", *thrust * retreat / rise, (words, RIUL.at("eq. 3")));
                 sheet.answer("knee", "Force on the knee", knee);
                 (knee, *thrust)
             }
         };
         sheet.answer("mechanical_advantage", "Mechanical advantage", ratio);
+        let halved = "half of the knee force given to each link";
+        sheet.common_error("F₁", halved, || knee / (alpha.sin() * 2.0));
+        sheet.common_error("F₁", "the thrust resolved along the link", || thrust * alpha.cos());
         let first = sheet.step(
             "F₁",
             "N",
             (knee - thrust * beta.tan()) / alpha.sin(),
             "Compression of the link at the fixed pin, from the forces on the knee perpendicular to the line of thrust",
         );
+        sheet.common_error("F₂", halved, || knee / (beta.sin() * 2.0));
+        sheet.common_error("F₂", "the thrust resolved along the link", || thrust * beta.cos());
         let second = sheet.step(
             "F₂",
             "N",
             thrust / beta.cos(),
             "Compression of the link at the ram: along the line of thrust it is Q",
         );
+        sheet.common_error("N", "half of the knee force taken for that of the guide", || knee / 2.0);
         let side = sheet.step(
             "N",
             "N",
             thrust * beta.tan(),
             "Force of the guide on the ram, perpendicular to the line of thrust",
         );
+        let even = || (l1 + l2) * (W::Num::from(1.0) - alpha.cos());
+        sheet.common_error("s", "both links taken at the same angle to the line of thrust", even);
         let left = sheet.step(
             "s",
             "mm",

@@ -147,6 +147,13 @@ impl<W: Worksheet> Bars<W> {
             };
             (why, SHIGLEY.at("ch. 3"))
         };
+        for (number, reach) in [(first, one), (second, two)] {
+            self.sheet.common_error(
+                symbol(base, number.link),
+                "the whole displacement of the driving pin divided by the length of the link",
+                || apart.magnitude() / reach.magnitude(),
+            );
+        }
         let turn = -(apart.dot(two)) / across::<W>(one).dot(two);
         let turn = self.sheet.step(symbol(base, first.link), "1", turn, why(first, second));
         let other = apart.dot(one) / across::<W>(two).dot(one);
@@ -200,8 +207,9 @@ impl<W: Worksheet> Bars<W> {
         let [one, two] = self.reach;
         let of = |support: DyadPin<W>| support.moving.map(|moving| moving.acceleration);
         let inward = one * w1.powi(2) - two * w2.powi(2);
-        let apart = match against::<W>(of(p), of(q)) {
-            Some(apart) => inward - apart,
+        let supports = against::<W>(of(p), of(q));
+        let apart = match supports {
+            Some(supports) => inward - supports,
             None => inward,
         };
         let [first, second] = self.numbers;
@@ -212,6 +220,13 @@ impl<W: Worksheet> Bars<W> {
             let why = move || Text::new("Angular acceleration of link {n}").with("n", n.link);
             (why, SHIGLEY.at("ch. 4"))
         };
+        if let Some(supports) = supports {
+            let words = "the normal accelerations ω² r of the two links omitted";
+            let turn = || -(supports.dot(two)) / across::<W>(one).dot(two);
+            self.sheet.common_error(symbol("α", first.link), words, turn);
+            let other = || supports.dot(one) / across::<W>(two).dot(one);
+            self.sheet.common_error(symbol("α", second.link), words, other);
+        }
         let turn = apart.dot(two) / across::<W>(one).dot(two);
         let turn = self.sheet.step(symbol("α", first.link), "rad/s^2", turn, of(first));
         let other = -(apart.dot(one)) / across::<W>(two).dot(one);
@@ -297,9 +312,19 @@ pub(crate) fn bar_and_slider<W: Worksheet>(
     let why =
         || Text::new("Virtual rotation of link {n}: the slider stays on its line").with("n", number.link);
     let ratio = -(moving.shift.dot(line.left)) / turned.dot(line.left);
+    sheet.common_error(
+        symbol("h", number.link),
+        "the whole displacement of the driving pin divided by the length of the link",
+        || moving.shift.magnitude() / length,
+    );
     let ratio = sheet.step(symbol("h", number.link), "1", ratio, (why, SHIGLEY.at("ch. 3")));
     let shift = (moving.shift + turned * ratio).dot(line.along);
     let why = "Virtual displacement of the slider per unit of the coordinate";
+    sheet.common_error(
+        symbol("u", of),
+        "the displacement of the driving pin taken for that of the slider",
+        || moving.shift.magnitude(),
+    );
     let shift = sheet.step(symbol("u", of), "mm", shift, (why, SHIGLEY.at("ch. 3")));
     let zero = W::Num::from(0.0);
     let Some(rate) = rate else {

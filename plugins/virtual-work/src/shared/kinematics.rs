@@ -225,9 +225,14 @@ impl<W: Worksheet> Kinematics<W> {
     }
 }
 
-/// Coriolis acceleration of what slides along a line that turns.
+/// Coriolis acceleration of what slides along a line that turns, driven by a crank of that speed.
 #[inline(always)]
-pub(crate) fn coriolis<W: Worksheet>(speed: W::Num, slip: W::Num, sheet: W) -> W::Num {
+pub(crate) fn coriolis<W: Worksheet>(speed: W::Num, slip: W::Num, crank: W::Num, sheet: W) -> W::Num {
     let why = "Coriolis acceleration, 2 ω v_s, perpendicular to the line of sliding";
+    sheet.common_error(
+        symbol("a", "c"),
+        "the angular velocity of the crank used, not that of the line of sliding",
+        || crank * slip * 2.0,
+    );
     sheet.step(symbol("a", "c"), "m/s^2", speed * slip * 2.0, (why, NORTON.at("ch. 7")))
 }

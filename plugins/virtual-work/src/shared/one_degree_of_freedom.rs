@@ -49,6 +49,11 @@ pub(crate) trait Shapes {
         let _ = (n, sheet);
         self.shapes(lengths, angle)
     }
+
+    /// Declares the common errors in `f′` of the parts.
+    fn common_errors<W: Worksheet>(&self, lengths: &[W::Num], angle: W::Num, sheet: W) {
+        let _ = (lengths, angle, sheet);
+    }
 }
 
 /// A load and what is said of it.
@@ -161,6 +166,7 @@ impl<S: Shapes, N: Real> SingleDofMachine<'_, S, N> {
     /// The shapes, their slopes, and the virtual work of every known load over δθ, `−c f′`.
     fn works<W: Worksheet<Num = N>>(&self, angle: N, sheet: W) -> (Vec<[N; 3]>, Vec<N>, Vec<N>) {
         let shapes = self.shapes.written(self.lengths, angle, 1, sheet);
+        self.shapes.common_errors(self.lengths, angle, sheet);
         let rates: Vec<N> = self
             .parts
             .iter()
@@ -357,4 +363,13 @@ fn around(at: f64) -> [f64; 2] {
 pub(crate) fn spring<N: Real>([x, x1, x2]: [N; 3], free: N) -> [N; 3] {
     let stretch = x - free;
     [stretch.powi(2) / 2.0, stretch * x1, x1.powi(2) + stretch * x2]
+}
+
+/// Declares the common error in `u′` of a spring measured by a reach times the sine of the angle.
+pub(crate) fn sine_error<W: Worksheet>([reach, free, angle]: [W::Num; 3], sheet: W) {
+    sheet.common_error(
+        "u′",
+        "the sine of the change of angle used in place of the change of the sine",
+        || reach.powi(2) * (angle - free).sin() * angle.cos(),
+    );
 }

@@ -191,6 +191,12 @@ impl<W: Worksheet> Works<W> {
             let why = || {
                 Text::new("Virtual work of the force at {point}: force times displacement").with("point", of)
             };
+            let whole = || force.magnitude() * shift.magnitude();
+            self.sheet.common_error(
+                symbol("δW", of),
+                "the magnitudes of force and displacement multiplied, without the angle between them",
+                whole,
+            );
             self.push(symbol("δW", of), force.dot(shift), why, RIUL.at("eq. 1"));
         }
     }
@@ -230,6 +236,12 @@ impl<W: Worksheet> Works<W> {
         }
         if let Some(gravity) = self.gravity {
             let why = || Text::new("Virtual work of the weight of link {n}").with("n", of.link);
+            let whole = || gravity.magnitude() * mass * point.shift.magnitude();
+            self.sheet.common_error(
+                symbol("δW_W", of.link),
+                "the whole displacement used for the weight, not its vertical part",
+                whole,
+            );
             let work = (gravity * mass).dot(point.shift);
             self.push(symbol("δW_W", of.link), work, why, RIUL.at("eq. 5"));
         }
@@ -289,6 +301,12 @@ impl<W: Worksheet> Works<W> {
         }
         if self.moves && inertia.holds(|inertia| inertia != 0.0) {
             let why = || Text::new("Virtual work of the inertia couple −I α of link {n}").with("n", of.link);
+            let about_pin = || inertia + mass * arm.magnitude().powi(2);
+            self.sheet.common_error(
+                symbol("δW_I", of.link),
+                "the moment of inertia about the pin used together with the inertia force at the centre of mass",
+                || -(about_pin() * turning.acceleration * turning.ratio),
+            );
             let couple = -(inertia * turning.acceleration);
             let work = if turning.ratio.holds(|h| h == 1.0) { couple } else { couple * turning.ratio };
             self.push(symbol("δW_I", of.link), work, why, RIUL.at("eq. 5"));

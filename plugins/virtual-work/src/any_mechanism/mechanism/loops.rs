@@ -334,7 +334,16 @@ impl<'a, 'g, W: Worksheet> Loops<'a, 'g, W> {
         let other = sheet.step_vector(("σ", n), "mm", reach - span, why);
         let [x, y, _] = other.components();
         self.settle(two, (y.atan2(x), tilted), (second.own, end), words);
-        if let Some([a, b]) = self.common_velocity([start.1, end.1], [reach, other]) {
+        if let Some([a, b]) = self.common_velocity([start.1, end.1], [reach, other])
+            && let Some(apart) = difference::<W>([start.1, end.1])
+        {
+            for (body, reach) in [(one, reach), (two, other)] {
+                sheet.common_error(
+                    ("ω_c", body + 1),
+                    "the whole velocity of the driving pin divided by the length of the link",
+                    || apart.magnitude() / reach.magnitude(),
+                );
+            }
             let words = "Angular velocity of {name}: both bodies give their pin the same velocity";
             self.turn(one, a, words);
             self.turn(two, b, words);
@@ -411,6 +420,11 @@ impl<'a, 'g, W: Worksheet> Loops<'a, 'g, W> {
         let velocity = at.1.map(|velocity| {
             let value = -(velocity.dot(left)) / across::<W>(reach).dot(left);
             let words = "Angular velocity of {name}: its end has no velocity across the line of the slider";
+            sheet.common_error(
+                ("ω_c", rod + 1),
+                "the whole velocity of the driving pin divided by the length of the link",
+                || velocity.magnitude() / length,
+            );
             let speed = self.turn(rod, value, words);
             let why = Text::new("Velocity of {name}: ω × r along its body").with("name", name);
             let value = velocity + across::<W>(reach) * speed;

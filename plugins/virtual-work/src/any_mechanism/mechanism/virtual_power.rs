@@ -2,7 +2,7 @@
 
 use dalembert_core::{Reason, Symbol, Text, Worksheet};
 use dalembert_mechanics::{
-    Real,
+    Real, Vector,
     planar::{BodyPoint, LoadId, PlanarState, RelativeCoordinate},
     work,
 };
@@ -119,6 +119,11 @@ impl Solved<'_> {
             cite: Some(RIUL.at("eqs. 1, 5")),
         };
         let of_force = |force: W::Vec, way: W::Vec, power: Reason| {
+            sheet.common_error(
+                symbol("W"),
+                "the magnitudes of force and displacement multiplied, without the angle between them",
+                || force.magnitude() * way.magnitude(),
+            );
             sheet.step(symbol("W"), per.effort, work::force_power(force, way), power)
         };
         let of_effort = |effort: W::Num, rate: W::Num, power: Reason| {

@@ -139,6 +139,7 @@ impl<N: Real> PotentialLaw<N> {
                     length(on_arm, fixed, at),
                     "Length of the spring, by the law of cosines",
                 );
+                sheet.common_error(("s′", n), "the spring taken as perpendicular to the arm", || on_arm);
                 let s1 = sheet.step(
                     ("s′", n),
                     "mm",

@@ -63,6 +63,16 @@ pub(super) fn at<W: Worksheet>(
             let radius = (!straight).then(|| {
                 let why = (formula(outline), SHIGLEY.at("ch. 5"));
                 let tangent = turning(&tangent, "t", sheet);
+                if let Outline::Translating { offset, reach, .. } = *outline {
+                    let height = || position.lift + reach;
+                    sheet.common_error(
+                        "ρ",
+                        "the distance of the trace point from the cam centre taken",
+                        || (height().powi(2) + offset.powi(2)).sqrt(),
+                    );
+                    let flat = || height() + position.second;
+                    sheet.common_error("ρ", "the formula of a flat face used", flat);
+                }
                 let radius = sheet.step("ρ", "mm", tangent.length().powi(3) / tangent.denominator(), why);
                 sheet.answer("pitch_curvature", "Radius of curvature of the pitch curve", radius);
                 if let Some(roller) = outline.roller() {
@@ -314,6 +324,13 @@ pub(super) fn extremes<W: Worksheet>(outline: &Outline<W::Num>, course: &Course,
         let Some(tangent) = outline.tangent(there.lift, there.rate, there.second) else { continue };
         let why = ("Pressure angle there, from the same two legs", NORTON.at("§8.6"));
         let symbol = Symbol { of, ..Symbol::from("φ") };
+        let halfway = || {
+            let strokes = course.segments.iter().filter(|segment| chosen(segment));
+            let motions = strokes.filter_map(|segment| course.at(segment.from + segment.turn / 2.0));
+            let angles = motions.map(|motion| numbers.pressure(&motion).abs());
+            W::Num::from(angles.fold(f64::NAN, f64::max))
+        };
+        sheet.common_error(symbol, "the pressure angle in the middle of the stroke taken", halfway);
         let pressure = sheet.step(symbol, "deg", tangent.b.abs().atan2(tangent.a), why);
         sheet.answer(name, label, pressure);
         sheet.answer(place, place_label, there.angle);

@@ -129,6 +129,13 @@ pub(super) fn solve<W: Worksheet>(
         let along = sheet.step("F", "N", force(at), why);
         sheet.answer("contact_force", "Force of the cam along the motion", along);
         let why = ("Torque on the cam shaft, by virtual work: T δθ = F δs", NORTON.at("ch. 15"));
+        if let Some(&Outline::Translating { offset, reach, .. }) = outline {
+            sheet.common_error(
+                "T",
+                "the distance of the trace point from the cam centre used as the arm",
+                || along * ((at.lift + reach).powi(2) + offset.powi(2)).sqrt(),
+            );
+        }
         let torque = sheet.step("T", "N*m", along * at.rate, why);
         sheet.answer("torque", "Torque on the cam shaft", torque);
         check_energy(&numbers, (at, along, torque), course, (size, torque_size), sheet);

@@ -140,6 +140,7 @@ pub(super) fn at<W: Worksheet>(
     });
     let gone = begun.map_or(reduced, |begun| reduced - begun);
     let turn = sizes[k].turn;
+    sheet.common_error("x", "the cam angle divided by the whole revolution", || gone / TAU);
     let share = sheet.step("x", "1", gone / turn, "Part of the cam angle of the segment");
     let piece = law.piece(x);
     let [y, rate, second, third] = law.at(share, piece);

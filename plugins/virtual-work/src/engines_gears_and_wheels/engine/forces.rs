@@ -90,6 +90,12 @@ pub(super) fn forces<W: Worksheet>(
         return Ok(None);
     }
     let reciprocating = (problem.reciprocating != 0.0).then_some(given.reciprocating);
+    if let (Some(mass), Some(rod)) = (reciprocating, rod) {
+        sheet.common_error("M_R", "the whole mass of the rod counted as reciprocating", || mass + rod.mass);
+        sheet.common_error("M_R", "a third of the mass of the rod counted as reciprocating", || {
+            mass + rod.mass / 3.0
+        });
+    }
     let mass = match (reciprocating, rod) {
         (Some(mass), Some(rod)) => Some(sheet.step(
             "M_R",

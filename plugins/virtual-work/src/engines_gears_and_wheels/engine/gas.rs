@@ -478,8 +478,9 @@ fn length_of_stroke<N: Real>(lengths: &Lengths<N>) -> N {
 }
 
 fn fraction_of_stroke<W: Worksheet>(moving: &PistonState<W::Num>, stroke: W::Num, sheet: W) -> W::Num {
-    let why = "Fraction of the stroke travelled by the piston";
-    sheet.step("ξ", "1", moving.displacement / stroke, why)
+    let harmonic = || (W::Num::from(1.0) - moving.angle.cos()) / 2.0;
+    sheet.common_error("ξ", "the obliquity of the rod neglected, (1 − cos θ)/2 used", harmonic);
+    sheet.step("ξ", "1", moving.displacement / stroke, "Fraction of the stroke travelled by the piston")
 }
 
 fn of_datum<W: Worksheet>(datum: &DatumGiven<W>) -> W::Num {

@@ -108,6 +108,9 @@ pub(super) fn motion<W: Worksheet>(
     sheet.answer("rod_angle", "Obliquity of the rod", obliquity);
     let amplitudes = amplitudes(problem, ratio, sheet);
     let displacement = displacement(problem, lengths, [angle, obliquity], &amplitudes, sheet);
+    sheet.common_error("h", "the obliquity of the rod neglected, the arm r sin θ used", || {
+        crank * angle.sin()
+    });
     let arm = sheet.step(
         "h",
         "mm",
@@ -277,6 +280,11 @@ fn running<W: Worksheet>(
         Terms::Two => two_term::acceleration(crank, ratio, angle, speed, turning),
         Terms::Harmonics { .. } => harmonics::acceleration(crank, amplitudes, angle, speed, turning),
     };
+    sheet.common_error("a", "the normal acceleration r ω² of the crank pin used", || crank * speed.powi(2));
+    if !matches!(problem.terms, Terms::Two) {
+        let harmonic = || crank * speed.powi(2) * angle.cos();
+        sheet.common_error("a", "the obliquity of the rod neglected, r ω² cos θ used", harmonic);
+    }
     let acceleration = sheet.step(
         "a",
         "m/s^2",
@@ -319,6 +327,9 @@ fn zero_acceleration<W: Worksheet>(
         let angle = roots::find(acceleration, [0.0, std::f64::consts::PI], keep_on).ok()?;
         Some(sheet.numerical("θ₀", "deg", angle, Reason::from((why, KHURMI.at("ch. 15")))))
     };
+    sheet.common_error("θ₀", "crank and rod taken as perpendicular at the maximum velocity", || {
+        ratio.atan2(1.0.into())
+    });
     let angle = match problem.terms {
         Terms::Two => {
             let cosine = two_term::zero_acceleration(ratio);
@@ -385,6 +396,7 @@ fn greatest_velocity<W: Worksheet>(
         Terms::Two => two_term::velocity(crank, ratio, angle, speed),
         Terms::Harmonics { .. } => harmonics::velocity(crank, amplitudes, angle, speed),
     };
+    sheet.common_error("v_max", "the speed r ω of the crank pin taken", || crank * speed);
     let velocity =
         sheet.step("v_max", "m/s", velocity, "Maximum velocity of the piston, at that crank angle");
     sheet.answer("greatest_velocity", "Maximum velocity of the piston", velocity);

@@ -159,8 +159,10 @@ pub(super) fn masses<W: Worksheet>(
             }
             let cite = KHURMI.at("ch. 15");
             let why = "Share of the rod's mass at the gudgeon pin, keeping the centre of mass unchanged";
+            sheet.common_error("m_g", "half of the mass of the rod placed at each pin", || mass / 2.0);
             let at_gudgeon = sheet.step("m_g", "kg", equivalent::share(mass, other, centre), (why, cite));
             let why = "Share of the rod's mass at the crank pin";
+            sheet.common_error("m_c", "half of the mass of the rod placed at each pin", || mass / 2.0);
             let at_pin = sheet.step("m_c", "kg", equivalent::share(mass, centre, other), (why, cite));
             let (inertia, missing) = match inertia {
                 RodInertiaGiven::Gyration { radius } => {
@@ -264,6 +266,7 @@ pub(super) fn inertia_force<W: Worksheet>(
     let across =
         sheet.step("a_y", "m/s^2", rest() * across, "Transverse to the stroke, towards the line of stroke");
     let size = rod.mass * (along.powi(2) + across.powi(2)).sqrt();
+    sheet.common_error("F_C", "the whole rod taken to move with the piston", || rod.mass * piston.abs());
     let force = sheet.step("F_C", "N", size, ("Inertia force of the rod", KHURMI.at("ch. 15")));
     sheet.answer("rod_inertia_force", "Inertia force of the rod", force);
     sheet.verify(|| rod_force(moving, kernel, force, sheet));
