@@ -104,7 +104,7 @@ pub fn every_solution_is_sound(entries: &[&'static Entry]) {
         for check in &solution.checks {
             assert!(check.passed, "{name}: {} ({:e})", check.what.english(), check.residual);
         }
-        let same: Vec<String> = same_trees(&solution).iter().map(|check| check.what.english()).collect();
+        let same: Vec<String> = same_trees(solution).iter().map(|check| check.what.english()).collect();
         assert!(same.is_empty(), "{name}: both sides are the same tree: {same:?}");
         assert!(!solution.checks.is_empty(), "{name}: no answer is found by a second method");
         assert!(!solution.steps.is_empty(), "{name}: nothing is worked");
@@ -145,10 +145,10 @@ pub fn every_worked_solution_is_written_down(entries: &[&'static Entry]) -> BTre
         let mut sheet = format!("== {name}\n");
         for step in &solution.steps {
             for locale in [&english, &portuguese] {
-                let written = printer::step(&solution, step, locale);
+                let written = printer::step(solution, step, locale);
                 assert!(!written.why.is_empty(), "{name}: {} has no reason", written.symbol);
             }
-            let written = printer::step(&solution, step, &english);
+            let written = printer::step(solution, step, &english);
             sheet += &format!(
                 "{} [{}]\n    {} = {}\n        = {}\n        = {}\n",
                 written.why,

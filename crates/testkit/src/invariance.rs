@@ -351,7 +351,7 @@ fn form(record: &Record) -> BTreeSet<String> {
 
 /// Every form of every problem, once: cases of the same analysis that fill in the same inputs with other numbers
 /// would vary the same things once more.
-fn forms(entries: &[&'static Entry]) -> Vec<SolvedCase> {
+fn forms(entries: &[&'static Entry]) -> Vec<&'static SolvedCase> {
     let mut seen = BTreeSet::new();
     let mut all = problems(entries);
     all.retain(|problem| seen.insert((problem.entry.about.id, form(&problem.record))));

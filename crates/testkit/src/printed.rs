@@ -41,7 +41,7 @@ pub fn printed_steps_give_their_results(entries: &[&'static Entry]) -> usize {
             let mut locale = Locale::of(language).digits(digits);
             locale.style.ascii = ascii;
             for step in &solution.steps {
-                let mut written = printer::step(&solution, step, &locale);
+                let mut written = printer::step(solution, step, &locale);
                 if language == Language::Portuguese {
                     // As it is read where the language is known.
                     let terms = written.terms.iter_mut().map(|(_, value)| value);
@@ -56,8 +56,7 @@ pub fn printed_steps_give_their_results(entries: &[&'static Entry]) -> usize {
                 let node = solution.trace.node(step.result);
                 // Where large numbers cancel, what is left may be rounding alone: that of the terms and that of their sum.
                 let noise = 2.0 * ROUNDING * node.scale;
-                if let Err(why) =
-                    hold(&written, printed_number(&solution, step), step.unit.dim, digits, noise)
+                if let Err(why) = hold(&written, printed_number(solution, step), step.unit.dim, digits, noise)
                 {
                     let (symbol, text) = (&written.symbol, &written.substitution);
                     faults.push(format!(

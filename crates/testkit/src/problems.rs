@@ -1,9 +1,14 @@
 //! Problems of the catalogue: every case of every analysis with its solution.
 
 use std::{
+    collections::BTreeMap,
     num::NonZero,
     ops::Bound,
-    sync::atomic::{AtomicUsize, Ordering},
+    ptr,
+    sync::{
+        LazyLock, Mutex, OnceLock,
+        atomic::{AtomicUsize, Ordering},
+    },
     thread,
 };
 
@@ -31,29 +36,42 @@ pub(crate) fn cases_of(entry: &Entry) -> Vec<Case> {
 }
 
 /// Every case with a solution.
-pub(crate) fn problems(entries: &[&'static Entry]) -> Vec<SolvedCase> {
+pub(crate) fn problems(entries: &[&'static Entry]) -> Vec<&'static SolvedCase> {
     let mut all = Vec::new();
     for_each_problem(entries, |problem| all.push(problem));
     all
 }
 
-/// Visits every case with a solution, one after the other.
+/// Visits every case with a solution, one after the other. A case is solved once for all tests of a process.
 ///
 /// # Panics
 /// If there is no analysis, or a case that is not to be refused cannot be read or solved.
-pub fn for_each_problem(entries: &[&'static Entry], mut visit: impl FnMut(SolvedCase)) {
+pub fn for_each_problem(entries: &[&'static Entry], visit: impl FnMut(&'static SolvedCase)) {
     assert!(!entries.is_empty(), "there is no analysis to examine");
-    for entry in entries {
-        for case in cases_of(entry) {
-            if case.refused.is_some() {
-                continue;
-            }
-            let name = format!("{}, {}", entry.about.id, case.name);
-            let record = case.record(entry).unwrap_or_else(|err| panic!("{name}: {err}"));
-            let solution = entry.solve(&record, &Stop::new()).unwrap_or_else(|err| panic!("{name}: {err}"));
-            visit(SolvedCase { name, entry, record, solution });
-        }
-    }
+    entries.iter().flat_map(|entry| solved_cases(entry)).for_each(visit);
+}
+
+/// The cases of an analysis that are not refused, solved when they are first asked for.
+fn solved_cases(entry: &'static Entry) -> &'static [SolvedCase] {
+    type Solved = OnceLock<Vec<SolvedCase>>;
+    static SOLVED: LazyLock<Mutex<BTreeMap<usize, &'static Solved>>> = LazyLock::new(Mutex::default);
+    let place = ptr::from_ref(entry).addr();
+    let solved: &'static Solved = SOLVED
+        .lock()
+        .expect("no panic while it is held")
+        .entry(place)
+        .or_insert_with(|| Box::leak(Box::default()));
+    solved.get_or_init(|| {
+        let cases = cases_of(entry).into_iter().filter(|case| case.refused.is_none());
+        cases.map(|case| solved_case(entry, &case)).collect()
+    })
+}
+
+fn solved_case(entry: &'static Entry, case: &Case) -> SolvedCase {
+    let name = format!("{}, {}", entry.about.id, case.name);
+    let record = case.record(entry).unwrap_or_else(|err| panic!("{name}: {err}"));
+    let solution = entry.solve(&record, &Stop::new()).unwrap_or_else(|err| panic!("{name}: {err}"));
+    SolvedCase { name, entry, record, solution }
 }
 
 /// Returns true if a problem has definitions, questions or given answers: their texts hold quantities that no input has.

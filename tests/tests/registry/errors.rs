@@ -9,14 +9,11 @@ use std::{
 use dalembert_core::{
     Answer, Entry, Record, Solution, Stop, cases,
     check::{self, Change, Verdict},
-    find,
+    find, registry,
     vary::{self, VariedInput},
 };
 use dalembert_testkit::{SolvedCase, for_each_problem};
-use dalembert_tests::{
-    chosen,
-    errors::{corpus, tally},
-};
+use dalembert_tests::errors::{corpus, tally};
 use dalembert_units::{Style, unit, write_quantity};
 
 /// Analysis, case counted from 1, answer, what was written, and words of the cause that comes first.
@@ -360,12 +357,12 @@ fn a_set_is_read_with_the_symbol_of_its_quantity() {
 #[test]
 fn every_error_that_is_declared_gives_a_wrong_number_in_some_case() {
     let mut declared: BTreeMap<String, bool> = BTreeMap::new();
-    for_each_problem(&chosen(), |SolvedCase { solution, .. }| {
+    for_each_problem(registry(), |SolvedCase { solution, .. }| {
         for error in &solution.common_errors {
             declared.entry(error.what.english()).or_default();
         }
         for answer in &solution.answers {
-            for (si, mistake) in check::declared_errors(&solution, &answer.name.to_string()) {
+            for (si, mistake) in check::declared_errors(solution, &answer.name.to_string()) {
                 let Change::Common(what) = &mistake.change else { unreachable!("{mistake:?}") };
                 *declared.entry(what.english()).or_default() |= is_wrong(answer, si);
             }
@@ -374,7 +371,7 @@ fn every_error_that_is_declared_gives_a_wrong_number_in_some_case() {
     let never: Vec<&String> =
         declared.iter().filter(|(_, is_wrong)| !**is_wrong).map(|(what, _)| what).collect();
     assert!(never.is_empty(), "{} of {}: {never:#?}", never.len(), declared.len());
-    assert!(!declared.is_empty());
+    assert!(declared.len() > 500, "{} errors are declared", declared.len());
 }
 
 /// A number as it is typed.
@@ -390,28 +387,30 @@ fn is_wrong(answer: &Answer, si: f64) -> bool {
 #[test]
 fn an_error_that_is_declared_is_listed_for_its_number() {
     let (mut missed, mut tried) = (Vec::new(), BTreeSet::new());
-    for_each_problem(&chosen(), |SolvedCase { name, entry, record, solution }| {
+    // Each search takes its time: those of every third analysis.
+    let some: Vec<_> = registry().iter().copied().step_by(3).collect();
+    for_each_problem(&some, |SolvedCase { name, entry, record, solution }| {
         if tried.contains(entry.about.id) {
             return;
         }
         let of = |answer: &Answer| {
-            let declared = check::declared_errors(&solution, &answer.name.to_string());
+            let declared = check::declared_errors(solution, &answer.name.to_string());
             let wrong = declared.into_iter().find(|(si, _)| is_wrong(answer, *si));
             wrong.map(|(si, mistake)| (answer.name.to_string(), typed(si, answer), mistake))
         };
         let Some((answer, typed, mistake)) = solution.answers.iter().find_map(of) else { return };
         tried.insert(entry.about.id);
-        let words = mistake.text(&solution).english();
+        let words = mistake.text(solution).english();
         let wrong = [(answer, typed)];
-        let found = check::causes(entry, &record, &solution, &wrong, &Stop::new(), None);
+        let found = check::causes(entry, record, solution, &wrong, &Stop::new(), None);
         let mut causes = found.iter().flat_map(|(_, causes)| causes);
-        if !causes.any(|cause| cause.text(&solution).english().contains(&words)) {
+        if !causes.any(|cause| cause.text(solution).english().contains(&words)) {
             missed.push(format!("{name}: {wrong:?} is no longer {words:?}"));
         }
     });
     // More causes than are listed may give one number.
     assert!(20 * missed.len() <= tried.len(), "{} of {}: {missed:#?}", missed.len(), tried.len());
-    assert!(!tried.is_empty());
+    assert!(tried.len() > 30, "{tried:?}");
 }
 
 #[test]

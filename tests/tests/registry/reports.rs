@@ -28,7 +28,7 @@ fn numbers_of_formulas_are_exact_and_none_is_zero() {
     let (locale, mut read) = (Locale::english(), 0);
     for_each_problem(registry(), |SolvedCase { name, entry, solution, .. }| {
         for step in &solution.steps {
-            let formula = printer::step(&solution, step, &locale).formula;
+            let formula = printer::step(solution, step, &locale).formula;
             let is_long = |number: &str| number.chars().filter(char::is_ascii_digit).count() > 9;
             let mut numbers = formula.split(|c: char| !c.is_ascii_digit() && c != '.');
             assert!(JOINED.contains(&entry.about.id) || !numbers.any(is_long), "{name}: {formula}");

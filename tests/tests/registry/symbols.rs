@@ -66,7 +66,7 @@ fn no_two_symbols_of_a_sheet_are_one_name() {
     let found: Mutex<BTreeMap<&str, Vec<String>>> = Mutex::default();
     on_all_cores(registry(), |_, entry: &&Entry| {
         for_each_problem(&[*entry], |SolvedCase { solution, .. }| {
-            let two = coincident(&solution);
+            let two = coincident(solution);
             if !two.is_empty() {
                 let mut found = found.lock().expect("no worker panics");
                 found.entry(entry.about.id).or_default().extend(two);

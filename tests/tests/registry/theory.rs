@@ -19,7 +19,7 @@ fn every_step_of_every_case_has_its_derivation() {
         let mut met = BTreeSet::new();
         for_each_problem(&[*entry], |SolvedCase { solution, .. }| {
             for step in &solution.steps {
-                let title = printer::step(&solution, step, &english).why;
+                let title = printer::step(solution, step, &english).why;
                 match derivations.of_step(id, &title) {
                     Some((_, beginning)) => drop(open.remove(beginning)),
                     None => drop(met.insert(format!("{id}: no section derives the step {title:?}"))),
