@@ -98,7 +98,32 @@ proptest! {
         let runs: Vec<(f64, f64)> =
             [0.3, 2.2, 4.4].iter().map(|angle| (*angle, (z * Complex::cis(*angle) + 1.0).norm())).collect();
         let found = effect(&runs).unwrap();
-        prop_assert!((found.best - z).norm() <= 1e-9 * (1.0 + z.norm()));
+        for found in [found.best, found.linear] {
+            prop_assert!((found - z).norm() <= 1e-9 * (1.0 + z.norm()));
+        }
+        prop_assert!((found.mean_square - z.norm_sqr()).abs() <= 1e-9 * (1.0 + z.norm_sqr()));
+    }
+}
+
+/// Sizes that no effect has exactly: about the best effect the sum of squares of what it leaves is level.
+#[test]
+fn the_best_effect_leaves_the_least_squares() {
+    for (size, angle) in [(0.7, 1.1), (2.4, -2.0), (0.35, 0.4)] {
+        let z = Complex::from_polar(size, angle);
+        let noise = [(0.3, 1.06), (1.7, 0.93), (3.1, 1.04), (4.0, 0.97), (5.5, 1.08)];
+        let runs = noise.map(|(angle, noise)| (angle, noise * (z * Complex::cis(angle) + 1.0).norm()));
+        let found = effect(&runs).unwrap();
+        let squares = |z: Complex<f64>| -> f64 {
+            runs.iter().map(|(angle, size)| ((z * Complex::cis(*angle) + 1.0).norm() - size).powi(2)).sum()
+        };
+        let left: f64 = found.left.iter().map(|left| left * left).sum();
+        assert!(left > 1e-4 && (left - squares(found.best)).abs() < 1e-12 * left);
+        let step = 1e-3;
+        for toward in [Complex::ONE, Complex::I] {
+            let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|k| squares(found.best + toward * (k * step)));
+            let slope = (a - 8.0 * b + 8.0 * c - d) / (12.0 * step);
+            assert!(slope.abs() < 1e-10, "{slope:e} at {} for {z}", found.best);
+        }
     }
 }
 

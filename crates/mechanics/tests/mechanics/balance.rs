@@ -166,6 +166,23 @@ proptest! {
     }
 
     #[test]
+    fn the_equivalent_unbalances_have_the_resultant_and_the_moment(
+        rotor in rotors(), first in -2.0..2.0f64, second in -2.0..2.0f64, about in -3.0..3.0f64,
+    ) {
+        prop_assume!((first - second).abs() > 0.05);
+        let size: f64 = rotor.iter().map(|u| balance::magnitude(u.components[0], u.components[1])).sum();
+        let rounding = 1e-12 * size / (first - second).abs();
+        for axis in 0..2 {
+            let at = || rotor.iter().map(|u| (u.components[axis], u.position));
+            let one = balance::equivalent_in_first(at(), first, second);
+            let other = balance::equivalent_in_second(at(), first, second);
+            prop_assert!((one + other - balance::resultant(at().map(|(u, _)| u))).abs() <= rounding);
+            let moment = balance::moment([(one, first), (other, second)], about);
+            prop_assert!((moment - balance::moment(at(), about)).abs() <= rounding);
+        }
+    }
+
+    #[test]
     fn static_and_couple_parts_make_up_the_whole(rotor in rotors()) {
         let solved = found(balance_two_planes(&rotor, [0.0, 1.0]));
         for axis in 0..2 {

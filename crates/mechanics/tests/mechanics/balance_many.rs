@@ -87,7 +87,7 @@ proptest! {
     }
 
     #[test]
-    fn what_was_hidden_of_a_balanced_rotor_is_found(rotor in rotors(), hidden in 0..4usize) {
+    fn what_was_hidden_of_a_balanced_rotor_is_found(rotor in rotors(), hidden in 0..5usize) {
         let rotor = &rotor[..2];
         prop_assume!((rotor[0].position - rotor[1].position).abs() > 0.2);
         let corrections = found(balance_planes(rotor, &[-1.0, 1.5]));
@@ -105,7 +105,7 @@ proptest! {
         let mut given: Vec<PartlyKnown> = all.iter().copied().map(whole).collect();
         match hidden {
             // Two whole vectors; a vector with its place and another place; a vector and two angles; two products,
-            // an angle and a place.
+            // an angle and a place; two products and their places.
             0 => {
                 for mass in &mut given[2..] {
                     (mass.product, mass.angle) = (None, None);
@@ -119,9 +119,14 @@ proptest! {
                 (given[3].product, given[3].angle) = (None, None);
                 (given[2].angle, given[1].angle) = (None, None);
             }
-            _ => {
+            3 => {
                 (given[3].product, given[3].angle, given[3].position) = (None, None, None);
                 given[2].product = None;
+            }
+            _ => {
+                for mass in &mut given[..2] {
+                    (mass.product, mass.position) = (None, None);
+                }
             }
         }
         match balance_unknowns(&given, Vanishing::ForceAndCouple) {

@@ -34,3 +34,19 @@ fn a_flat_crank_is_best_for_four_in_line() {
     let angles = best_order(&[0.0, 1.0, 2.0, 3.0], &[0.0, half, 0.0, half]);
     assert_eq!(angles, [0.0, half, half, 0.0]);
 }
+
+#[test]
+fn a_straight_eight_is_balanced_in_any_unit_of_length() {
+    let angles = [0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 2.0, 3.0].map(|quarters| quarters * TAU / 4.0);
+    for spacing in [0.11, 1.1e-7] {
+        let positions: Vec<f64> = (0..8).map(|k| spacing * f64::from(k)).collect();
+        let order = best_order(&positions, &angles);
+        for harmonic in [1.0, 2.0] {
+            for of in [f64::cos, f64::sin] {
+                let arms = order.iter().zip_eq(&positions).map(|(angle, z)| z * of(harmonic * angle));
+                let couple: f64 = arms.sum();
+                assert!(couple.abs() < 1e-12 * spacing, "{couple:e} of order {harmonic}: {order:?}");
+            }
+        }
+    }
+}

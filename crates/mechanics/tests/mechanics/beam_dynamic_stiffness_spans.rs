@@ -1,6 +1,6 @@
 //! Tests of `beam::dynamic_stiffness::spans`.
 
-use dalembert_mechanics::beam::dynamic_stiffness::spans::*;
+use dalembert_mechanics::beam::dynamic_stiffness::{BeamError, spans::*};
 use itertools::Itertools as _;
 
 const PLAIN: Span = Span { length: 1.0, bending: 1.0, mass: 1.0, axial: 0.0, foundation: 0.0 };
@@ -71,5 +71,28 @@ fn finite_elements_come_down_to_the_exact_roots() {
         for other in &shapes[n + 1..] {
             assert!(shape.inertia_product(other).abs() < 1e-10 * shape.inertia_product(shape));
         }
+    }
+}
+
+/// Between two joints `m ω² = EI k⁴ + N k² + f` with `k = nπ/L`; the beam buckles where the first is zero.
+#[test]
+fn an_axial_force_changes_the_frequencies_up_to_buckling() {
+    let (bending, mass, foundation) = (2.5, 1.8, 3.7);
+    let squared = (std::f64::consts::PI / 1.3).powi(2);
+    let buckling = bending * squared + foundation / squared;
+    let beam = |axial: f64| {
+        let span = |length: f64| Span { length, bending, mass, axial, foundation };
+        Spans { spans: vec![span(0.5), span(0.8)], joints: vec![PIN, SpanJoint::default(), PIN] }
+    };
+    for share in [-0.999, -0.4, 0.6, 5.0] {
+        let axial = share * buckling;
+        for (n, beta) in (1..).zip(beam(axial).roots(3).unwrap()) {
+            let k = f64::from(n * n) * squared;
+            let expected = (bending * k * k + axial * k + foundation) / mass;
+            assert!((beta.powi(4) / expected - 1.0).abs() < 1e-9, "{share}, {n}: {beta}");
+        }
+    }
+    for share in [1.001, 1.7] {
+        assert_eq!(beam(-share * buckling).roots(3), Err(BeamError::Buckled));
     }
 }

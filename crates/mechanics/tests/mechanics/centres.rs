@@ -61,6 +61,20 @@ fn the_centres_of_a_four_bar_are_its_pins_and_where_its_lines_meet() {
 }
 
 #[test]
+fn a_centre_does_not_depend_on_the_speed() {
+    let (system, state) = four_bar_at(2.1);
+    for share in [1e-13, 1e9] {
+        let velocities: Vec<[f64; 3]> = state.velocities.iter().map(|v| v.map(|v| share * v)).collect();
+        for parts in [[None, Some(1)], [Some(0), Some(2)], [Some(2), Some(1)]] {
+            match system.instant_centre(parts, &state.positions, &velocities) {
+                InstantCentre::At(at) => all_close(at, point(&system, &state, parts), ROUNDING),
+                other => panic!("{parts:?}, {share:e} times as fast: {other:?}"),
+            }
+        }
+    }
+}
+
+#[test]
 fn three_centres_of_three_parts_lie_on_a_line() {
     let (system, state) = four_bar_at(2.1);
     let parts = [None, Some(0), Some(1), Some(2)];

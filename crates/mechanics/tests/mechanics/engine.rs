@@ -116,6 +116,19 @@ fn a_sine_fluctuates_by_its_amplitude() {
     assert_eq!(cycle.crossings.len(), 4);
 }
 
+/// Five bottoms, none of which but the first is where a part of a turn ends; the third one is the deepest.
+#[test]
+fn the_least_moment_is_that_of_the_deepest_bottom() {
+    let deepest = 0.8 * PI;
+    let moment = |angle: f64| 1000.0 - 583.0 * (5.0 * angle).cos() - 1.7 * (angle - deepest).cos();
+    let cycle = TorqueCycle::of(moment, TAU, &[]);
+    close(cycle.least.1, 1000.0 - 583.0 - 1.7, ROUNDING);
+    close(cycle.least.0, deepest, 1e-9);
+    let turned = TorqueCycle::of(|angle| -moment(angle), TAU, &[]);
+    close(turned.largest.1, -(1000.0 - 583.0 - 1.7), ROUNDING);
+    close(turned.largest.0, deepest, 1e-9);
+}
+
 #[test]
 fn corners_are_found_where_they_are() {
     // A roof with its ridge where no part of a turn ends.
@@ -140,13 +153,16 @@ proptest! {
             gravity: [along, across], friction,
         };
         let at = CrankMotion { angle, speed, acceleration };
-        let forces = engine.forces(at, &engine.motion(at), gas);
+        let motion = engine.motion(at);
+        let forces = engine.forces(at, &motion, gas);
         let reactions = found(engine.reactions(at, gas));
         let size = gas.abs() + friction
             + (reciprocating + rod_mass) * (crank * (speed * speed + acceleration.abs()) + 10.0) * slenderness;
         let reach = 1.0 / (1.0 - 1.15 / slenderness).powf(1.5);
         let same = |a: f64, b: f64| (a - b).abs() <= 1e-12 * size * reach;
         prop_assert!(same(forces.moment, reactions.moment), "{} {}", forces.moment, reactions.moment);
+        let work = engine.moment_by_virtual_work(at, &motion, gas);
+        prop_assert!(same(work, reactions.moment), "{} {}", work, reactions.moment);
         prop_assert!(same(forces.guide, reactions.guide), "{} {}", forces.guide, reactions.guide);
         prop_assert!(same(forces.gudgeon, -reactions.gudgeon_pin[0]));
         prop_assert!(same(forces.bearing[0], reactions.crank_pin[0]));

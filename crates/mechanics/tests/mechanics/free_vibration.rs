@@ -191,6 +191,27 @@ proptest! {
     }
 }
 
+/// Close to the largest friction, too, a mass at rest leaves when the pull is the friction, and comes to rest opposite.
+#[test]
+fn a_mass_leaves_its_rest_when_the_pull_is_the_friction() {
+    for (ratio, offset) in [(0.3, 0.97), (0.6, 0.9), (0.6, 0.995), (1.7, 0.97), (2.3, 0.99), (0.13, 0.995)] {
+        let excited = CoulombOscillator { ratio, deflection: 1.0, offset };
+        let CoulombResponse::Stopping { amplitude, slides } = excited.steady() else {
+            panic!("{ratio}, {offset}: no stops")
+        };
+        assert_eq!(slides.len(), 2);
+        for slide in slides {
+            near((ratio * slide.from).cos() - slide.start, slide.direction * offset, 1.0, 1e-9);
+            let [position, velocity] = excited.sliding_from(&slide, slide.until);
+            near(velocity, 0.0, 1.0, 1e-9);
+            near(position, slide.end, 1.0, 1e-9);
+            near(slide.start, -slide.direction * amplitude, 1.0, 1e-9);
+            near(slide.end, slide.direction * amplitude, 1.0, 1e-9);
+            assert!(slide.until > slide.from);
+        }
+    }
+}
+
 #[test]
 fn the_peak_of_an_oscillator_with_a_friction_element() {
     // Guillen and Pierre (1999) read off their curve: 209 rad/s, 15 µm.

@@ -32,6 +32,8 @@ mod many_degrees;
 mod models;
 mod motion;
 mod planar;
+mod planar_equilibrium;
+mod planar_positions;
 mod rigid;
 mod rigid_body;
 mod rigid_motion;

@@ -259,6 +259,38 @@ fn damping_that_meets_a_double_root_is_continuous() {
     close(poles.displacement(0, &TimeResponse::new(&poles, &one, &pushed).state(3.0)), 9.0, 1e-9);
 }
 
+/// From rest with a velocity under a harmonic force, over as many beats as there are.
+#[test]
+fn nothing_of_a_motion_is_farther_out_than_the_farthest() {
+    let (mass, stiffness) = assembled(&[1.3, 2.1], &[420.0, 310.0]);
+    let (_, damping) = assembled(&[1.0; 2], &[0.5, 0.35]);
+    let modes = found(natural_modes(&mass, &stiffness));
+    let excitation = TimeExcitation {
+        position: DVector::zeros(2),
+        velocity: DVector::from_column_slice(&[2.7, -1.9]),
+        pushes: Vec::new(),
+        harmonics: vec![HarmonicLoad {
+            force: DVector::from_column_slice(&[6.0, -3.0]),
+            frequency: 7.3,
+            lag: 0.4,
+            start: 0.0,
+        }],
+    };
+    for until in [3.0, 11.0, 40.0] {
+        let poles = found(Poles::new(&modes, &modes.damping(&damping), until));
+        let motion = TimeResponse::new(&poles, &(modes.shapes.transpose() * &mass), &excitation);
+        for row in 0..2 {
+            let at = |time: f64| poles.displacement(row, &motion.state(time));
+            let farthest = motion.farthest(row, until, 100_000, &|| false).expect("so many looks are enough");
+            close(at(farthest.time), farthest.value, 1e-12);
+            for n in 0..=20_000 {
+                let x = at(until * f64::from(n) / 20_000.0);
+                assert!(x.abs() <= farthest.value.abs() * (1.0 + 2e-9), "{x} is beyond {farthest:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn an_unstable_rest_is_named() {
     let mass = DMatrix::identity(2, 2);

@@ -125,6 +125,84 @@ fn four_bars_in_a_row_pass_their_singular_positions_at_every_tolerance() {
     }
 }
 
+/// Two rods about their ends and a coupler that goes round with them have the inertia, 5/3 kg m², and the moment of
+/// weight of 4 kg at half a metre.
+#[test]
+fn a_four_bar_of_equal_rods_swings_as_a_pendulum_through_its_singular_positions() {
+    let (four_bar, drawn) = four_bars(1);
+    let mechanism = PlanarMechanism {
+        bodies: vec![PlanarBody { mass: 4.0, inertia: 2.0 / 3.0 }],
+        joints: vec![PlanarJoint::Pin {
+            a: BodyPoint::ground([0.0, 0.0]),
+            b: BodyPoint::body(0, [-0.5, 0.0]),
+        }],
+        gravity: [0.0, -9.81],
+        ..PlanarMechanism::default()
+    };
+    let upright = vec![[0.0, 0.5, std::f64::consts::FRAC_PI_2]];
+    let pendulum = found(Model::new(&mechanism, &upright));
+    let moved = |system: &Model, drawn: &[[f64; 3]]| {
+        let velocities = found(system.initial_velocities(drawn, &[(angle(0), -1.0)]));
+        found(system.simulate(drawn, &velocities, &run(3.0, 1e-11, 3001))).samples
+    };
+    for (ours, single) in moved(&four_bar, &drawn).iter().zip_eq(&moved(&pendulum, &upright)) {
+        for body in 0..2 {
+            let ([x, y, turned], [.., expected]) = (ours.state.positions[body], single.state.positions[0]);
+            assert!((turned - expected).abs() < 1e-6, "{turned}, not {expected} after {} s", ours.time);
+            let [across, up] = [body as f64 + expected.cos() / 2.0, expected.sin() / 2.0];
+            assert!((x - across).abs() < 1e-6 && (y - up).abs() < 1e-6, "({x}, {y}) after {} s", ours.time);
+            let (rate, expected) = (ours.state.velocities[body][2], single.state.velocities[0][2]);
+            assert!((rate - expected).abs() < 1e-5, "{rate}, not {expected} after {} s", ours.time);
+        }
+    }
+}
+
+/// Of a bar that hangs from a carriage at a given speed `V`, the kinetic energy is least where it turns with
+/// `m a V sin(θ − γ)/(I + m a²)`.
+#[test]
+fn what_no_driver_moves_starts_with_the_least_kinetic_energy() {
+    let (track, speed, reach) = (0.4f64, 1.7, 0.35);
+    let carriage = BodyPoint::body(0, [0.0, 0.0]);
+    let along = [track.cos(), track.sin()];
+    let bar = PlanarBody { mass: 2.6, inertia: 0.13 };
+    for turned in [-1.1f64, 0.9, 2.3] {
+        let mechanism = PlanarMechanism {
+            bodies: vec![PlanarBody { mass: 3.9, inertia: 0.2 }, bar],
+            joints: vec![
+                PlanarJoint::Slider {
+                    guide: BodyPoint::ground([0.0, 0.0]),
+                    direction: track,
+                    slides: carriage,
+                    angle: track,
+                },
+                PlanarJoint::Pin { a: carriage, b: BodyPoint::body(1, [-reach, 0.0]) },
+            ],
+            drivers: vec![Driver {
+                measure: RelativeCoordinate::Component {
+                    direction: along,
+                    from: BodyPoint::ground([0.0, 0.0]),
+                    to: carriage,
+                },
+                value: 0.6,
+                velocity: speed,
+                acceleration: 0.0,
+            }],
+            gravity: [0.0, -9.81],
+            ..PlanarMechanism::default()
+        };
+        let [x, y] = along.map(|part| 0.6 * part);
+        let drawn = [[x, y, track], [x + reach * turned.cos(), y + reach * turned.sin(), turned]];
+        let system = found(Model::new(&mechanism, &drawn));
+        let velocities = found(system.initial_velocities(&found(system.assemble(&drawn)), &[]));
+        let rate =
+            bar.mass * reach * speed * (turned - track).sin() / (bar.inertia + bar.mass * reach * reach);
+        close(velocities[1][2], rate, 1e-11);
+        close(velocities[1][0], speed * along[0] - rate * reach * turned.sin(), 1e-11);
+        close(velocities[1][1], speed * along[1] + rate * reach * turned.cos(), 1e-11);
+        close(velocities[0][0], speed * along[0], 1e-11);
+    }
+}
+
 /// β, Θ, γ, Φ, δ, Ω, ε from the angles of the bodies.
 fn relative(q: &[[f64; 3]]) -> [f64; 7] {
     let t = |body: usize| q[body][2];

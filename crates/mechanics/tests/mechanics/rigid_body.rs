@@ -413,4 +413,35 @@ proptest! {
         let Principal { moments, .. } = principal;
         prop_assert!((moments - Vector3::new(0.16, 0.16, 0.32) * mass).amax() < 1e-14 * mass);
     }
+    #[test]
+    fn a_slender_body_of_revolution_has_its_axis_first(
+        mass in 0.1..9.0f64, axis in vector(), angle in -3.0..3.0f64,
+    ) {
+        prop_assume!(axis.norm() > 0.1);
+        let turn = Rotation3::from_axis_angle(&nalgebra::Unit::new_normalize(axis), angle);
+        let principal = |shape: Primitive<f64>| found(shape.mass_properties(mass).turned(&turn).check());
+        let pin = principal(Primitive::Cylinder { radius: 0.2, height: 1.5 });
+        prop_assert_eq!(pin.symmetry_axis(), Some(0));
+        prop_assert!(pin.axis(0).cross(&(turn * Vector3::z())).norm() < 1e-13);
+        prop_assert!((pin.moments - Vector3::new(0.02, 0.1975, 0.1975) * mass).amax() < 1e-14 * mass);
+        prop_assert_eq!(principal(Primitive::Box { a: 0.3, b: 0.7, c: 1.1 }).symmetry_axis(), None);
+        prop_assert_eq!(principal(Primitive::Sphere { radius: 0.6 }).symmetry_axis(), None);
+    }
+
+    #[test]
+    fn principal_axes_do_not_depend_on_the_unit_of_mass(turn in rotation()) {
+        for moments in [[1.3, 2.1, 2.9], [1.3, 1.3, 2.1], [1.1, 1.9, 1.9]] {
+            let principal = |unit: f64| {
+                let inertia = Matrix3::from_diagonal(&(Vector3::from(moments) * unit));
+                let body = MassProperties { mass: unit, centre: Vector3::zeros(), inertia };
+                found(body.turned(&turn).principal())
+            };
+            let here = principal(1.0);
+            for unit in [1e-12, 1e12] {
+                let there = principal(unit);
+                prop_assert!((there.moments / unit - Vector3::from(moments)).amax() <= 1e-13);
+                prop_assert!((there.axes.matrix() - here.axes.matrix()).amax() <= 1e-12);
+            }
+        }
+    }
 }

@@ -6,7 +6,8 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use dalembert_mechanics::rigid::{
     simulate::{
         AppliedTorque, FreeRotation, History, Loads, RigidBodyMotion, RotatingBody, RotationEvent,
-        RotationRun, RotationState, SimulateError, simulate, simulate_free,
+        RotationRun, RotationState, SimulateError, WatchedAngles, simulate, simulate_free,
+        simulate_free_watching, simulate_watching,
     },
     torque_free::FreeBody,
 };
@@ -134,6 +135,76 @@ fn free_motions_of_a_body_of_revolution_are_two_rotations() {
     let off =
         (q.w - wanted[0]).abs() + (q.i - wanted[1]).abs() + (q.j - wanted[2]).abs() + (q.k - wanted[3]).abs();
     assert!(off < 1e-11, "{q}");
+}
+
+#[test]
+fn every_sample_of_a_free_motion_is_where_its_two_rotations_lead() {
+    let (transverse, axial) = (1.7, 0.6);
+    let body = free(diagonal(transverse, transverse, axial));
+    let from = start(0.4, -0.3, 1.1);
+    let momentum = body.inertia * from.omega_body;
+    let spin = Vector3::z() * ((1.0 - axial / transverse) * from.omega_body.z);
+    let run = RotationRun { duration: 5.0, samples: 8, ..RUN };
+    for motion in [
+        simulate_free(&body, &from, 0.02, &run).unwrap(),
+        simulate(&body, &from, &Loads::default(), &run).unwrap(),
+    ] {
+        assert_eq!(motion.samples.len(), 8);
+        for (n, sample) in motion.samples.iter().enumerate() {
+            let time = 5.0 * n as f64 / 7.0;
+            let closed =
+                UnitQuaternion::new(momentum * (time / transverse)) * UnitQuaternion::new(spin * time);
+            assert!((sample.time - time).abs() < 1e-14);
+            assert!(sample.turning.attitude.angle_to(&closed) < 1e-10, "after {time} s");
+        }
+    }
+}
+
+/// The axis of revolution goes round the momentum with `|H|/I_t`: it is nearest to a direction 0.3 rad from the momentum
+/// where it passes between the two, and farthest half a turn later.
+#[test]
+fn a_precessing_axis_passes_a_watched_direction_when_it_must() {
+    let (transverse, axial, away, ahead) = (1.7, 0.6, 0.3f64, 2.3);
+    let body = free(diagonal(transverse, transverse, axial));
+    let from = start(0.4, -0.3, 1.1);
+    let momentum = body.inertia * from.omega_body;
+    let (along, rate) = (momentum.normalize(), momentum.norm() / transverse);
+    let tilt = along.angle(&Vector3::z());
+    let toward = (Vector3::z() - along * along.z).normalize();
+    let against = UnitQuaternion::new(along * ahead) * (along * away.cos() + toward * away.sin());
+    let watched = Some(WatchedAngles { of: Vector3::z(), against });
+    let run = RotationRun { duration: 6.0 / rate, samples: 7, ..RUN };
+    for motion in [
+        simulate_free_watching(&body, &from, 0.02, &run, watched).unwrap(),
+        simulate_watching(&body, &from, &Loads::default(), &run, watched).unwrap(),
+    ] {
+        let angles = motion.angles.expect("an angle is watched");
+        for (extreme, turned, angle) in
+            [(angles.least, ahead, tilt - away), (angles.largest, ahead + PI, tilt + away)]
+        {
+            assert!((extreme.time * rate - turned).abs() < 1e-8, "{extreme:?}, not after {turned} rad");
+            assert!((extreme.value - angle).abs() < 1e-9, "{extreme:?}, not {angle} rad");
+        }
+    }
+}
+
+#[test]
+fn a_table_goes_on_straight_lines_and_stays_at_its_ends() {
+    let table = History::Table(vec![[0.3, 0.7], [1.1, -2.3], [1.6, 0.4], [2.9, 1.8]]);
+    let third = 1.0 / 3.0;
+    for (time, value) in [
+        (-0.7, 0.7),
+        (0.3, 0.7),
+        (0.3 + 0.8 * third, 0.7 - 3.0 * third),
+        (1.1, -2.3),
+        (1.1 + 0.5 * third, -2.3 + 2.7 * third),
+        (1.6, 0.4),
+        (1.6 + 1.3 * third, 0.4 + 1.4 * third),
+        (2.9, 1.8),
+        (4.3, 1.8),
+    ] {
+        assert!((table.at(time) - value).abs() < 1e-14, "{} after {time} s", table.at(time));
+    }
 }
 
 /// Near the unstable axis, against a Taylor series in 30 digits.

@@ -192,6 +192,77 @@ fn critical_speeds_found_directly_are_where_the_branches_cross_the_line() {
     }
 }
 
+#[test]
+fn the_range_of_critical_speeds_ends_where_it_is_said_to() {
+    let rotor = Assembled::new(&nelson_mcvaugh()).unwrap();
+    let highest = 1e4;
+    let speeds = |reduced: &ReducedRotor<'_>, highest: f64| -> Vec<f64> {
+        let criticals = critical::direct(reduced, 1.0, highest).unwrap();
+        criticals.found.iter().map(|critical| critical.speed).collect()
+    };
+    let rough = speeds(&ReducedRotor::new(&rotor, 8, &[0.0, highest]).unwrap(), highest);
+    let reduced = ReducedRotor::new(&rotor, 8, &rough).unwrap();
+    let all = speeds(&reduced, highest);
+    assert_eq!(all.len(), 5);
+    for (n, speed) in all.iter().enumerate() {
+        assert_eq!(speeds(&reduced, speed * (1.0 + 1e-9)), all[..=n]);
+        assert_eq!(speeds(&reduced, speed * (1.0 - 1e-9)), all[..n]);
+    }
+}
+
+/// A heavy end of a bar that turns about its other end: a spring along `x` that stiffens with the speed, so that
+/// `m ω² = k(Ω)` passes the line upwards, and a damper along `y` that lets that motion swing from a speed beyond on.
+#[test]
+fn a_critical_speed_is_found_where_another_motion_begins_to_swing() {
+    let (length, diameter): (f64, f64) = (0.5, 0.04);
+    let material = Material { density: 1.0, ..STEEL };
+    let mut rotor = uniform(1, length, diameter, material, &SupportType::Pinned);
+    let row = |speed: f64, k: f64, c: f64| (speed, Coefficients::orthotropic([k, 36e3], [0.0, c]));
+    let [from, to] = [64e3, 529e3];
+    rotor.supports[1].hold = SupportType::Bearing(vec![row(100.0, from, 1440.0), row(200.0, to, 600.0)]);
+    rotor.discs = vec![RigidDisc { node: 1, mass: 10.0, diametral: 1e-4, polar: 0.0 }];
+    let (area, moment) = (section::round_area(diameter), section::round_second_moment(diameter));
+    let mass = 10.0 + 1e-4 / length.powi(2) + length * (area / 3.0 + moment / length.powi(2));
+    let rise = (to - from) / 100.0;
+    let speed = (rise - (rise * rise - 4.0 * mass * (100.0 * rise - from)).sqrt()) / (2.0 * mass);
+
+    let rotor = Assembled::new(&rotor).unwrap();
+    let reduced = ReducedRotor::new(&rotor, 2, &[100.0, 200.0]).unwrap();
+    let diagram = campbell(&reduced, &[100.0, 200.0]).unwrap();
+    assert_eq!([0, 1].map(|n| diagram.spectra[n].overdamped.is_empty()), [false, true]);
+    let criticals = critical::crossings(&reduced, &diagram, 1.0).unwrap();
+    assert_eq!((criticals.found.len(), criticals.lost.len()), (1, 0));
+    close(criticals.found[0].speed, speed, 1e-7, "critical speed");
+}
+
+#[test]
+fn the_nodes_of_a_tapered_shaft_have_its_diameters() {
+    let segments = [
+        Segment { length: 0.37, outer: [0.05, 0.083], inner: [0.011, 0.024], material: STEEL },
+        Segment { length: 0.21, outer: [0.061, 0.04], inner: [0.02, 0.013], material: STEEL },
+    ];
+    let stations = [0.45, 0.23];
+    let mesh = mesh(&segments, &stations, 3).unwrap();
+    let mut at = 0.0;
+    let mut nodes = vec![at];
+    for element in &mesh.elements {
+        let (segment, start) = if at < 0.37 - 1e-9 { (&segments[0], 0.0) } else { (&segments[1], 0.37) };
+        for (end, place) in [at, at + element.length].into_iter().enumerate() {
+            let share = (place - start) / segment.length;
+            for (ours, whole) in [(element.outer, segment.outer), (element.inner, segment.inner)] {
+                close(ours[end], whole[0] + share * (whole[1] - whole[0]), 1e-12, "diameter");
+            }
+        }
+        at += element.length;
+        nodes.push(at);
+    }
+    assert_eq!(mesh.elements.len(), 12);
+    close(at, 0.58, 1e-12, "length");
+    for (station, node) in stations.iter().zip_eq(mesh.stations) {
+        close(nodes[node], *station, 1e-12, "station");
+    }
+}
+
 /// A uniform shaft between two equal supports.
 fn uniform(elements: usize, length: f64, diameter: f64, material: Material, hold: &SupportType) -> Rotor {
     let element =
@@ -228,19 +299,21 @@ fn internal_damping_turns_a_shaft_unstable_at_its_first_forward_critical_speed()
     }
 }
 
-/// Frequencies of a uniform shaft on rigid bearings: `ρA(1 + Ik²/A)ω² ∓ 2ρIk²Ωω = EIk⁴` with `k = nπ/L`.
+/// Frequencies of a uniform shaft on rigid bearings: `ρA(1 + Ik²/A)ω² ∓ 2ρIk²Ωω = EIk⁴ + Tk²` with `k = nπ/L`.
 #[test]
 fn a_uniform_shaft_on_rigid_bearings_whirls_as_the_closed_form_says() {
     let (length, diameter) = (1.0, 0.04);
     let (area, moment) = (section::round_area(diameter), section::round_second_moment(diameter));
-    let rotor = Assembled::new(&uniform(24, length, diameter, STEEL, &SupportType::Pinned)).unwrap();
-    for speed in [0.0, 700.0, 5000.0] {
+    for (tension, speed) in [0.0, 3e5, -1e5].into_iter().cartesian_product([0.0, 700.0, 5000.0]) {
+        let shaft = uniform(24, length, diameter, STEEL, &SupportType::Pinned);
+        let rotor = Assembled::new(&Rotor { tension, ..shaft }).unwrap();
         let modes = ReducedRotor::new(&rotor, 4, &[speed]).unwrap().modes(speed).unwrap().modes;
         for (n, pair) in modes.chunks(2).enumerate() {
             let k = (n as f64 + 1.0) * std::f64::consts::PI / length;
             let a = STEEL.density * (area + moment * k.powi(2));
             let b = STEEL.density * moment * k.powi(2) * speed;
-            let root = (b * b + a * STEEL.young * moment * k.powi(4)).sqrt();
+            let held = STEEL.young * moment * k.powi(4) + tension * k.powi(2);
+            let root = (b * b + a * held).sqrt();
             close(pair[0].frequency(), (root - b) / a, 5e-6, "backward");
             close(pair[1].frequency(), (root + b) / a, 5e-6, "forward");
             if speed > 0.0 {
@@ -249,6 +322,93 @@ fn a_uniform_shaft_on_rigid_bearings_whirls_as_the_closed_form_says() {
             }
         }
     }
+}
+
+/// `a z̈ + (ηᵥe − iΩg) ż + e ((1 + ηₕ)/p − i(Ωηᵥ + ηₕ/p)) z = 0` with `z = x + iy`, `e = EIk⁴` and `p = √(1 + ηₕ²)`.
+#[test]
+fn internal_damping_of_a_uniform_shaft_has_a_closed_form() {
+    let (length, diameter): (f64, f64) = (1.0, 0.04);
+    let (area, moment) = (section::round_area(diameter), section::round_second_moment(diameter));
+    for (viscous_damping, loss_factor) in [(4e-5, 0.0), (0.0, 0.03), (3e-5, 0.02)] {
+        let material = Material { viscous_damping, loss_factor, ..STEEL };
+        let rotor = Assembled::new(&uniform(40, length, diameter, material, &SupportType::Pinned)).unwrap();
+        let phase = f64::hypot(loss_factor, 1.0);
+        for speed in [200.0, 900.0] {
+            let modes = ReducedRotor::new(&rotor, 4, &[speed]).unwrap().modes(speed).unwrap().modes;
+            for (n, pair) in modes.chunks(2).enumerate() {
+                let k = (n as f64 + 1.0) * std::f64::consts::PI / length;
+                let a = STEEL.density * (area + moment * k.powi(2));
+                let e = STEEL.young * moment * k.powi(4);
+                let b = Complex::new(viscous_damping * e, -2.0 * STEEL.density * moment * k.powi(2) * speed);
+                let across = speed * viscous_damping + loss_factor / phase;
+                let c = Complex::new((1.0 + loss_factor) / phase, -across) * e;
+                let root = (b * b - c * (4.0 * a)).sqrt();
+                // With the spin, and against it as its conjugate.
+                let lambda = |root: Complex<f64>| (root - b) / (2.0 * a);
+                let mut theirs =
+                    [root, -root].map(lambda).map(|lambda| Complex::new(lambda.re, lambda.im.abs()));
+                theirs.sort_by(|one, other| one.im.total_cmp(&other.im));
+                for (mode, theirs) in pair.iter().zip_eq(theirs) {
+                    let ours = modes::polished(&rotor, mode, speed).unwrap().mode.lambda;
+                    assert!((ours - theirs).norm() < 2e-6 * theirs.norm(), "{ours} is not {theirs}");
+                }
+            }
+        }
+    }
+}
+
+/// Euler's load, Engesser's `1/(1/P + 1/κGA)` where the shaft shears, and `kL/2` where the bearings give way before.
+#[test]
+fn a_compressed_shaft_is_refused_from_its_buckling_load_on() {
+    let (length, diameter): (f64, f64) = (1.3, 0.04);
+    let (area, moment) = (section::round_area(diameter), section::round_second_moment(diameter));
+    let euler = (std::f64::consts::PI / length).powi(2) * STEEL.young * moment;
+    let poisson = STEEL.young / (2.0 * STEEL.shear) - 1.0;
+    let shear = element::shear_factor(poisson, 0.0) * STEEL.shear * area;
+    let tilting = 0.7 * euler;
+    let soft = Coefficients::isotropic(2.0 * tilting / length, 0.0);
+    let soft = SupportType::Bearing(vec![(0.0, soft)]);
+    for (theory, hold, load) in [
+        (BeamTheory::EulerBernoulli, &SupportType::Pinned, euler),
+        (BeamTheory::Timoshenko, &SupportType::Pinned, 1.0 / (1.0 / euler + 1.0 / shear)),
+        (BeamTheory::EulerBernoulli, &soft, tilting),
+        (BeamTheory::Timoshenko, &soft, tilting),
+    ] {
+        for (share, answer) in [(1.0 - 1e-5, None), (1.0 + 1e-5, Some(RotorError::Buckled))] {
+            let shaft = uniform(40, length, diameter, STEEL, hold);
+            let rotor = Assembled::new(&Rotor { theory, tension: -share * load, ..shaft }).unwrap();
+            let refused = ReducedRotor::new(&rotor, 4, &[0.0]).err();
+            assert_eq!(refused, answer, "{theory:?}, {hold:?}, {share}");
+        }
+    }
+}
+
+/// Bearings that push across or with the motion, internal damping, and compression.
+#[test]
+fn a_rotor_can_grow_only_where_something_feeds_it() {
+    let bearing = |across: [f64; 2], damping: f64| Coefficients {
+        stiffness: [[1e6, across[0]], [across[1], 0.8e6]],
+        damping: [[damping, 0.0], [0.0, 150.0]],
+    };
+    let plain = two_discs(6, bearing([0.0; 2], 200.0));
+    let mut inside = plain.clone();
+    for element in &mut inside.elements {
+        element.material.viscous_damping = 2e-4;
+    }
+    let grows = |rotor: &Rotor| {
+        let rotor = Assembled::new(rotor).unwrap();
+        let modes = ReducedRotor::new(&rotor, 6, &[1500.0]).unwrap().modes(1500.0).unwrap().modes;
+        modes.iter().any(|mode| mode.lambda.re > 1e-9 * mode.lambda.norm())
+    };
+    let stretched = Rotor { tension: 2e4, ..plain.clone() };
+    for rotor in [&plain, &stretched, &two_discs(6, bearing([3e5, 3e5], 200.0))] {
+        assert!(rotor.cannot_grow() && !grows(rotor), "{rotor:?}");
+    }
+    let pushed = [bearing([5e5, -5e5], 200.0), bearing([0.0; 2], -900.0)].map(|here| two_discs(6, here));
+    for rotor in [&inside, &pushed[0], &pushed[1]] {
+        assert!(!rotor.cannot_grow() && grows(rotor), "{rotor:?}");
+    }
+    assert!(!Rotor { tension: -2e4, ..plain }.cannot_grow());
 }
 
 /// A spin the other way turns every whirl round and changes nothing else.

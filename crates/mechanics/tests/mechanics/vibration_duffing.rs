@@ -39,6 +39,62 @@ fn the_peak_of_the_first_harmonic() {
     }
 }
 
+/// Hardening and softening, far from a mass of one and with strong damping.
+const STRONG: [(Duffing, f64); 2] = [
+    (Duffing { mass: 2.3, damping: 12.0, stiffness: 900.0, cubic: 4e5 }, 7.0),
+    (Duffing { mass: 0.6, damping: 3.0, stiffness: 250.0, cubic: -8e3 }, 3.0),
+];
+
+#[test]
+fn the_response_has_its_peak_at_the_frequency_of_the_peak() {
+    for (duffing, force) in STRONG {
+        let (largest, at) = duffing.peak(force).expect("a peak");
+        let of = |frequency: f64| {
+            duffing.steady(force, frequency).iter().fold(0.0f64, |most, one| most.max(one.amplitude))
+        };
+        assert!((of(at) / largest - 1.0).abs() < 1e-10, "{} is not {largest}", of(at));
+        for n in -300..=300 {
+            assert!(of(at * (1.0 + 1e-3 * f64::from(n))) < largest * (1.0 + 1e-10), "{n}");
+        }
+    }
+}
+
+#[test]
+fn at_both_frequencies_of_an_amplitude_the_force_is_balanced() {
+    for (duffing, force) in STRONG {
+        let (largest, _) = duffing.peak(force).expect("a peak");
+        for share in [0.4, 0.7, 0.95] {
+            let amplitude = share * largest;
+            let [low, high] = duffing.frequencies_of(force, amplitude);
+            let backbone = duffing.backbone(amplitude).expect("a backbone");
+            assert!(low < backbone && low < high, "{low}, {backbone}, {high}");
+            for frequency in [low, high] {
+                let held = duffing.equivalent(amplitude) - duffing.mass * frequency * frequency;
+                let needed = amplitude * held.hypot(duffing.damping * frequency);
+                assert!((needed / force - 1.0).abs() < 1e-10, "{needed} is not {force}");
+            }
+        }
+    }
+}
+
+/// At a jump the force is balanced, and the force that is needed does not change with the amplitude: `d(F²)/d(A²) = 0`.
+#[test]
+fn at_a_jump_the_response_has_a_vertical_tangent() {
+    for (cubic, force) in [(4e5, 1.1), (-4e4, 0.9), (-2e4, 1.1)] {
+        let duffing = Duffing { mass: 2.3, damping: 0.7, stiffness: 900.0, cubic };
+        let jumps = duffing.jumps(force);
+        assert_eq!(jumps.len(), 2);
+        for (frequency, amplitude) in jumps {
+            let soft = duffing.stiffness - duffing.mass * frequency * frequency;
+            let (bent, loss) = (0.75 * cubic * amplitude * amplitude, duffing.damping * frequency);
+            let needed = amplitude * (soft + bent).hypot(loss);
+            assert!((needed / force - 1.0).abs() < 1e-10, "{needed} is not {force}");
+            let slope = (soft + bent) * (soft + 3.0 * bent) + loss * loss;
+            assert!(slope.abs() < 1e-9 * loss * loss, "{slope:e} of {:e}", loss * loss);
+        }
+    }
+}
+
 /// Every steady vibration satisfies its equation; between the jumps there are three and the middle one is unstable.
 #[test]
 fn between_the_jumps_there_are_three_vibrations() {

@@ -234,3 +234,40 @@ proptest! {
         }
     }
 }
+
+/// `ẍ = ω²(u − x) − 2ζωẋ` under every law of the load, the rates by central differences of eighth order.
+#[test]
+fn every_law_of_the_load_satisfies_the_equation_of_motion() {
+    let initial = OscillatorState { displacement: 0.37, velocity: -0.83 };
+    for law in [
+        LoadLaw::Line { start: 0.7, slope: -0.4 },
+        LoadLaw::Sine { amplitude: 1.6, frequency: 2.1 },
+        LoadLaw::Decay { amplitude: 1.4, rate: 0.6 },
+        LoadLaw::Rise { size: 1.7, rate: 0.6 },
+        LoadLaw::Versine { size: 1.9, frequency: 2.1 },
+        LoadLaw::Parabola { start: 0.6, slope: -0.3, bend: 0.21 },
+    ] {
+        for ratio in [0.0, 0.3, 1.7] {
+            let oscillator = Oscillator { natural: 1.3, ratio };
+            let motion =
+                TransientMotion::new(oscillator, initial, &[LoadSegment { from: 0.0, law }]).unwrap();
+            for time in [0.2, 1.1, 2.9, 6.4] {
+                let step = 0.02;
+                let rate = |of: fn(OscillatorState) -> f64| {
+                    let pair = |n: f64| of(motion.at(time + n * step)) - of(motion.at(time - n * step));
+                    (672.0 * pair(1.0) - 168.0 * pair(2.0) + 32.0 * pair(3.0) - 3.0 * pair(4.0))
+                        / (840.0 * step)
+                };
+                let here = motion.at(time);
+                let pull = law.at(time) - here.displacement;
+                let acceleration = 1.69 * pull - 2.6 * ratio * here.velocity;
+                for (ours, theirs) in [
+                    (here.velocity, rate(|state| state.displacement)),
+                    (acceleration, rate(|state| state.velocity)),
+                ] {
+                    assert!((ours - theirs).abs() < 1e-8, "{law:?}, {ratio}, {time}: {ours} is not {theirs}");
+                }
+            }
+        }
+    }
+}
