@@ -89,6 +89,12 @@ pub fn step(solution: &Solution, step: &Step, locale: &Locale) -> WrittenStep {
     }
 }
 
+/// Another number in place of the result of a step, written as that is.
+pub fn in_place_of_result(solution: &Solution, step: &Step, other: Number, style: Style) -> String {
+    let writer = Writer { solution, values: false, general: false, radians: false, style };
+    number(other, &writer.unit_of_result(step), style)
+}
+
 /// A number of the trace as a formula of symbols.
 pub fn formula(solution: &Solution, id: Id, locale: &Locale) -> String {
     Writer { solution, values: false, general: false, radians: false, style: locale.style }.expression(id)

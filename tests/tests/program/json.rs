@@ -165,6 +165,7 @@ fn results_are_as_their_schema_says() {
         let solved = result(json!({ "problem": entry.about.id, "case": 1 }));
         assert_valid(&solved, entry.about.id);
         is_a_graph(&solved, entry.about.id);
+        common_errors_are_written_as_results(&solved, entry.about.id);
     });
     for name in ["fan_on_bracket.toml", "mass_from_frequency.toml", "fan_questions.toml", "added_weight.toml"]
     {
@@ -175,6 +176,21 @@ fn results_are_as_their_schema_says() {
     }
     let unknown = result(json!({ "problem_file": example("mass_from_frequency.toml") }));
     assert!(!unknown["unknowns"].as_object().expect("an object").is_empty(), "{unknown}");
+}
+
+/// A common error has another number than its step, written in the same unit.
+fn common_errors_are_written_as_results(solved: &Json, what: &str) {
+    let result = |of: &Json| of["result"].as_str().expect("a text").to_owned();
+    let unit = |result: &str| result.split_once(' ').map(|(_, unit)| unit.to_owned());
+    for step in solved["steps"].as_array().expect("a list") {
+        let right = result(step);
+        for error in step["common_errors"].as_array().into_iter().flatten() {
+            let wrong = result(error);
+            assert_ne!(right, wrong, "{what}: {step}");
+            assert_eq!(unit(&right), unit(&wrong), "{what}: {step}");
+            assert_eq!([&step["unit"], &step["si_unit"]], [&error["unit"], &error["si_unit"]], "{what}");
+        }
+    }
 }
 
 /// Steps come from steps before them and from inputs that are there, and an answer has the number of its step.

@@ -186,7 +186,7 @@ pub(super) fn lines(mistake: &Mistake, solution: &Solution, locale: &Locale) -> 
     let right = printer::step(solution, step, locale);
     let (wrong, right) = if edit.at == step.result {
         let taken = mistake.taken?;
-        (printer::number(Number::Scalar(taken), &step.unit, locale.style), right.result)
+        (printer::in_place_of_result(solution, step, Number::Scalar(taken), locale.style), right.result)
     } else {
         let edited = edited(solution, edit);
         (printer::step(&edited, step, locale).formula, right.formula)

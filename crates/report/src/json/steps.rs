@@ -33,23 +33,26 @@ pub(super) fn step(solution: &Solution, n: usize, locale: &Locale) -> Json {
         entry["problem"] = problem.name.into();
     }
     let errors = solution.common_errors.iter().filter(|error| error.step == n);
-    let errors: Vec<Json> = errors.filter_map(|error| common_error(solution, error, locale)).collect();
+    let errors = errors.filter_map(|error| common_error(solution, error, &written.result, locale));
+    let errors: Vec<Json> = errors.collect();
     if !errors.is_empty() {
         entry["common_errors"] = errors.into();
     }
     entry
 }
 
-/// A common error in words, and the number that it gives in place of that of its step; `None` where that is the right one.
-fn common_error(solution: &Solution, error: &CommonError, locale: &Locale) -> Option<Json> {
+/// A common error in words, and the number that it gives in place of that of its step; `None` where it is written as the right
+/// one is.
+fn common_error(solution: &Solution, error: &CommonError, right: &str, locale: &Locale) -> Option<Json> {
     let step = &solution.steps[error.step];
-    let [right, wrong] = [step.result, error.formula].map(|id| solution.trace.node(id).number);
-    if wrong == right {
+    let wrong = solution.trace.without_noise(error.formula);
+    let result = printer::in_place_of_result(solution, step, wrong, locale.style);
+    if result == right {
         return None;
     }
     let mut entry = with_units(&|of| number(wrong, of), &step.unit);
     entry.insert("what".into(), error.what.render(locale).into());
-    entry.insert("result".into(), printer::number(wrong, &step.unit, locale.style).into());
+    entry.insert("result".into(), result.into());
     Some(Json::Object(entry))
 }
 
