@@ -2,6 +2,7 @@
 
 pub mod attitude;
 pub mod body;
+pub(crate) mod common_errors;
 pub(crate) mod differences;
 pub(crate) mod flat;
 pub mod gyro_rotor;

@@ -7354,7 +7354,6 @@ the-geometric-mean-of-the-two-frequencies-taken = tomada a média geométrica da
 the-damping-ratio-interpolated-linearly-between-the-two-modes = fator de amortecimento interpolado linearmente entre os dois modos
 the-coefficient-found-from-one-mode-the-other-term-of-the-damping-left-out = coeficiente calculado com um só modo, esquecido o outro termo do amortecimento
 the-mean-damping-ratio-used-for-both-modes = usado o fator de amortecimento médio nos dois modos
-the-frequency-of-the-largest-steady-amplitude-used = usada a frequência da maior amplitude em regime permanente
 the-decay-rate-divided-by-the-damped-frequency = taxa de decaimento dividida pela frequência amortecida
 the-coupling-of-the-two-coordinates-neglected = desprezado o acoplamento das duas coordenadas
 the-bearing-taken-to-hold-the-shaft-along-its-axis = mancal suposto como se travasse o eixo na direção axial

@@ -3,6 +3,7 @@
 use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2, TAU};
 
 use dalembert_units::{self as units, Dim, Kind, Unit};
+use itertools::Itertools as _;
 
 use super::{
     Change, Mistake, Place,
@@ -23,6 +24,7 @@ use crate::{
 const MOST_PAIRS: usize = 60;
 /// Accelerations of gravity that people take, in m/s².
 const GRAVITY: [f64; 4] = [9.81, 10.0, 9.806_65, 9.8];
+
 /// One way to take an input otherwise.
 struct Way {
     prior: f64,
@@ -251,14 +253,14 @@ fn ways(input: &VariedInput, others: &[VariedInput]) -> Vec<Way> {
         may(if has(&["damp"]) { 4.0 } else { 2.3 }, Change::LeftOut, 0.0);
         may(if is_signed(input) { 6.0 } else { 1.0 }, Change::Sign, -si);
     }
-    // Moments of inertia, unbalances and mass per length are confused as well, but seldom.
-    let seldom = if [Kind::Mass, Kind::Force].contains(&kind) { 1.0 } else { 0.3 };
-    if seldom == 1.0 || input.unit.dim.mass == 1 && input.unit.dim.time == 0 {
-        for (prior, g) in weights(&input.unit) {
-            for si in [si * g, si / g] {
-                may(seldom * prior, Change::Weight, si);
-            }
-        }
+    let share = match kind {
+        Kind::Mass | Kind::Force => Some(1.0),
+        // Moments of inertia, unbalances and mass per length are confused as well, but seldom.
+        _ => (input.unit.dim.mass == 1 && input.unit.dim.time == 0).then_some(0.3),
+    };
+    for (share, (prior, g)) in share.into_iter().cartesian_product(weights(&input.unit)) {
+        may(share * prior, Change::Weight, si * g);
+        may(share * prior, Change::Weight, si / g);
     }
     if kind == Kind::Angle {
         for turn in [0.5 * PI, PI, TAU] {

@@ -111,12 +111,12 @@ pub(super) fn of_product(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
                 Op::Given { unit, .. } => unit,
                 _ => &Unit::ONE,
             };
-            for (prior, g) in
-                weights(unit).iter().flat_map(|(prior, g)| [(*prior, *g), (0.3 * prior, 1.0 / g)])
-            {
-                let g = if factor.divides { 1.0 / g } else { g };
-                let edit = product_of(solution, id, &all, g);
-                found.extend(edit.map(|edit| slip(0.3 * prior, Change::Weight, edit)));
+            for (prior, g) in weights(unit) {
+                for (share, g) in [(0.3, *g), (0.09, 1.0 / g)] {
+                    let g = if factor.divides { 1.0 / g } else { g };
+                    let edit = product_of(solution, id, &all, g);
+                    found.extend(edit.map(|edit| slip(share * prior, Change::Weight, edit)));
+                }
             }
         }
         let twice: Vec<Factor> = all.iter().copied().chain([*factor]).collect();

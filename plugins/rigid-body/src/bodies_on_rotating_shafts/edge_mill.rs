@@ -13,6 +13,7 @@ use nalgebra::{Rotation3, Vector3};
 
 use crate::{
     shared::{
+        common_errors,
         differences::second_rate,
         scene::{self, Scene},
     },
@@ -109,8 +110,7 @@ impl Analysis for EdgeMill {
                 let axial = rigid::disc_axial_inertia(given.mass, given.radius);
                 let about_contact = || rigid::parallel_axis(axial, given.mass, given.radius);
                 sheet.common_error("I_a", ABOUT_CONTACT, about_contact);
-                let diametral = || rigid::disc_diametral_inertia(given.mass, given.radius);
-                sheet.common_error("I_a", "moment of inertia of the disc taken about a diameter", diametral);
+                common_errors::of_disc("I_a", given.mass, given.radius, sheet);
                 let why = "Moment of inertia of a solid roller about its axis";
                 sheet.step("I_a", "kg*m^2", axial, why)
             }
@@ -118,8 +118,7 @@ impl Analysis for EdgeMill {
                 let axial = given.mass * radius_of_gyration.powi(2);
                 let about_contact = || rigid::parallel_axis(axial, given.mass, given.radius);
                 sheet.common_error("I_a", ABOUT_CONTACT, about_contact);
-                let what = "the formula of a disc, mk²/2, used with the radius of gyration";
-                sheet.common_error("I_a", what, || axial / 2.0);
+                sheet.common_error("I_a", common_errors::AS_DISC, || axial / 2.0);
                 let why = "Moment of inertia about the axis, from the radius of gyration";
                 sheet.step("I_a", "kg*m^2", axial, why)
             }

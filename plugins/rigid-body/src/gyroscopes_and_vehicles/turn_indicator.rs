@@ -12,7 +12,7 @@ use dalembert_mechanics::{
 use nalgebra::Vector3;
 
 use crate::{
-    shared::{differences::check_disc, flat::into_page},
+    shared::{common_errors, differences::check_disc, flat::into_page},
     sources::{BEER, KHURMI},
 };
 
@@ -108,10 +108,7 @@ impl Analysis for TurnIndicator {
     fn solve<W: Worksheet>(&self, given: &TurnIndicatorGiven<W>, sheet: W) -> Result<(), Refusal> {
         let (axial, transverse) = match given.rotor {
             IndicatorRotorGiven::Disc { mass, radius } => {
-                let diametral = || rigid::disc_diametral_inertia(mass, radius);
-                sheet.common_error("I_a", "moment of inertia of the disc taken about a diameter", diametral);
-                let of_rim = || mass * radius.powi(2);
-                sheet.common_error("I_a", "whole mass of the disc taken at its rim", of_rim);
+                common_errors::of_disc("I_a", mass, radius, sheet);
                 let axial = sheet.step(
                     "I_a",
                     "kg*m^2",

@@ -13,7 +13,10 @@ use dalembert_mechanics::{
 };
 use nalgebra::Vector3;
 
-use crate::sources::{BEER, KHURMI};
+use crate::{
+    shared::common_errors::AS_DISC,
+    sources::{BEER, KHURMI},
+};
 use wheels::Wheel;
 
 /// A vehicle with one or two axles on a curve, level or banked, and its turning parts.
@@ -254,8 +257,7 @@ impl WheelLoads {
         if let WheelInertiaGiven::EachWheelGyration { .. } | WheelInertiaGiven::EachPairGyration { .. } =
             given.wheels
         {
-            let what = "the formula of a disc, mk²/2, used with the radius of gyration";
-            sheet.common_error("I_W", what, || all / 2.0);
+            sheet.common_error("I_W", AS_DISC, || all / 2.0);
         }
         sheet.step("I_W", "kg*m^2", all, "Moment of inertia of all wheels about their axles")
     }

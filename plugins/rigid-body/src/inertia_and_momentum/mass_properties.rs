@@ -17,7 +17,7 @@ use crate::{
     shared::{
         body::{
             AboutPoint, Body, BodyLine, BodyLineGiven, BodyPart, PAIRS, WorkedBody, about_line, about_point,
-            refused,
+            product_errors, refused,
         },
         flat,
         scene::Scene,
@@ -282,11 +282,7 @@ impl BodyLine {
         );
         let between = along.components().into_iter().filter(|cos| cos.holds(|cos| cos != 0.0)).count() > 1;
         if between {
-            let about = |products: [W::Num; 3]| about_line(body.moments, products, along);
-            sheet.common_error("I_λ", "the products of inertia ignored", || about([0.0.into(); 3]));
-            sheet.common_error("I_λ", "the products of inertia taken with the opposite sign", || {
-                about(body.products.map(|product| -product))
-            });
+            product_errors("I_λ", body, along, sheet);
             sheet.common_error("I_λ", "the direction cosines not squared", || {
                 let terms = body.moments.into_iter().zip(along.components());
                 W::Num::sum(terms.map(|(moment, cos)| moment * cos))

@@ -8,7 +8,7 @@ use crate::{
     shared::{
         body::{
             Body, BodyLine, BodyLineGiven, BodyRotation, BodyVelocity, WorkedBody, directed, matrix_times,
-            refused,
+            projection_error, refused,
         },
         scene::Scene,
     },
@@ -222,11 +222,7 @@ fn line_momentum<W: Worksheet>(
         about_g + (body.centre - given.through).cross(linear),
         "Angular momentum about a point of the line",
     );
-    if along.cross(about).magnitude().holds(|size| size > 0.0) {
-        sheet.common_error("H_λ", "the whole angular momentum about the point of the line taken", || {
-            about.magnitude()
-        });
-    }
+    projection_error(about, along, sheet);
     let component = sheet.step(
         "H_λ",
         "kg*m^2/s",

@@ -23,8 +23,8 @@ pub(crate) use motion::directed;
 pub use motion::{BodyRotation, BodyRotationGiven, BodyVelocity, BodyVelocityGiven};
 pub use shape::{Shape, ShapeGiven};
 pub(crate) use working::{
-    AboutPoint, PAIRS, WorkedBody, about_line, about_point, crossed, matrix_times, transferred,
-    transferred_sum,
+    AboutPoint, PAIRS, WorkedBody, about_line, about_point, crossed, matrix_times, product_errors,
+    projection_error, transferred, transferred_sum,
 };
 
 /// A line in the body.

@@ -3,7 +3,7 @@
 use dalembert_core::{Inputs, Refusal, Worksheet};
 use dalembert_mechanics::{Real, rigid};
 
-use crate::shared::{body::Shape, differences::check_disc};
+use crate::shared::{body::Shape, common_errors, differences::check_disc};
 
 /// A symmetric rotor.
 #[derive(Clone, Debug, Inputs)]
@@ -106,12 +106,8 @@ impl<W: Worksheet> GyroRotorGiven<W> {
                 return Ok(SpinningRotor { momentum: *momentum, axial: None, mass: *mass });
             }
             GyroRotorGiven::RadiusOfGyration { mass, radius_of_gyration } => {
-                let disc = || *mass * radius_of_gyration.powi(2) / 2.0;
-                sheet.common_error(
-                    "I_a",
-                    "the formula of a disc, mk²/2, used with the radius of gyration",
-                    disc,
-                );
+                let disc = || rigid::disc_axial_inertia(*mass, *radius_of_gyration);
+                sheet.common_error("I_a", common_errors::AS_DISC, disc);
                 let inertia = sheet.step(
                     "I_a",
                     "kg*m^2",
@@ -121,10 +117,7 @@ impl<W: Worksheet> GyroRotorGiven<W> {
                 (inertia, Some(*mass))
             }
             GyroRotorGiven::Disc { mass, radius } => {
-                let diametral = || rigid::disc_diametral_inertia(*mass, *radius);
-                sheet.common_error("I_a", "moment of inertia of the disc taken about a diameter", diametral);
-                let of_rim = || *mass * radius.powi(2);
-                sheet.common_error("I_a", "whole mass of the disc taken at its rim", of_rim);
+                common_errors::of_disc("I_a", *mass, *radius, sheet);
                 let inertia = sheet.step(
                     "I_a",
                     "kg*m^2",

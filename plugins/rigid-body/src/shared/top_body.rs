@@ -5,7 +5,7 @@ use dalembert_mechanics::rigid;
 use nalgebra::{Rotation3, Vector3};
 
 use crate::{
-    shared::{body::Shape, scene::Scene},
+    shared::{body::Shape, common_errors::AS_DISC, scene::Scene},
     sources::BEER,
 };
 
@@ -137,11 +137,7 @@ impl<W: Worksheet> TopBodyGiven<W> {
                 (axial, Some(about_point(transverse)))
             }
             TopInertiaGiven::Gyration { axial, transverse } => {
-                sheet.common_error(
-                    "I_a",
-                    "the radius of gyration used as the radius of a disc, ½ m k²",
-                    || rigid::disc_axial_inertia(self.mass, *axial),
-                );
+                sheet.common_error("I_a", AS_DISC, || rigid::disc_axial_inertia(self.mass, *axial));
                 sheet.common_error(
                     "I_t",
                     "m l² added, as if the radius of gyration were about the centre of mass",

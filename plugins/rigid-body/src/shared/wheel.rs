@@ -3,6 +3,8 @@
 use dalembert_core::{Inputs, Worksheet};
 use dalembert_mechanics::{Real, rigid};
 
+use crate::shared::common_errors;
+
 /// A body of revolution that touches the floor with one circle about its centre.
 #[derive(Clone, Debug, Inputs)]
 pub enum Wheel {
@@ -53,8 +55,7 @@ pub(crate) fn moments<W: Worksheet>(
             let what =
                 "moment of inertia of the disc taken about a parallel axis through the point of contact";
             sheet.common_error("I_a", what, about_contact);
-            let of_rim = || mass * radius.powi(2);
-            sheet.common_error("I_a", "whole mass of the disc taken at its rim", of_rim);
+            common_errors::of_disc("I_a", mass, radius, sheet);
             let axial = || moments[0];
             let what = "moment of inertia of the disc about its axis taken for that about a diameter";
             sheet.common_error("I_t", what, axial);
@@ -70,8 +71,7 @@ pub(crate) fn moments<W: Worksheet>(
             sheet.common_error("I_t", "moment of inertia of a solid disc used for the hoop", disc);
         }
         WheelGiven::Radii { .. } => {
-            let what = "the formula of a disc, mk²/2, used with the radius of gyration";
-            sheet.common_error("I_a", what, || moments[0] / 2.0);
+            sheet.common_error("I_a", common_errors::AS_DISC, || moments[0] / 2.0);
         }
         WheelGiven::Moments { .. } => {}
     }

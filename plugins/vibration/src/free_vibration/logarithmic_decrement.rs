@@ -14,7 +14,7 @@ mod fit;
 use crate::{
     shared::{
         continuous::{ShearModulus, shear_modulus},
-        decay::{Decay, decrement, ratio_errors},
+        decay::{Decay, damped_frequency_error, decrement, ratio_errors},
         inertia::{Inertia, TranslatingBody, moment_of_inertia},
         oscillator::{
             SpringData, frequency_of,
@@ -508,8 +508,7 @@ fn elastic<W: Worksheet>(
     kind: Kind,
     sheet: W,
 ) -> Oscillation<W::Num> {
-    let peak = || natural * (W::Num::from(1.0) - zeta.powi(2) * 2.0).sqrt();
-    sheet.common_error("ω_d", "the frequency of the resonance peak taken, ωₙ√(1 − 2ζ²)", peak);
+    damped_frequency_error("ω_d", natural, zeta, sheet);
     let damped = sheet.step(
         "ω_d",
         "rad/s",

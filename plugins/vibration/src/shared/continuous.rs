@@ -59,15 +59,24 @@ pub(crate) fn shear_modulus<W: Worksheet>(
 ) -> W::Num {
     match given {
         ShearModulusGiven::Given { shear } => *shear,
-        ShearModulusGiven::Isotropic { young, poisson } => {
-            let symbol: Symbol = symbol.into();
-            let modulus = *young / ((*poisson + 1.0) * 2.0);
-            sheet.common_error(symbol, "Young's modulus used as the shear modulus", || *young);
-            let bulk = || *young / ((W::Num::from(1.0) - *poisson * 2.0) * 3.0);
-            sheet.common_error(symbol, "the bulk modulus, E/(3(1 − 2ν)), used", bulk);
-            sheet.step(symbol, "GPa", modulus, ("Shear modulus of an isotropic material", BEER.at("ch. 2")))
-        }
+        ShearModulusGiven::Isotropic { young, poisson } => isotropic_shear(*young, *poisson, sheet, symbol),
     }
+}
+
+/// The shear modulus of an isotropic material, Pa, written as the step `symbol`.
+#[inline]
+pub(crate) fn isotropic_shear<W: Worksheet>(
+    young: W::Num,
+    poisson: W::Num,
+    sheet: W,
+    symbol: impl Into<Symbol>,
+) -> W::Num {
+    let symbol: Symbol = symbol.into();
+    sheet.common_error(symbol, "Young's modulus used as the shear modulus", || young);
+    let bulk = || young / ((W::Num::from(1.0) - poisson * 2.0) * 3.0);
+    sheet.common_error(symbol, "the bulk modulus, E/(3(1 − 2ν)), used", bulk);
+    let modulus = young / ((poisson + 1.0) * 2.0);
+    sheet.step(symbol, "GPa", modulus, ("Shear modulus of an isotropic material", BEER.at("ch. 2")))
 }
 
 /// The mass of each length, kg/m, of a body with that area; row 0 for the only body.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use dalembert_core::{Inputs, Worksheet};
+use dalembert_core::{Inputs, Symbol, Worksheet};
 use dalembert_mechanics::{Real, sdof};
 
 use crate::sources::RAO;
@@ -79,6 +79,17 @@ pub(crate) fn decrement<W: Worksheet>(given: &DecayGiven<W>, sheet: W) -> FreeDe
         decrement,
     );
     FreeDecay { cycles, decrement, damping_ratio }
+}
+
+/// Records the common error of the damped natural frequency `symbol`.
+pub(crate) fn damped_frequency_error<W: Worksheet>(
+    symbol: impl Into<Symbol>,
+    natural: W::Num,
+    damping_ratio: W::Num,
+    sheet: W,
+) {
+    let peak = || natural * sdof::magnification_peak_ratio(damping_ratio);
+    sheet.common_error(symbol, "the frequency of the resonance peak taken, ωₙ√(1 − 2ζ²)", peak);
 }
 
 /// Records the common errors of the damping ratio `symbol` of a decrement.

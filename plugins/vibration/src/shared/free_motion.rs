@@ -5,11 +5,14 @@ use dalembert_core::{Refusal, Worksheet};
 use dalembert_mechanics::{Real, sdof, vibration::transient::closed};
 
 use crate::{
-    shared::oscillator::{
-        ElasticityGiven, Loss, MassAndStiffness, Suspension, ViscousDampingGiven,
-        motion::OscillatorMotion,
-        parts::{BodyDampingGiven, BodySpringsGiven, OscillatingBodyGiven, suspension_of_body},
-        suspension,
+    shared::{
+        decay::damped_frequency_error,
+        oscillator::{
+            ElasticityGiven, Loss, MassAndStiffness, Suspension, ViscousDampingGiven,
+            motion::OscillatorMotion,
+            parts::{BodyDampingGiven, BodySpringsGiven, OscillatingBodyGiven, suspension_of_body},
+            suspension,
+        },
     },
     sources::RAO,
 };
@@ -89,8 +92,7 @@ impl<N: Real> WorkedFreeMotion<N> {
             0.0 => Regime::Undamped,
             1.0 => Regime::Critical,
             below if below < 1.0 => {
-                let peak = || natural * (W::Num::from(1.0) - ratio.powi(2) * 2.0).sqrt();
-                sheet.common_error("ω_d", "the frequency of the resonance peak taken, ωₙ√(1 − 2ζ²)", peak);
+                damped_frequency_error("ω_d", natural, ratio, sheet);
                 let why = ("Frequency of the damped motion", RAO.at("§2.6"));
                 Regime::Under {
                     damped: sheet.step("ω_d", "rad/s", sdof::damped_frequency(natural, ratio), why),

@@ -6,7 +6,10 @@ use dalembert_core::{
 use dalembert_mechanics::{Real, sdof};
 
 use crate::{
-    shared::inertia::{Inertia, RollingShape},
+    shared::{
+        decay::damped_frequency_error,
+        inertia::{Inertia, RollingShape},
+    },
     sources::{KELLY, RAO},
 };
 
@@ -400,8 +403,7 @@ fn damped<W: Worksheet>(given: &EquivalentSystemGiven<W>, terms: &Terms<W::Num>,
     }
     if zeta.value() < 1.0 {
         let why = ("Frequency of the damped motion", RAO.at("§2.6"));
-        let peak = || natural * (W::Num::from(1.0) - zeta.powi(2) * 2.0).sqrt();
-        sheet.common_error("ω_d", "the frequency of the resonance peak taken, ωₙ√(1 − 2ζ²)", peak);
+        damped_frequency_error("ω_d", natural, zeta, sheet);
         let frequency = sheet.step("ω_d", "rad/s", sdof::damped_frequency(natural, zeta), why);
         sheet.answer("damped_frequency", "Damped natural frequency", frequency);
         let rate = damping / (inertia * 2.0);

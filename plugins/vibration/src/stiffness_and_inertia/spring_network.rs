@@ -15,7 +15,10 @@ mod drawing;
 mod exhibits;
 
 use crate::{
-    shared::spring::{Spring, network},
+    shared::{
+        decay::damped_frequency_error,
+        spring::{Spring, network},
+    },
     sources::RAO,
 };
 
@@ -519,8 +522,7 @@ fn combined<W: Worksheet>(system: &Network, node: usize, mass: W::Num, sheet: W)
     sheet.answer("combined_damping", "Damping, dampers combined separately from the springs", c);
     sheet.answer("combined_damping_ratio", "Damping ratio, springs and dampers combined separately", ratio);
     if ratio.value() < 1.0 {
-        let peak = || natural * (W::Num::from(1.0) - ratio.powi(2) * 2.0).sqrt();
-        sheet.common_error("ω_d", "the frequency of the resonance peak taken, ωₙ√(1 − 2ζ²)", peak);
+        damped_frequency_error("ω_d", natural, ratio, sheet);
         let damped = sheet.step(
             "ω_d",
             "rad/s",

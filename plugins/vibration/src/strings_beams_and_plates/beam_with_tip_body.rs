@@ -12,7 +12,7 @@ use dalembert_mechanics::{
 use nalgebra::Vector3;
 
 use crate::{
-    shared::{letters::of_row, section::RoundSection},
+    shared::{continuous::isotropic_shear, letters::of_row, section::RoundSection},
     sources::{BEER, BLEVINS, COWPER, WITTRICK},
 };
 
@@ -101,15 +101,7 @@ impl Analysis for BeamWithTipBody {
         let timoshenko = self.theory == BendingTheory::Timoshenko;
         let shape = tip_section(&given.section, timoshenko.then_some(given.poisson), sheet)?;
         let length = given.length;
-        sheet.common_error("G", "Young's modulus used as the shear modulus", || given.young);
-        let bulk = || given.young / ((W::Num::from(1.0) - given.poisson * 2.0) * 3.0);
-        sheet.common_error("G", "the bulk modulus, E/(3(1 − 2ν)), used", bulk);
-        let shear = sheet.step(
-            "G",
-            "GPa",
-            given.young / ((given.poisson + 1.0) * 2.0),
-            ("Shear modulus of an isotropic material", BEER.at("ch. 2")),
-        );
+        let shear = isotropic_shear(given.young, given.poisson, sheet, "G");
         let line =
             sheet.step("m̄", "kg/m", given.density * shape.area, "Mass per unit length: density times area");
         let axial = sheet.step("EA", "MN", given.young * shape.area, "Stiffness along the axis");

@@ -15,6 +15,7 @@ use crate::{
     shared::{
         built::{self, Built, BuiltMass, Link, Range, Solved, Template, TemplateRange},
         figure,
+        kinematics::slider_acceleration_errors,
         works::{self, FOUR, PointWork, Works, plane, symbol},
     },
     sources::{NORTON, RIUL, SHIGLEY},
@@ -252,13 +253,7 @@ impl Template for RollingDisc {
             let why = ("Angular acceleration of the rod", SHIGLEY.at("ch. 4"));
             let bent = sheet.step(symbol("α", "3"), "rad/s^2", bent, why);
             let value = loops::slider_acceleration(r, l, two, three, speed, turning, alpha, bent);
-            let first = || -(r * speed.powi(2) * two.cos()) - r * alpha * two.sin();
-            let second = || {
-                let doubled = two * 2.0;
-                r.powi(2) / l * (speed.powi(2) * doubled.cos() + alpha * doubled.sin() / 2.0)
-            };
-            sheet.common_error("a", "the obliquity of the rod neglected", first);
-            sheet.common_error("a", "the approximate formula of two terms used", || first() - second());
+            slider_acceleration_errors("a", [r, l], [two, speed, alpha], sheet);
             acceleration = sheet.step(
                 "a",
                 "m/s^2",

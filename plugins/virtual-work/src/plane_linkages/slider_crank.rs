@@ -15,7 +15,7 @@ use crate::{
     shared::{
         built::{self, Built, Range, Solved, Template, TemplateRange},
         figure,
-        kinematics::{self, Kinematics, Motion},
+        kinematics::{self, Kinematics, Motion, slider_acceleration_errors},
         works::{self, FOUR, LinkMass, PointWork, RotatingLinkWork, THREE, TWO, Works, plane, symbol},
     },
     sources::{BEER, NORTON, RIUL, SHIGLEY},
@@ -291,15 +291,7 @@ impl Template for SliderCrank {
                 loops::rod_acceleration(r, l, two, three, speed, rod_speed, alpha),
                 ("Angular acceleration of the rod", SHIGLEY.at("ch. 4")),
             );
-            let first = || -(r * speed.powi(2) * two.cos()) - r * alpha * two.sin();
-            let second = || {
-                let doubled = two * 2.0;
-                r.powi(2) / l * (speed.powi(2) * doubled.cos() + alpha * doubled.sin() / 2.0)
-            };
-            sheet.common_error(symbol("a", "B"), "the obliquity of the rod neglected", first);
-            sheet.common_error(symbol("a", "B"), "the approximate formula of two terms used", || {
-                first() - second()
-            });
+            slider_acceleration_errors(symbol("a", "B"), [r, l], [two, speed, alpha], sheet);
             sheet.common_error(
                 symbol("a", "B"),
                 "the normal acceleration r ω² of the crank pin used",

@@ -3,7 +3,7 @@
 
 mod names;
 
-use dalembert_core::{Text, Worksheet};
+use dalembert_core::{Symbol, Text, Worksheet};
 use dalembert_mechanics::{Real, Vector};
 
 use crate::{
@@ -235,4 +235,21 @@ pub(crate) fn coriolis<W: Worksheet>(speed: W::Num, slip: W::Num, crank: W::Num,
         || crank * slip * 2.0,
     );
     sheet.step(symbol("a", "c"), "m/s^2", speed * slip * 2.0, (why, NORTON.at("ch. 7")))
+}
+
+/// Declares the errors in the acceleration of a slider on a rod of length `l` driven by a crank of length `r`.
+pub(crate) fn slider_acceleration_errors<W: Worksheet>(
+    symbol: impl Into<Symbol>,
+    [r, l]: [W::Num; 2],
+    [angle, speed, acceleration]: [W::Num; 3],
+    sheet: W,
+) {
+    let symbol = symbol.into();
+    let first = || -(r * speed.powi(2) * angle.cos()) - r * acceleration * angle.sin();
+    let second = || {
+        let doubled = angle * 2.0;
+        r.powi(2) / l * (speed.powi(2) * doubled.cos() + acceleration * doubled.sin() / 2.0)
+    };
+    sheet.common_error(symbol, "the obliquity of the rod neglected", first);
+    sheet.common_error(symbol, "the approximate formula of two terms used", || first() - second());
 }

@@ -4,6 +4,7 @@ use dalembert_core::{Refusal, Worksheet};
 use dalembert_mechanics::{Real, rigid};
 
 use super::PrincipalInertiaGiven;
+use crate::shared::common_errors::AS_DISC;
 
 /// Writes down the principal moments of inertia, kg·m².
 ///
@@ -19,11 +20,7 @@ pub(super) fn moments<W: Worksheet>(
         PrincipalInertiaGiven::Gyration { mass, x, y, z } => {
             let radii = [*x, *y, *z];
             std::array::from_fn(|n| {
-                sheet.common_error(
-                    SYMBOLS[n],
-                    "the radius of gyration used as the radius of a disc, ½ m k²",
-                    || rigid::disc_axial_inertia(*mass, radii[n]),
-                );
+                sheet.common_error(SYMBOLS[n], AS_DISC, || rigid::disc_axial_inertia(*mass, radii[n]));
                 sheet.step(
                     SYMBOLS[n],
                     "kg*m^2",

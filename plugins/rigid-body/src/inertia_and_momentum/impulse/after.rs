@@ -15,8 +15,8 @@ use super::{
 use crate::{
     shared::{
         body::{
-            AboutPoint, WorkedBody, about_line, about_point, crossed, directed, matrix_times, refused,
-            transferred, transferred_sum,
+            AboutPoint, WorkedBody, about_line, about_point, crossed, directed, matrix_times, product_errors,
+            projection_error, refused, transferred, transferred_sum,
         },
         flat,
         scene::Scene,
@@ -300,7 +300,7 @@ impl Impulse {
                     momentum + arm.cross(linear),
                     "Angular momentum about the point on the axis, excluding the reaction of the axis",
                 );
-                common_errors::along_axis(momentum, cosines, sheet);
+                projection_error(momentum, cosines, sheet);
                 let component = sheet.step(
                     "H_λ",
                     "kg*m^2/s",
@@ -310,7 +310,7 @@ impl Impulse {
                         BEER.at("§18.1B"),
                     ),
                 );
-                common_errors::about_axis(body, cosines, sheet);
+                product_errors("I_λG", body, cosines, sheet);
                 let through_g = sheet.step(
                     "I_λG",
                     "kg*m^2",

@@ -4,7 +4,7 @@ use dalembert_core::Worksheet;
 use dalembert_mechanics::{Real, Vector};
 
 use super::{BodyConstraint, Impulse, free::After};
-use crate::shared::body::{WorkedBody, about_line, transferred_sum};
+use crate::shared::body::{WorkedBody, transferred_sum};
 
 /// Records the errors of an inertia with projectiles in the body: `arms` leads from the common centre of mass to the
 /// body and to each projectile.
@@ -20,24 +20,6 @@ pub(super) fn joined<W: Worksheet>(
     sheet.common_error(symbol, "the inertia taken about the centre of mass of the body alone", || {
         projectiles.iter().fold(own, |sum, (mass, arm)| transferred_sum(sum, gain(*mass, *arm - *to_body)))
     });
-}
-
-/// Records the errors of the inertia of a body about the line along `cosines` through G.
-pub(super) fn about_axis<W: Worksheet>(body: &WorkedBody<W>, cosines: W::Vec, sheet: W) {
-    let about = |products: [W::Num; 3]| about_line(body.moments, products, cosines);
-    sheet.common_error("I_λG", "the products of inertia ignored", || about([0.0.into(); 3]));
-    sheet.common_error("I_λG", "the products of inertia taken with the opposite sign", || {
-        about(body.products.map(|product| -product))
-    });
-}
-
-/// Records the error of an angular momentum that is not projected on the axis.
-pub(super) fn along_axis<W: Worksheet>(momentum: W::Vec, cosines: W::Vec, sheet: W) {
-    if momentum.cross(cosines).magnitude().holds(|size| size > 0.0) {
-        sheet.common_error("H_λ", "the whole angular momentum about the point taken", || {
-            momentum.magnitude()
-        });
-    }
 }
 
 impl Impulse {

@@ -4,7 +4,7 @@ use dalembert_core::{Inputs, Worksheet};
 use dalembert_mechanics::{Real, rigid};
 
 use super::{After, Before};
-use crate::shared::joints::Named;
+use crate::shared::{common_errors, joints::Named};
 
 /// A body about the axis.
 #[derive(Clone, Debug, Inputs)]
@@ -146,19 +146,12 @@ impl<W: Worksheet> AxisInertiaGiven<W> {
     fn inertia(&self, symbol: &'static str, name: &str, n: usize, sheet: W) -> W::Num {
         let symbol = (symbol, n + 1);
         match *self {
-            AxisInertiaGiven::Disc { mass, radius } => {
-                sheet.common_error(symbol, "the moment of inertia of the disc about a diameter used", || {
-                    rigid::disc_diametral_inertia(mass, radius)
-                });
-                sheet.common_error(symbol, "the whole mass of the disc taken at its rim", || {
-                    mass * radius.powi(2)
+            AxisInertiaGiven::Disc { mass, radius } => common_errors::of_disc(symbol, mass, radius, sheet),
+            AxisInertiaGiven::RadiusOfGyration { mass, gyration } => {
+                sheet.common_error(symbol, common_errors::AS_DISC, || {
+                    rigid::disc_axial_inertia(mass, gyration)
                 });
             }
-            AxisInertiaGiven::RadiusOfGyration { mass, gyration } => sheet.common_error(
-                symbol,
-                "the radius of gyration used as the radius of a disc, ½ m k²",
-                || rigid::disc_axial_inertia(mass, gyration),
-            ),
             _ => {}
         }
         let value = match *self {

@@ -1,11 +1,14 @@
 //! Mass, centre of mass and inertia of a body, written down step by step.
 
 use dalembert_core::{Cite, Reason, Refusal, Text, Worksheet};
-use dalembert_mechanics::{Real, Vector, rigid::MassProperties};
+use dalembert_mechanics::{
+    Real, Vector,
+    rigid::{self, MassProperties},
+};
 use nalgebra::Vector3;
 
 use super::{Body, BodyGiven, BodyPart, BodyPartGiven, TakenAbout, TakenAboutGiven};
-use crate::sources::MERIAM;
+use crate::{shared::common_errors::AS_DISC, sources::MERIAM};
 
 /// A body on a worksheet.
 pub(crate) struct WorkedBody<W: Worksheet> {
@@ -65,6 +68,29 @@ pub(crate) fn matrix_times<V: Vector>(moments: [V::Scalar; 3], products: [V::Sca
         less(less(moments[1] * y, xy, x), yz, z),
         less(less(moments[2] * z, zx, x), yz, y),
     )
+}
+
+/// Declares the errors with the products of inertia in the moment about a line, the next step of a symbol.
+pub(crate) fn product_errors<W: Worksheet>(
+    symbol: &'static str,
+    body: &WorkedBody<W>,
+    along: W::Vec,
+    sheet: W,
+) {
+    let about = |products: [W::Num; 3]| about_line(body.moments, products, along);
+    sheet.common_error(symbol, "the products of inertia ignored", || about([0.0.into(); 3]));
+    sheet.common_error(symbol, "the products of inertia taken with the opposite sign", || {
+        about(body.products.map(|product| -product))
+    });
+}
+
+/// Declares the error of an angular momentum that is not projected on the axis, the next step of `H_λ`.
+pub(crate) fn projection_error<W: Worksheet>(momentum: W::Vec, along: W::Vec, sheet: W) {
+    if momentum.cross(along).magnitude().holds(|size| size > 0.0) {
+        sheet.common_error("H_λ", "the whole angular momentum about the point taken", || {
+            momentum.magnitude()
+        });
+    }
 }
 
 /// The moment of inertia about a line with direction cosines `λ`.
@@ -149,11 +175,7 @@ impl Body {
             (Body::Radii { .. }, BodyGiven::Radii { mass, centre, radii }) => {
                 let radii = radii.components();
                 let moment = |n: usize| {
-                    sheet.common_error(
-                        MOMENTS[n],
-                        "the radius of gyration used as the radius of a disc, ½ m k²",
-                        || *mass * radii[n].powi(2) / 2.0,
-                    );
+                    sheet.common_error(MOMENTS[n], AS_DISC, || rigid::disc_axial_inertia(*mass, radii[n]));
                     sheet.step(
                         MOMENTS[n],
                         "kg*m^2",

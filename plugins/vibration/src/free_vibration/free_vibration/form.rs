@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use dalembert_core::Worksheet;
 use dalembert_mechanics::{Real, sdof, vibration::free::FreeMotion};
 
-use crate::sources::RAO;
+use crate::{shared::decay::damped_frequency_error, sources::RAO};
 
 /// The units and symbols of a motion along a line or about an axis.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -149,8 +149,7 @@ impl<N: Real> FreeResponse<N> {
             )
         };
         let one = N::from(1.0);
-        let peak = || natural * (one - zeta.powi(2) * 2.0).sqrt();
-        sheet.common_error("ω_d", "the frequency of the resonance peak taken, ωₙ√(1 − 2ζ²)", peak);
+        damped_frequency_error("ω_d", natural, zeta, sheet);
         let damped = sheet.step("ω_d", "rad/s", sdof::damped_frequency(natural, zeta), why);
         let undamped = || N::from(2.0) * PI / natural;
         sheet.common_error("T_d", "the period without damping used", undamped);

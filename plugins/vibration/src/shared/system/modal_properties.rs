@@ -14,7 +14,10 @@ use super::{
     damping::ModalDamping,
     modes::{self, SHOWN, WorkedModes},
 };
-use crate::sources::{EWINS, RAO};
+use crate::{
+    shared::decay::damped_frequency_error,
+    sources::{EWINS, RAO},
+};
 
 /// Modal mass, stiffness and participation of each mode, for the size that its shape has, and its damping: a ratio where
 /// the damping leaves the modes alone, a complex mode where it couples them.
@@ -117,12 +120,7 @@ pub(crate) fn ratios<W: Worksheet>(
         if ratio.value() < 1.0 {
             let one = W::Num::from(1.0);
             let natural = *frequency;
-            let of_peak = || natural * (one - ratio.powi(2) * 2.0).sqrt();
-            sheet.common_error(
-                ("ω_d", mode + 1),
-                "the frequency of the largest steady amplitude used",
-                of_peak,
-            );
+            damped_frequency_error(("ω_d", mode + 1), natural, ratio, sheet);
             let frequency = sheet.step(
                 ("ω_d", mode + 1),
                 "rad/s",
