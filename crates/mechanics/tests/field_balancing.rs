@@ -1,7 +1,7 @@
 //! Field balancing of simulated rotors.
 
 use dalembert_mechanics::balance::{
-    influence::{TrialRun, influence_coefficients, least_squares, residuals},
+    influence::{TrialRun, collinearity, influence_coefficients, least_squares, residuals},
     minimax::min_max,
     spread::{Choice, Influence, Measurement, ReadingSpread, ranges},
     without_phase::effect,
@@ -39,6 +39,28 @@ fn runs(alpha: &DMatrix<Complex<f64>>, unbalance: &[Complex<f64>], stay: bool) -
             TrialRun { plane, weight, readings: read(alpha, &on) }
         })
         .collect()
+}
+
+/// `|a*·b|/(|a||b|)`, whatever the size and the angle that a weight is counted in.
+#[test]
+fn collinearity_is_the_cosine_between_the_effects_of_two_planes() {
+    let (alpha, _) = rotor(20, 4, 3);
+    let product: Complex<f64> = (0..4).map(|row| alpha[(row, 0)].conj() * alpha[(row, 2)]).sum();
+    let length = |plane: usize| (0..4).map(|row| alpha[(row, plane)].norm_sqr()).sum::<f64>().sqrt();
+    let cosine = product.norm() / (length(0) * length(2));
+    let alike = Complex::new(-1.3_f64, 0.6);
+    for size in [1.0_f64, 3.7e-5, 2.9e190] {
+        let unit = Complex::from_polar(size, 0.7);
+        let scaled = DMatrix::from_fn(4, 3, |row, plane| match plane {
+            0 => alpha[(row, 0)],
+            1 => alpha[(row, 0)] * alike * unit,
+            _ => alpha[(row, 2)] * unit,
+        });
+        for (one, other, expected) in [(0, 2, cosine), (2, 0, cosine), (0, 1, 1.0), (1, 2, cosine)] {
+            let found = collinearity(&scaled, one, other);
+            assert!((found - expected).abs() < 1e-13, "{one} and {other}: {found} is not {expected}");
+        }
+    }
 }
 
 /// The last centre of this one was once left before its bound was near.

@@ -96,3 +96,23 @@ fn an_axial_force_changes_the_frequencies_up_to_buckling() {
         assert_eq!(beam(-share * buckling).roots(3), Err(BeamError::Buckled));
     }
 }
+
+/// Between two joints the shapes are `sin nπx/L`, wherever the spans are divided.
+#[test]
+fn a_shape_is_a_sine_with_a_largest_deflection_of_one() {
+    let span = |length: f64| Span { length, bending: 2.5, mass: 1.8, axial: 3.1, foundation: 0.7 };
+    let beam = Spans { spans: vec![span(0.4), span(0.8)], joints: vec![PIN, SpanJoint::default(), PIN] };
+    for (n, root) in (1_u32..).zip(beam.roots(4).unwrap()) {
+        let shape = beam.shape(root).unwrap();
+        let side = shape.deflection(0.05).signum();
+        for x in [0.05, 0.23, 0.41, 0.77, 1.03, 1.16] {
+            let sine = (f64::from(n) * std::f64::consts::PI * x / 1.2).sin();
+            assert!((side * shape.deflection(x) - sine).abs() < 1e-9, "shape {n} at {x}");
+        }
+        let nodes = shape.nodes();
+        assert_eq!(nodes.len() + 1, n as usize, "{nodes:?}");
+        for (part, node) in (1_u32..).zip(nodes) {
+            assert!((node - 1.2 * f64::from(part) / f64::from(n)).abs() < 1e-9, "shape {n}: {node}");
+        }
+    }
+}

@@ -40,6 +40,7 @@ mod rigid_motion;
 mod rigid_torque_free_triaxial;
 mod rolling;
 mod rotor;
+mod rotor_overhung;
 mod sdof;
 mod section_shear;
 mod section_torsion;

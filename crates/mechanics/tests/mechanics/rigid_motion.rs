@@ -262,6 +262,29 @@ fn energy_and_momentum_are_kept_over_a_thousand_revolutions() {
     }
 }
 
+/// Over so many steps that their rounding is taken back several times.
+#[test]
+fn a_body_turns_through_the_same_attitudes_however_fast_it_is() {
+    let (moments, omega, step) = (Vector3::new(1.0, 2.0, 2.5), Vector3::new(0.6, 0.3, 1.1), 0.16);
+    let after = |slower: f64| {
+        let mut rotation =
+            FreeRotation::new(moments, UnitQuaternion::identity(), omega / slower, step * slower)
+                .expect("a short step");
+        for _ in 0..80_000 {
+            rotation.advance();
+        }
+        rotation
+    };
+    let own = after(1.0);
+    for slower in [1024.0, 1.0 / 1024.0] {
+        let other = after(slower);
+        let off = other.attitude().angle_to(&own.attitude());
+        assert!(off < 1e-12, "{slower} times slower: {off:e} rad");
+        let off = (other.omega_body() * slower - own.omega_body()).norm();
+        assert!(off < 1e-12, "{slower} times slower: {off:e} rad/s");
+    }
+}
+
 /// Steps of a twentieth of a radian against Jacobi's solution, after a thousand revolutions.
 #[test]
 fn the_attitude_after_a_thousand_revolutions_is_that_of_jacobi() {
@@ -313,6 +336,26 @@ fn a_torque_about_the_axis_of_revolution() {
     let wanted = Vector3::new(0.3 * turned.cos(), 0.3 * turned.sin(), 1.0 + torque / axial * time);
     assert!((last(&motion).turning.omega_body - wanted).norm() < 1e-11);
     assert!(motion.energy_drift() < 1e-12 && motion.momentum_drift(None) < 1e-12);
+}
+
+/// `ω₁ + iω₂` goes round `(M₂ − iM₁)/(I_t κ)` with `−κ`, `κ = (1 − I_a/I_t) ω₃`.
+#[test]
+fn a_torque_across_the_axis_of_revolution() {
+    let (axial, transverse, time) = (2.0, 3.0, 6.0);
+    let body = free(diagonal(transverse, transverse, axial));
+    let torque = Vector3::new(0.5, -0.8, 0.0);
+    let loads = Loads {
+        gravity: Vector3::zeros(),
+        torques: vec![AppliedTorque { vector: torque, in_body: true, history: History::Constant }],
+    };
+    let from = start(0.3, -0.2, 1.4);
+    let motion = simulate(&body, &from, &loads, &RotationRun { duration: time, ..RUN }).unwrap();
+    let rate = (1.0 - axial / transverse) * from.omega_body.z;
+    let middle = Vector3::new(torque.y, -torque.x, 0.0) / (transverse * rate);
+    let round = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), -rate * time);
+    let wanted = middle + round * (from.omega_body - middle);
+    assert!((last(&motion).turning.omega_body - wanted).norm() < 1e-10);
+    assert!(motion.energy_drift() < 1e-11 && motion.momentum_drift(None) < 1e-11);
 }
 
 /// Torques that change, on a triaxial body given in axes that are not principal: what they do is in the balances, and

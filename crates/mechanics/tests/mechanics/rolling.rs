@@ -144,6 +144,42 @@ fn a_falling_disc_lifts_off_or_slips() {
     assert!((end.friction[1].abs() / end.normal - 0.2).abs() < 1e-9);
 }
 
+/// At rest it needs `|F|/N = 0.8 sin θ cos θ/(1 − 0.8 cos² θ)`; tilting fast enough it does not press at all.
+#[test]
+fn a_disc_that_cannot_roll_slips_or_lifts_off_at_once() {
+    let (body, angle) = (disc(0.1), f64::to_radians(80.0));
+    let (sin, cos) = angle.sin_cos();
+    let pressed = 1.0 - 0.8 * cos * cos;
+    let needed = 0.8 * sin * cos / pressed;
+    let with = |tilting: f64, limits: &Limits| {
+        roll(&body, [angle, 0.0], [tilting, 0.0, 0.0], limits, (2.0, 21), &|| false).unwrap()
+    };
+    let at_rest = |part: f64| with(0.0, &Limits { friction: Some(part * needed), ..ROUGH });
+    let smooth = at_rest(1.0 - 1e-9);
+    assert_eq!((smooth.ended, smooth.moments.len()), (Ended::Slips, 1));
+    assert!((smooth.moments[0].demand() - needed).abs() < 1e-12);
+    let rougher = at_rest(1.01);
+    assert_eq!(rougher.ended, Ended::Slips);
+    assert!(rougher.moments.last().unwrap().time > 0.0);
+    let lifting = (GRAVITY * pressed / (0.1 * sin)).sqrt();
+    let fast = with(-lifting * (1.0 + 1e-9), &ROUGH);
+    assert_eq!((fast.ended, fast.moments.len(), fast.demand), (Ended::Lifts, 1, None));
+    assert!(with(-lifting * (1.0 - 1e-3), &ROUGH).moments.len() > 1);
+}
+
+/// Euler's disc: with its centre at rest `φ̇² = 4 g/(r sin θ)`.
+#[test]
+fn a_disc_about_its_centre_at_rest_has_one_inclination() {
+    let radius = 0.07;
+    for degrees in [8.0, 31.0, 74.0] {
+        let angle = f64::to_radians(degrees);
+        let precession = (4.0 * GRAVITY / (radius * angle.sin())).sqrt();
+        let angles = disc(radius).steady_inclinations(0.0, precession);
+        assert_eq!(angles.len(), 1, "{angles:?}");
+        assert!((angles[0] - angle).abs() < 1e-12, "{} is not {angle}", angles[0]);
+    }
+}
+
 #[test]
 fn what_cannot_roll_is_refused() {
     let body = disc(0.1);

@@ -109,7 +109,7 @@ fn cams_gas_and_several_drivers_are_swept_too() {
         to,
     };
     let turning = |body| RelativeCoordinate::Angle { of: Some(body), against: None };
-    let mechanism = PlanarMechanism {
+    let mut mechanism = PlanarMechanism {
         bodies: vec![
             PlanarBody { mass: 2.0, inertia: 0.01 },
             PlanarBody { mass: 0.4, inertia: 0.0 },
@@ -141,9 +141,12 @@ fn cams_gas_and_several_drivers_are_swept_too() {
         gravity: [0.0, -9.81],
     };
     let drawn = [[0.0, 0.0, 0.4], [0.0, 0.002, 0.0], [0.25, 0.15, 1.0]];
-    let system = found(Model::new(&mechanism, &drawn));
-    let drawn = found(system.assemble(&drawn));
-    held(&(system, drawn), &turn(0.4, 150), 1e-11);
+    for [velocity, acceleration] in [[-2.0, 0.5], [-2.0, 0.0], [0.0, 0.5]] {
+        mechanism.drivers[1] = Driver { velocity, acceleration, ..mechanism.drivers[1] };
+        let system = found(Model::new(&mechanism, &drawn));
+        let drawn = found(system.assemble(&drawn));
+        held(&(system, drawn), &turn(0.4, 150), 1e-11);
+    }
 }
 
 #[test]

@@ -195,6 +195,28 @@ fn a_top_moves_as_its_equations_say() {
     }
 }
 
+/// With `L_z = I_a ω₃` the precession is `(I_a/I_t) ω₃/(1 + cos θ)`; the axis turns back where it takes all energy.
+#[test]
+fn a_top_that_could_pass_the_vertical_turns_back_where_its_energy_ends() {
+    let body = Top { axial: 4e-4, transverse: 2.2e-3, couple: 0.2943 };
+    let beta = 2.0 * body.couple / body.transverse;
+    for (nutation_rate, axial_velocity) in [(1.0, 30.0), (-2.5, 45.0), (4.0, -20.0)] {
+        let rate = body.axial * axial_velocity / body.transverse;
+        // 1 − cos θ at the start.
+        let height = 2.0 * (FRAC_PI_2 / 2.0).sin().powi(2);
+        let motion = found(body.released(FRAC_PI_2, nutation_rate, rate * height, axial_velocity));
+        let [high, low] = motion.limits();
+        assert!(high < FRAC_PI_2 && low > FRAC_PI_2);
+        for (angle, ours) in [high, low].into_iter().zip_eq(motion.precession_at_limits()) {
+            let precession = rate / (1.0 + angle.cos());
+            close(ours, precession, 1e-12);
+            let energy = (precession * angle.sin()).powi(2) + beta * angle.cos();
+            let start = nutation_rate * nutation_rate + rate * rate;
+            assert!((energy - start).abs() < 1e-12 * beta, "{energy} is not {start} at {angle}");
+        }
+    }
+}
+
 #[test]
 fn traces_have_their_names() {
     let body = Top { axial: 4e-4, transverse: 2.2e-3, couple: 0.2943 };

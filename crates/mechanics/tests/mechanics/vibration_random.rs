@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use nalgebra::Complex;
 use proptest::prelude::*;
 
 use dalembert_mechanics::vibration::random::*;
@@ -37,6 +38,24 @@ fn two_modes_correlate_as_der_kiureghian_says() {
     let cqc = 8.0 * (a * b).sqrt() * (a + q * b) * q.powf(1.5)
         / ((1.0 - q * q).powi(2) + 4.0 * a * b * q * (1.0 + q * q) + 4.0 * (a * a + b * b) * q * q);
     close(ours, cqc, 1.0, 1e-12);
+}
+
+/// On a base with the acceleration 1 a mode moves by `−γ/(ωₙ² − ω² + 2iζωₙω)`; the base adds its own acceleration.
+#[test]
+fn the_absolute_acceleration_is_that_of_the_base_and_the_relative_one() {
+    let mode = |natural, ratio| Resonance { natural, ratio };
+    let modes = [(mode(2.0, 0.05), 0.83), (mode(5.3, 0.12), 0.29), (mode(9.1, 0.02), -0.12)];
+    for omega in [0.3_f64, 1.9, 4.1, 8.8, 23.0] {
+        let motion = |(mode, share): &(Resonance, f64)| {
+            let stiffness = mode.natural * mode.natural - omega * omega;
+            -Complex::new(stiffness, 2.0 * mode.ratio * mode.natural * omega).inv() * *share
+        };
+        let relative: Complex<f64> = modes.iter().map(motion).sum();
+        let square = relative.norm_sqr();
+        close(relative_squared(&modes, omega), square, square, 1e-12);
+        let square = (Complex::<f64>::ONE - relative * (omega * omega)).norm_sqr();
+        close(absolute_squared(&modes, omega), square, square, 1e-11);
+    }
 }
 
 #[test]

@@ -271,3 +271,142 @@ fn every_law_of_the_load_satisfies_the_equation_of_motion() {
         }
     }
 }
+
+#[test]
+fn closed_forms_as_a_worked_solution_writes_them_are_the_motion() {
+    let (natural, frequency, constant): (f64, f64, f64) = (2.3, 3.1, 1.7);
+    for ratio in [0.0_f64, 0.3, 1.0, 2.4] {
+        for time in [0.13_f64, 0.9, 2.7, 6.1] {
+            let damped = natural * (1.0 - ratio * ratio).sqrt();
+            let [slow, fast] = [closed::slow_rate(natural, ratio), closed::fast_rate(natural, ratio)];
+            let [release, impulse] = if ratio == 0.0 {
+                [closed::release_undamped(natural, time), closed::impulse_undamped(natural, time)]
+            } else if ratio < 1.0 {
+                [
+                    closed::release_underdamped(natural, ratio, damped, time),
+                    closed::impulse_underdamped(natural, ratio, damped, time),
+                ]
+            } else if ratio == 1.0 {
+                [closed::release_critical(natural, time), closed::impulse_critical(natural, time)]
+            } else {
+                [closed::release_overdamped(slow, fast, time), closed::impulse_overdamped(slow, fast, time)]
+            };
+            let free = |displacement: f64, velocity: f64| {
+                let initial = OscillatorState { displacement, velocity };
+                TransientMotion::new(Oscillator { natural, ratio }, initial, &[])
+                    .unwrap()
+                    .at(time)
+                    .displacement
+            };
+            close(release, free(1.0, 0.0), 1.0);
+            close(impulse, free(0.0, 1.0), 1.0);
+            let under = |law: LoadLaw| {
+                motion(natural, ratio, &[LoadSegment { from: 0.0, law }]).at(time).displacement
+            };
+            let detuned = frequency / natural;
+            for (written, theirs) in [
+                (
+                    closed::ramp(natural, ratio, time, release, impulse),
+                    under(LoadLaw::Line { start: 0.0, slope: 1.0 }),
+                ),
+                (
+                    closed::sine(frequency, detuned, ratio, time, release, impulse),
+                    under(LoadLaw::Sine { amplitude: 1.0, frequency }),
+                ),
+                (
+                    closed::cosine(frequency, detuned, ratio, time, release, impulse),
+                    1.0 - release - 2.0 * under(LoadLaw::Versine { size: 1.0, frequency }),
+                ),
+                (
+                    closed::exponential(constant, natural, ratio, time, release, impulse),
+                    under(LoadLaw::Decay { amplitude: 1.0, rate: 1.0 / constant }),
+                ),
+                (
+                    closed::parabola(natural, ratio, time, release, impulse),
+                    under(LoadLaw::Parabola { start: 0.0, slope: 0.0, bend: 1.0 }),
+                ),
+            ] {
+                close(written, theirs, 10.0);
+            }
+            if ratio == 0.0 {
+                let undamped = closed::sine_undamped(frequency, detuned, time, impulse);
+                close(undamped, under(LoadLaw::Sine { amplitude: 1.0, frequency }), 1.0);
+            }
+        }
+    }
+}
+
+/// The residues at `−s₁` and `−s₂`, and the particular solution.
+#[test]
+fn a_strongly_damped_motion_is_the_sum_over_its_poles() {
+    let (natural, rate, frequency): (f64, f64, f64) = (1.3, 0.6, 2.1);
+    for ratio in [2.6_f64, 13.0, 60.0] {
+        let fast = natural * (ratio + f64::sqrt(ratio * ratio - 1.0));
+        let slow = natural * natural / fast;
+        let between = fast - slow;
+        for time in [0.02_f64, 0.1, 0.3, 0.7, 2.1, 9.0] {
+            let at = |law: LoadLaw| {
+                motion(natural, ratio, &[LoadSegment { from: 0.0, law }]).at(time).displacement
+            };
+            let [slowly, quickly] = [(-slow * time).exp() / between, (-fast * time).exp() / between];
+            let decay = (-rate * time).exp() / ((slow - rate) * (fast - rate)) + slowly / (rate - slow)
+                - quickly / (rate - fast);
+            close(at(LoadLaw::Decay { amplitude: 1.0, rate }), natural * natural * decay, 1.0);
+            let (detuning, damping) =
+                (natural * natural - frequency * frequency, 2.0 * ratio * natural * frequency);
+            let (sin, cos) = (frequency * time).sin_cos();
+            let sine = (detuning * sin - damping * cos) / (detuning * detuning + damping * damping)
+                + frequency * slowly / (slow * slow + frequency * frequency)
+                - frequency * quickly / (fast * fast + frequency * frequency);
+            close(at(LoadLaw::Sine { amplitude: 1.0, frequency }), natural * natural * sine, 1.0);
+        }
+    }
+}
+
+/// A swing that dies out on a load that rises: its first peak stays the largest, in every unit of time.
+#[test]
+fn a_swing_on_a_rising_load_peaks_alike_at_every_frequency() {
+    let largest = |natural: f64| {
+        let initial = OscillatorState { displacement: -1.2, velocity: 6.0 * natural };
+        let oscillator = Oscillator { natural, ratio: 0.1 };
+        let motion = TransientMotion::new(oscillator, initial, &[line(0.0, 0.0, natural / 6.0)]).unwrap();
+        let end = 24.0 / natural;
+        let peak = motion.extremes(TransientOutput::DISPLACEMENT, [0.0, end]).unwrap().largest;
+        for n in 0..=4000 {
+            let value = motion.at(end * f64::from(n) / 4000.0).displacement;
+            assert!(value <= peak.value + 1e-12, "{value} is above {peak:?}");
+        }
+        [peak.value, peak.time * natural]
+    };
+    let [value, time] = largest(1.0);
+    for natural in [0.4, 6.0, 250.0] {
+        let [ours, at] = largest(natural);
+        close(ours, value, value);
+        assert!((at - time).abs() < 1e-9, "{at} is not {time}");
+    }
+}
+
+#[test]
+fn no_value_under_any_law_is_beyond_the_extremes() {
+    let initial = OscillatorState { displacement: 0.37, velocity: -0.83 };
+    let output = TransientOutput { displacement: 0.6, velocity: 0.8 };
+    for law in [
+        LoadLaw::Sine { amplitude: 1.6, frequency: 2.1 },
+        LoadLaw::Decay { amplitude: 1.4, rate: 0.6 },
+        LoadLaw::Rise { size: 1.7, rate: 0.6 },
+        LoadLaw::Versine { size: 1.9, frequency: 2.1 },
+        LoadLaw::Parabola { start: 0.6, slope: -0.3, bend: 0.21 },
+    ] {
+        let oscillator = Oscillator { natural: 1.3, ratio: 0.05 };
+        let motion = TransientMotion::new(oscillator, initial, &[LoadSegment { from: 0.0, law }]).unwrap();
+        let found = motion.extremes(output, [0.0, 9.0]).unwrap();
+        for n in 0..=4000 {
+            let value = motion.output(output, 9.0 * f64::from(n) / 4000.0);
+            assert!(value <= found.largest.value + 1e-12, "{law:?}: {value} is above {:?}", found.largest);
+            assert!(value >= found.least.value - 1e-12, "{law:?}: {value} is below {:?}", found.least);
+        }
+        for extreme in [found.least, found.largest] {
+            close(motion.output(output, extreme.time), extreme.value, 1.0);
+        }
+    }
+}
