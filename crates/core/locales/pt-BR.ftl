@@ -242,7 +242,6 @@ a-square-root-omitted = uma raiz quadrada omitida
 division-and-multiplication-interchanged = divisão e multiplicação trocadas
 factor-times-too-large = { $factor } vezes maior
 factor-times-too-small = { $factor } vezes menor
-taken-otherwise = tomado de outro modo
 different-interpretation = outra interpretação
 first-and-second = { $first }, e { $second }
 the-published-value-which-is-disputed-why = o valor publicado, que é contestado: { $why }
@@ -282,7 +281,6 @@ the-formula-is-no-single-number = a fórmula não é um número único
 correct = correto
 off-off-rounding-or-a-small-term-missing-or-with-the-wrong-sign = diferença de { $off }: arredondamento, ou um termo pequeno ausente ou com o sinal errado
 agrees-to-the-digits-given-enter-more-digits-to-confirm = concorda até os algarismos dados; digite mais para confirmar
-not-right = não está certo
 incorrect = incorreto
 
 # Sensibilidade e estudos
@@ -432,9 +430,7 @@ the-angles-of-the-arccosine = os ângulos do arco cosseno
 the-angles-of-the-arctangent = os ângulos do arco tangente
 unknown-is-unknown-least-squares-of-givens = { $unknown } é incógnita: mínimos quadrados de { $givens }
 given-answers = Resultados dados
-known-values-of-answers-from-which-inputs-written-as-are-found-natural-frequency-8-2-hz = Valores conhecidos de resultados, dos quais se obtêm os dados escritos como ?: natural_frequency = 8.2 Hz.
 the-name-of-an-answer-or-a-question-natural-frequency = O nome de um resultado ou de uma pergunta: natural_frequency.
-n-8-2-hz-with-its-standard-uncertainty-8-2-hz-0-05 = 8.2 Hz; com a incerteza-padrão, 8.2 Hz ± 0.05.
 a-quantity-in-quotes-is-needed-here-as-in-8-2-hz = aqui é necessária uma grandeza entre aspas, como em "8.2 Hz"
 the-name-of-an-answer-or-a-question-is-needed-for-example-natural-frequency = falta o nome de um resultado ou de uma pergunta, por exemplo natural_frequency
 write-a-range-as-in-1-kg-100-kg-it-gives-the-unit = escreva um intervalo, como em ? 1 kg .. 100 kg: ele dá a unidade
@@ -639,7 +635,6 @@ write-a-whole-number-from-2-on = escreva um número inteiro a partir de 2
 the-sobol-sequence-serves-up-to-most-inputs-and-have-are-drawn-use-latin-hypercube = a sequência de Sobol' serve para até { $most } dados, e { $have } são sorteados; use latin-hypercube
 the-sobol-sequence-has-most-points-write-at-most-so-many-samples = a sequência de Sobol' tem { $most } pontos; escreva no máximo esse número de amostras
 sobol-indices-want-a-distribution-of-every-input-that-varies-give-input-one-or-leave-it-at-its-value = os índices de Sobol' exigem uma distribuição de cada dado que varia; dê uma a { $input }, ou deixe-o no valor do problema
-sobol-indices-are-shares-of-independent-inputs-take-the-correlations-out-of-the-plan-or-leave-the-indices-out = os índices de Sobol' são parcelas de dados independentes; retire do plano as correlações ou os índices
 name-does-not-vary-in-this-plan-known-vary = `{ $name }` não varia neste plano; variam { $known }
 write-two-different-inputs = escreva dois dados diferentes
 sizes-points-are-more-than-most-write-fewer-points-or-samples = { $sizes } pontos são mais que { $most }; escreva menos pontos ou amostras

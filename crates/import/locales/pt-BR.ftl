@@ -55,6 +55,5 @@ this-is-an-archive-unpack-it-first-a-workbook-is-read-by-its-name-xlsx-or-ods = 
 this-build-reads-no-wav-files-build-it-with-features-wav-or-save-the-samples-as-csv = esta compilação não lê arquivos WAV: compile com `--features wav`, ou salve as amostras como CSV
 this-build-reads-no-mat-files-build-it-with-features-matlab-or-save-the-variables-as-csv = esta compilação não lê arquivos MAT: compile com `--features matlab`, ou salve as variáveis como CSV
 part-write-a-number-from-1-on-as-in-2-or-1-3 = `#{ $part }`: escreva um número a partir de 1, como em `#2` ou `#1,3`
-this-program-is-built-without-parquet-take-a-csv-file-or-build-it-with-cargo-build-release-features-parquet = este programa foi compilado sem Parquet; use um arquivo CSV, ou compile-o com `cargo build --release --features parquet`
 row-row-column-is-not-a-number = linha { $row }: `{ $column }` não é um número
 the-file-is-empty = o arquivo está vazio

@@ -5,7 +5,6 @@ checks = Verificações
 count-rows = { $count } linhas
 rows-from-file = { $rows } de { $file }
 table-the-first-rows-of-count-rows = { $table }, as primeiras { $rows } de { $count } linhas
-faults-of-the-program = Falhas do programa
 internal-errors = Erros internos do programa
 given-data = Dados
 none-of-the-answers-of-name-can-be-shown-in-unit-found = nenhuma das respostas de `{ $name }` pode ser mostrada em { $unit }: { $found }

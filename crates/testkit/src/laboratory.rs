@@ -110,6 +110,16 @@ macro_rules! registry_tests {
             );
         }
 
+        #[test]
+        fn every_translation_is_in_use() {
+            let laboratory = $laboratory;
+            $crate::languages::every_translation_is_in_use(
+                &laboratory.entries(),
+                &laboratory.sources(),
+                &laboratory.folders(),
+            );
+        }
+
         $crate::registry_tests!(@ $laboratory => languages {
             labels_begin_with_capitals_in_both_languages
         });

@@ -15,10 +15,13 @@ use std::{
 use dalembert_core::{Entry, Locale, Stop, Text, text};
 
 use self::{
-    scan::{arguments, literals, sentences_of_an_analysis},
-    sentences::{Sentences, words_of},
+    scan::{arguments, literals, sentences_of_an_analysis, strings},
+    sentences::{Sentences, is_the_same_in_every_language, words_of},
 };
-use crate::{problems::cases_of, some};
+use crate::{
+    problems::{cases_of, for_each_problem},
+    some,
+};
 
 /// A source of the program.
 #[derive(Clone, Debug)]
@@ -88,7 +91,7 @@ fn all_are_translated(sentences: &Sentences) {
     let missing: Vec<String> = sentences
         .0
         .iter()
-        .filter(|(sentence, _)| !text::is_translated(sentence))
+        .filter(|(sentence, _)| !is_the_same_in_every_language(sentence) && !text::is_translated(sentence))
         .map(|(sentence, of)| format!("[{of}] {} = {sentence}", text::key(sentence)))
         .collect();
     assert!(missing.is_empty(), "{} sentences have no Portuguese:\n{}", missing.len(), missing.join("\n"));
@@ -160,6 +163,38 @@ pub fn the_translations_are_well_formed_and_use_the_same_arguments(
             }
         }
     }
+}
+
+/// Searches the sentence of every translation below some folders: among those of the analyses and their cases, and
+/// among all literals of the sources. Prints the translations of sentences that were renamed or left out since.
+pub fn every_translation_is_in_use(
+    entries: &[&'static Entry],
+    sources: &[SourceFile],
+    folders: &[impl AsRef<Path>],
+) {
+    some(entries);
+    let mut sentences = Sentences::default();
+    for entry in entries {
+        sentences.fields(entry.family(), entry.shape().fields(None), &mut BTreeSet::new());
+        cases_of(entry).iter().for_each(|case| sentences.case(entry.family(), case));
+    }
+    for_each_problem(entries, |problem| sentences.solution(problem.entry.family(), &problem.solution));
+    let literals: Vec<String> = sources.iter().flat_map(|source| strings(&source.text)).collect();
+    let used: BTreeSet<String> =
+        sentences.0.keys().chain(&literals).map(|sentence| text::key(sentence)).collect();
+    let (mut known, mut unused) = (0, Vec::new());
+    for path in folders.iter().flat_map(|folder| files(folder.as_ref(), "ftl")) {
+        for (key, _) in read(&path).lines().filter_map(|line| line.split_once(" =")) {
+            if key.starts_with(|c: char| c.is_ascii_lowercase()) {
+                known += 1;
+                if !used.contains(key) {
+                    unused.push(format!("{}: {key}", path.display()));
+                }
+            }
+        }
+    }
+    assert!(known > 0, "there is no translation");
+    assert!(unused.is_empty(), "{} translations of no sentence:\n{}", unused.len(), unused.join("\n"));
 }
 
 /// The files with an ending below a folder, without what is built.

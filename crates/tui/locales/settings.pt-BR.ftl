@@ -55,7 +55,6 @@ the-edited-problem-cannot-be-read-faults = O problema editado não pode ser lido
 edited-problem-loaded-not-saved-yet = problema editado carregado, ainda não salvo
 no-changes = sem alterações
 command-failed-set-visual-or-editor-or-editor-in-the-settings = `{ $command }` falhou: defina $VISUAL ou $EDITOR, ou `editor` na configuração
-file-is-read-again = { $file } foi lido de novo
 file-reloaded = { $file } relido
 file-was-changed-by-another-program-and-reloaded = { $file } foi alterado por outro programa e relido
 file-was-changed-by-another-program-and-cannot-be-read-why = { $file } foi alterado por outro programa e não pode ser lido: { $why }

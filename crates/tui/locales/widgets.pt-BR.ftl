@@ -1,6 +1,5 @@
 # Painéis da bancada.
 internal-error-not-caused-by-your-inputs-do-not-trust-these-results = Erro interno do programa, não causado pelos seus dados; não confie nestes resultados:
-there-is-no-answer = Não há resposta
 some-inputs-cannot-be-read = Alguns dados não podem ser lidos
 solution-cancelled = Solução cancelada.
 verified-by-a-second-method = verificado por outro método
@@ -11,7 +10,6 @@ books-and-notes = Livros e apostilas
 not-compared-yet = ainda não comparado
 published = publicado
 closed-form = forma fechada
-by-another-program = de outro programa
 regression-value = valor de regressão
 computed = calculado
 agreed = confere
@@ -22,7 +20,6 @@ with-the-difference-from-the-pinned-result = com a diferença em relação ao re
 not-present = ausente
 was-value = era { $value }
 count-of-all-steps-hidden-key-in-this-tab-reveals-the-next = { $count } de { $all } passos ocultos; { $key } nesta aba revela o próximo
-made-of = feito de
 depends-on = depende de
 no-other-symbol = nenhum outro símbolo
 enter-your-result-the-reference-value-stays-hidden-until-yours-is-correct = Digite o seu resultado. O valor de referência fica oculto até que o seu esteja correto.

@@ -74,6 +74,14 @@ fn the_translations_are_well_formed_and_use_the_same_arguments() {
     languages::the_translations_are_well_formed_and_use_the_same_arguments(&sources(), &folders);
 }
 
+#[test]
+fn every_translation_is_in_use() {
+    let entries = [registry(), exams()].concat();
+    let folders = ["crates", "plugins"].map(|folder| root().join(folder));
+    let sources = folders.each_ref().map(|folder| SourceFile::below(folder, false)).concat();
+    languages::every_translation_is_in_use(&entries, &sources, &folders);
+}
+
 fn sources() -> Vec<SourceFile> {
     let mut all = SourceFile::below(root().join("plugins"), true);
     all.extend(crates().iter().flat_map(|folder| SourceFile::below(folder, false)));

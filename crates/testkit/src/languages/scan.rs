@@ -2,6 +2,9 @@
 
 use std::collections::BTreeSet;
 
+use proc_macro2::{TokenStream, TokenTree};
+use syn::Lit;
+
 /// The sentences in the code of an analysis: reasons, labels, warnings, in branches that no case takes as well.
 pub(super) fn sentences_of_an_analysis(source: &str) -> BTreeSet<String> {
     let code = source.split("#[cfg(test)]").next().unwrap_or_default();
@@ -79,6 +82,35 @@ pub(super) fn literals(source: &str) -> BTreeSet<String> {
     }
     found.remove("");
     found
+}
+
+/// All string literals of a source, and the paragraphs of its documentation, whole and line by line.
+pub(super) fn strings(source: &str) -> Vec<String> {
+    let tokens = source.parse().unwrap_or_else(|err| panic!("a source cannot be read: {err}"));
+    let mut found = Vec::new();
+    collect_strings(tokens, &mut found);
+    let mut paragraph = String::new();
+    for line in source.lines() {
+        match line.trim_start().strip_prefix("/// ") {
+            Some(words) => paragraph = format!("{paragraph} {words}"),
+            None => found.push(std::mem::take(&mut paragraph)),
+        }
+    }
+    found
+}
+
+fn collect_strings(tokens: TokenStream, found: &mut Vec<String>) {
+    for token in tokens {
+        match token {
+            TokenTree::Group(group) => collect_strings(group.stream(), found),
+            TokenTree::Literal(literal) => {
+                if let Lit::Str(text) = Lit::new(literal) {
+                    found.push(text.value());
+                }
+            }
+            TokenTree::Ident(_) | TokenTree::Punct(_) => {}
+        }
+    }
 }
 
 /// A string literal up to its closing quote, its escapes and line joins undone.

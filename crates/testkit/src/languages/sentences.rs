@@ -14,18 +14,7 @@ pub(super) struct Sentences(pub(super) BTreeMap<String, String>);
 
 impl Sentences {
     pub(super) fn add(&mut self, of: &str, sentence: &str) {
-        // Symbols, units and numbers are the same in every language, and so is what stands in a place.
-        let mut words = sentence.to_owned();
-        while let (Some(open), Some(close)) = (words.find('{'), words.find('}')) {
-            words.replace_range(open.min(close)..=open.max(close), " ");
-        }
-        let notation = |word: &str| {
-            ["sin", "cos", "tan"].contains(&word)
-                || word.chars().filter(char::is_ascii_alphabetic).count() < 3
-        };
-        if !words.split(|c: char| !c.is_alphabetic()).all(notation) {
-            self.0.entry(sentence.to_owned()).or_insert_with(|| of.to_owned());
-        }
+        self.0.entry(sentence.to_owned()).or_insert_with(|| of.to_owned());
     }
 
     pub(super) fn text(&mut self, of: &str, text: &Text) {
@@ -130,6 +119,18 @@ impl Sentences {
             }
         }
     }
+}
+
+/// Returns true if a sentence is the same in every language: symbols, units and numbers, and what stands in a place.
+pub(super) fn is_the_same_in_every_language(sentence: &str) -> bool {
+    let mut words = sentence.to_owned();
+    while let (Some(open), Some(close)) = (words.find('{'), words.find('}')) {
+        words.replace_range(open.min(close)..=open.max(close), " ");
+    }
+    let notation = |word: &str| {
+        ["sin", "cos", "tan"].contains(&word) || word.chars().filter(char::is_ascii_alphabetic).count() < 3
+    };
+    words.split(|c: char| !c.is_alphabetic()).all(notation)
 }
 
 /// The words of a case that people read.

@@ -239,27 +239,28 @@ pub(super) fn read_linked(model: &mut Model) -> Vec<Intent> {
 /// Asks what becomes of the work of sessions that ended without saving.
 pub(super) fn crashed(model: &Model, sessions: Vec<Crashed>) -> Vec<Intent> {
     let Some(newest) = sessions.first() else { return Vec::new() };
-    let minutes = newest.kept.elapsed().map_or(0, |past| past.as_secs() / 60);
+    let ended = match newest.kept.elapsed().map_or(0, |past| past.as_secs() / 60) {
+        0 => Text::new("just now"),
+        minutes => Text::new("{minutes} min ago").with("minutes", minutes),
+    };
     let question = match sessions.len() {
         1 => {
             let name = match &newest.original {
                 Some(path) => shown(path),
                 None => name_of(model, newest),
             };
-            Text::new(
-                "The previous session ended {minutes} min ago without saving {name}; it can be recovered.",
-            )
-            .with("name", name)
+            Text::new("The previous session ended {ended} without saving {name}; it can be recovered.")
+                .with("name", name)
         }
         count => {
             let names: Vec<String> = sessions.iter().map(|crashed| name_of(model, crashed)).collect();
-            Text::new("The previous session ended {minutes} min ago without saving {count} problems ({names}); they can be recovered.")
+            Text::new("The previous session ended {ended} without saving {count} problems ({names}); they can be recovered.")
                 .with("count", count)
                 .with("names", names.join("; "))
         }
     };
     vec![Intent::Show(Dialog::Ask {
-        question: question.with("minutes", minutes),
+        question: question.with_text("ended", ended),
         answers: vec![
             ("recover", Answer::Restore(sessions.clone())),
             ("ask again at the next start", Answer::Cancel),

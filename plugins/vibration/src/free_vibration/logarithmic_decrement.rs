@@ -430,7 +430,7 @@ fn system<W: Worksheet>(
                     stiffness,
                 );
             });
-            sheet.answer("stiffness", "Stiffness", stiffness);
+            sheet.answer("stiffness", "Torsional stiffness", stiffness);
             let natural = frequency_of(stiffness, *inertia, sheet);
             Some(elastic([*inertia, natural, stiffness], zeta, AXIS, sheet))
         }

@@ -61,7 +61,7 @@ pub enum Main {
 /// Type of absorber.
 #[derive(Clone, Debug, Inputs)]
 pub enum Absorber {
-    /// Tuned by the invariant points (Den Hartog)
+    /// Tuned by the fixed points (Den Hartog)
     FixedPoints,
     /// Tuned for the minimum peak
     LeastPeak,
@@ -173,10 +173,10 @@ impl Analysis for DampedAbsorber {
         id: "vibration/damped-absorber",
         title: "Damped vibration absorber",
         topic: "Isolation, absorbers and instruments",
-        summary: "Optimum tuning and damping of an absorber by the invariant points and for the minimum peak, of a viscous absorber without spring, and the response before and after.",
+        summary: "Optimum tuning and damping of an absorber by the fixed points and for the minimum peak, of a viscous absorber without spring, and the response before and after.",
         main: &["best_tuning", "best_damping_ratio_absorber", "best_peak", "peak"],
-        keywords: "tuned mass damper TMD Den Hartog Houdaille Lanchester optimum fixed points minimax \
-                   absorvedor dinâmico amortecido amortecedor de massa sintonizado ótimo pontos fixos",
+        keywords: "tuned mass damper TMD Den Hartog Houdaille Lanchester optimum fixed points invariant points minimax \
+                   absorvedor dinâmico amortecido amortecedor de massa sintonizado ótimo pontos fixos invariantes",
         sources: &[&DEN_HARTOG, &BROCK, &NISHIHARA, &RAO],
         cases: include_str!("../../cases/damped_absorber.toml"),
     };

@@ -276,7 +276,8 @@ impl<N: Real> RunOut<N> {
             sheet.common_error(symbol("A_c"), what, || (shown.amplitude - *amplitude).abs());
             reading.amplitude = sheet.step(symbol("A_c"), unit, left.size(), why);
             rotor::quadrant_ignored(sheet, symbol("φ_c"), (left.x, left.y));
-            reading.phase = sheet.step(symbol("φ_c"), "deg", left.marked_angle(), "Its phase");
+            reading.phase =
+                sheet.step(symbol("φ_c"), "deg", left.marked_angle(), "Phase of the reading without run-out");
             sheet.verify(|| {
                 let size = (shown.amplitude.value() + amplitude.value()).powi(2);
                 let between = (shown.phase - *phase).cos();

@@ -22,7 +22,7 @@ pub(super) fn fixed_points<W: Worksheet>(system: &AbsorberSystem<W::Num>, sheet:
         });
     }
     let why = (
-        "Tuning by the invariant points: the two frequencies at which the response is independent of damping, brought to equal height",
+        "Tuning by the fixed points: the two frequencies at which the response is independent of damping, brought to equal height",
         DEN_HARTOG.at("§3.3"),
     );
     let natural = || W::Num::from(1.0);
@@ -30,12 +30,12 @@ pub(super) fn fixed_points<W: Worksheet>(system: &AbsorberSystem<W::Num>, sheet:
     let random = || (ratio / 2.0 + 1.0).sqrt() / (ratio + 1.0);
     sheet.common_error("f_opt", "the tuning for a random force used", random);
     let tuning = sheet.step("f_opt", "1", absorber::den_hartog_tuning(ratio), why);
-    let why = ("Squares of the ratios of the invariant points: their mean", DEN_HARTOG.at("§3.3"));
+    let why = ("Squares of the ratios of the fixed points: their mean", DEN_HARTOG.at("§3.3"));
     let mean = sheet.step("b", "1", absorber::fixed_points_mean(ratio, tuning), why);
     let why = ("Half of their difference", DEN_HARTOG.at("§3.3"));
     let half = sheet.step("d", "1", absorber::fixed_points_half_difference(ratio, tuning, mean), why);
     let lower = sheet.step("g_P", "1", (mean - half).sqrt(), "Lower fixed point");
-    let upper = sheet.step("g_Q", "1", (mean + half).sqrt(), "Upper invariant point");
+    let upper = sheet.step("g_Q", "1", (mean + half).sqrt(), "Upper fixed point");
     let why = ("Magnification at both points", DEN_HARTOG.at("§3.3"));
     let height = sheet.step("H_PQ", "1", absorber::fixed_point_height(ratio), why);
     for (point, what) in [
@@ -45,17 +45,17 @@ pub(super) fn fixed_points<W: Worksheet>(system: &AbsorberSystem<W::Num>, sheet:
         sheet.check(what, absorber::magnification_as_one(ratio, point), height);
     }
     let why = (
-        "Damping: mean square of the two values that give zero slope of the response at one or the other invariant point",
+        "Damping: mean square of the two values that give zero slope of the response at one or the other fixed point",
         BROCK.at(""),
     );
     let one_point =
         || (ratio * (W::Num::from(3.0) - (ratio / (ratio + 2.0)).sqrt()) / ((ratio + 1.0) * 8.0)).sqrt();
-    let what = "the damping for zero slope at the lower invariant point alone used";
+    let what = "the damping for zero slope at the lower fixed point alone used";
     sheet.common_error("ζ_opt", what, one_point);
     let random = || (ratio * (ratio * 0.75 + 1.0) / ((ratio + 1.0) * (ratio / 2.0 + 1.0) * 4.0)).sqrt();
     sheet.common_error("ζ_opt", "the damping for a random force used", random);
     let own = sheet.step("ζ_opt", "1", absorber::den_hartog_damping(ratio), why);
-    sheet.answer("tuning", "Tuning by the invariant points", tuning);
+    sheet.answer("tuning", "Tuning by the fixed points", tuning);
     let damping =
         answer_dampings(tuning, own, ["damping_ratio_absorber", "damping_ratio_main"], "γ_opt", sheet);
     sheet.verify(|| {
@@ -70,7 +70,7 @@ pub(super) fn fixed_points<W: Worksheet>(system: &AbsorberSystem<W::Num>, sheet:
         );
     });
     sheet.answer("lower_fixed_point", "Lower fixed point", lower);
-    sheet.answer("upper_fixed_point", "Upper invariant point", upper);
+    sheet.answer("upper_fixed_point", "Upper fixed point", upper);
     sheet.answer("fixed_point_height", "Magnification at the fixed points", height);
     let chosen = Chosen { tuning: Some(tuning), damping };
     let kernel = system.kernel(&chosen);
@@ -155,13 +155,13 @@ pub(super) fn viscous<W: Worksheet>(
 ) -> Result<Chosen<W::Num>, Refusal> {
     let (ratio, zeta) = (system.ratio, system.zeta.value());
     let why = (
-        "Optimum damping relative to the main frequency, c/(2 m_a ω_m): the peak lies at the invariant point of an undamped main system",
+        "Optimum damping relative to the main frequency, c/(2 m_a ω_m): the peak lies at the fixed point of an undamped main system",
         DEN_HARTOG.at("§3.3"),
     );
     let with_spring = || (ratio * 3.0 / ((ratio + 1.0).powi(3) * 8.0)).sqrt();
     sheet.common_error("γ_h", "the damping of a tuned absorber, with a spring, used", with_spring);
     let damping = sheet.step("γ_h", "1", absorber::viscous_damping(ratio), why);
-    let why = ("Frequency ratio of the invariant point", DEN_HARTOG.at("§3.3"));
+    let why = ("Frequency ratio of the fixed point", DEN_HARTOG.at("§3.3"));
     let point = sheet.step("g_h", "1", absorber::viscous_fixed_point(ratio), why);
     let why = ("Magnification at this point", DEN_HARTOG.at("§3.3"));
     let height = sheet.step("H_h", "1", absorber::viscous_height(ratio), why);
@@ -175,7 +175,7 @@ pub(super) fn viscous<W: Worksheet>(
         "Damping ratio relative to the main frequency, c/(2 m_a ω_m)",
         damping,
     );
-    sheet.answer("fixed_point", "Invariant point", point);
+    sheet.answer("fixed_point", "Fixed point", point);
     sheet.answer("fixed_point_height", "Magnification at the fixed point", height);
     let found = absorber::least_peak_viscous(ratio.value(), zeta).map_err(|_| no_peaks());
     if zeta == 0.0 {
