@@ -106,29 +106,13 @@ impl End {
         let ([c, s], [u, v, turn]) = (self.direction, [value(0), value(1), value(2)]);
         [c * u + s * v, c * v - s * u, turn]
     }
-
-    /// `∂ local / ∂ unknown`.
-    fn share(&self, local: usize, unknown: usize) -> f64 {
-        let [c, s] = self.direction;
-        match (local, unknown) {
-            (0, 0) | (1, 1) => c,
-            (0, 1) => s,
-            (1, 0) => -s,
-            (2, 2) => 1.0,
-            _ => 0.0,
-        }
-    }
 }
 
 impl Layout {
     /// The unknowns that stand together in a segment or a joint.
-    fn groups(&self) -> impl Iterator<Item = Vec<usize>> {
-        let segments = self
-            .ends
-            .iter()
-            .flat_map(|ends| ends.windows(2))
-            .map(|pair| pair.iter().flat_map(|end| end.unknowns).flatten().collect());
-        segments.chain(self.joints.iter().map(|unknowns| unknowns.iter().flatten().copied().collect()))
+    fn groups(&self) -> impl Iterator<Item = [Option<usize>; 6]> {
+        let segments = self.ends.iter().flat_map(|ends| ends.windows(2)).map(unknowns);
+        segments.chain(self.joints.iter().map(|[x, y, turn]| [*x, *y, *turn, None, None, None]))
     }
 }
 
@@ -242,9 +226,10 @@ impl Frame {
             let own = member.mass * h;
             let m = local(&INERTIA, [own / 3.0, own / 6.0], own / 420.0);
             for pair in ends.windows(2) {
-                for (i, j, (row, column), share) in products(pair) {
-                    stiffness[(row, column)] += share * k[i][j];
-                    mass[(row, column)] += share * m[i][j];
+                for (all, local) in [(&mut stiffness, &k), (&mut mass, &m)] {
+                    for (row, column, value) in entries(local, pair) {
+                        all[(row, column)] += value;
+                    }
                 }
             }
         }
@@ -336,9 +321,9 @@ impl Frame {
             let along = rod(member.axial, member.along(lambda), length);
             let local = local(&segment, member.bending, along);
             for pair in ends.windows(2) {
-                for (i, j, (row, column), share) in products(pair) {
+                for (row, column, value) in entries(&local, pair) {
                     if column <= row {
-                        matrix.add(row, column, share * local[i][j]);
+                        matrix.add(row, column, value);
                     }
                 }
             }
@@ -536,19 +521,31 @@ fn local(segment: &Segment, bending: f64, along: [f64; 2]) -> [[f64; 6]; 6] {
     all
 }
 
-/// The entries of a segment that belong to unknowns: places in the matrix of the segment, in that of the frame, and the
-/// share.
-fn products(pair: &[End]) -> impl Iterator<Item = (usize, usize, (usize, usize), f64)> {
-    let all = move |place: usize| {
-        let end = pair[place / 3];
-        (0..3).filter_map(move |n| {
-            let share = end.share(place % 3, n);
-            end.unknowns[n].filter(|_| share != 0.0).map(|unknown| (unknown, share))
-        })
-    };
-    (0..6).flat_map(move |i| {
-        (0..6).flat_map(move |j| {
-            all(i).flat_map(move |(row, a)| all(j).map(move |(column, b)| (i, j, (row, column), a * b)))
-        })
-    })
+/// The unknowns of the two ends of a segment.
+fn unknowns(pair: &[End]) -> [Option<usize>; 6] {
+    let ([a, b, c], [d, e, f]) = (pair[0].unknowns, pair[1].unknowns);
+    [a, b, c, d, e, f]
+}
+
+/// A matrix of a segment for the unknowns of its ends: `Tᵀ K T`, where `T` turns the displacements of each end.
+fn in_unknowns(matrix: &[[f64; 6]; 6], pair: &[End]) -> [[f64; 6]; 6] {
+    let mut all = *matrix;
+    for (at, end) in [0, 3].into_iter().zip(pair) {
+        let [c, s] = end.direction;
+        for row in &mut all {
+            let [along, across] = [row[at], row[at + 1]];
+            (row[at], row[at + 1]) = (c * along - s * across, s * along + c * across);
+        }
+        for column in 0..6 {
+            let [along, across] = [all[at][column], all[at + 1][column]];
+            (all[at][column], all[at + 1][column]) = (c * along - s * across, s * along + c * across);
+        }
+    }
+    all
+}
+
+/// The entries of a matrix of a segment in that of the frame: row, column and value.
+fn entries(matrix: &[[f64; 6]; 6], pair: &[End]) -> impl Iterator<Item = (usize, usize, f64)> {
+    let (unknowns, matrix) = (unknowns(pair), in_unknowns(matrix, pair));
+    (0..36).filter_map(move |n| Some((unknowns[n / 6]?, unknowns[n % 6]?, matrix[n / 6][n % 6])))
 }

@@ -4,8 +4,11 @@ use nalgebra::DMatrix;
 
 /// A symmetric matrix by rows, each from its first entry to the diagonal.
 pub(super) struct Envelope {
+    /// Column of the first entry of each row.
     starts: Vec<usize>,
-    rows: Vec<Vec<f64>>,
+    /// Place of the first entry of each row, and the number of all entries.
+    places: Vec<usize>,
+    entries: Vec<f64>,
 }
 
 /// The factors of a matrix with exchanged rows.
@@ -18,28 +21,35 @@ pub(super) struct FrameElimination {
 
 impl Envelope {
     /// Zeros, with room for what couples the unknowns of each group.
-    pub(super) fn zeros(size: usize, groups: impl Iterator<Item = Vec<usize>>) -> Self {
+    pub(super) fn zeros(size: usize, groups: impl Iterator<Item = [Option<usize>; 6]>) -> Self {
         let mut starts: Vec<usize> = (0..size).collect();
         for group in groups {
-            if let Some(first) = group.iter().min() {
-                for row in &group {
-                    starts[*row] = starts[*row].min(*first);
-                }
+            let Some(first) = group.into_iter().flatten().min() else { continue };
+            for row in group.into_iter().flatten() {
+                starts[row] = starts[row].min(first);
             }
         }
-        let rows = starts.iter().enumerate().map(|(row, start)| vec![0.0; row + 1 - start]).collect();
-        Self { starts, rows }
+        let mut places = Vec::with_capacity(size + 1);
+        places.push(0);
+        let mut all = 0;
+        for (row, start) in starts.iter().enumerate() {
+            all += row + 1 - start;
+            places.push(all);
+        }
+        Self { starts, places, entries: vec![0.0; all] }
     }
 
     /// Adds to an entry at or below the diagonal.
     pub(super) fn add(&mut self, row: usize, column: usize, value: f64) {
-        self.rows[row][column - self.starts[row]] += value;
+        self.entries[self.places[row] + column - self.starts[row]] += value;
     }
 
     /// The full matrix.
     pub(super) fn full(&self) -> DMatrix<f64> {
-        let mut full = DMatrix::zeros(self.rows.len(), self.rows.len());
-        for (row, (start, entries)) in self.starts.iter().zip(&self.rows).enumerate() {
+        let size = self.starts.len();
+        let mut full = DMatrix::zeros(size, size);
+        for (row, start) in self.starts.iter().enumerate() {
+            let entries = &self.entries[self.places[row]..self.places[row + 1]];
             for (column, entry) in (*start..).zip(entries) {
                 full[(row, column)] = *entry;
                 full[(column, row)] = *entry;
@@ -51,15 +61,15 @@ impl Envelope {
     /// The pivots of `L D Lᵀ`, of which as many are negative as there are eigenvalues below zero; one that vanishes is
     /// replaced by rounding.
     pub(super) fn pivots(self) -> Vec<f64> {
-        let Envelope { starts, mut rows } = self;
-        let mut diagonal: Vec<f64> = Vec::with_capacity(rows.len());
-        for row in 0..rows.len() {
+        let Envelope { starts, places, mut entries } = self;
+        let mut diagonal: Vec<f64> = Vec::with_capacity(starts.len());
+        for row in 0..starts.len() {
             let start = starts[row];
-            let (above, rest) = rows.split_at_mut(row);
-            let own = &mut rest[0];
+            let (above, rest) = entries.split_at_mut(places[row]);
+            let own = &mut rest[..=row - start];
             let size = own[row - start].abs();
             for column in start..row {
-                let (first, other) = (starts[column].max(start), &above[column]);
+                let (first, other) = (starts[column].max(start), &above[places[column]..]);
                 let left = &own[first - start..column - start];
                 let up = &other[first - starts[column]..column - starts[column]];
                 let known: f64 = left.iter().zip(up).map(|(a, b)| a * b).sum();
