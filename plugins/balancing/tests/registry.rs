@@ -1,5 +1,5 @@
-//! What holds for every analysis, over those of balancing with their crate alone: built in seconds after a change, it is
-//! the judge of mutants. The tests of the workspace run the same over all analyses.
+//! Tests that hold for every analysis, over those of balancing with their crate alone: built in seconds after a change,
+//! they are the judge of mutants. The tests of the workspace run the same over all analyses.
 
 use dalembert_balancing as _;
 

@@ -30,7 +30,6 @@ mod suggestions;
 mod symbols;
 mod teaching;
 mod theory;
-mod tidy;
 mod unit_systems;
 mod unknowns;
 mod vector_formulas;
