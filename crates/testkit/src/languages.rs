@@ -176,7 +176,9 @@ pub fn every_translation_is_in_use(
     let mut sentences = Sentences::default();
     for entry in entries {
         sentences.fields(entry.family(), entry.shape().fields(None), &mut BTreeSet::new());
-        cases_of(entry).iter().for_each(|case| sentences.case(entry.family(), case));
+        for case in cases_of(entry) {
+            sentences.case(entry.family(), &case);
+        }
     }
     for_each_problem(entries, |problem| sentences.solution(problem.entry.family(), &problem.solution));
     let literals: Vec<String> = sources.iter().flat_map(|source| strings(&source.text)).collect();

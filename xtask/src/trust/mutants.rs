@@ -12,18 +12,12 @@ use crate::cargo::{cargo, copy_tracked, installed, output, target};
 /// The quantile of the normal distribution that 2.5 % lie above.
 const QUANTILE: f64 = 1.959_963_984_540_054;
 
-/// Tests that judge the mutants of a crate.
+/// Tests of a crate that judge its mutants.
 struct Judge {
-    /// Folder of the crate that is mutated, which names it.
+    /// Folder of the crate, which names it.
     folder: &'static str,
-    /// Package of the tests, if not that of the crate.
-    tests: Option<&'static str>,
     /// Arguments of every `cargo test`.
     cargo: &'static [&'static str],
-    /// Arguments of the tests.
-    words: &'static [&'static str],
-    /// Variables of the tests.
-    variables: &'static [(&'static str, &'static str)],
 }
 
 /// Name of a mutant, and what became of it.
@@ -45,18 +39,12 @@ enum Summary {
 }
 
 fn judge(row: &str) -> Result<Judge> {
-    let own = |folder| Judge { folder, tests: None, cargo: &["--tests"], words: &[], variables: &[] };
+    let own = |folder| Judge { folder, cargo: &["--tests"] };
     match row {
         "mutants-units" => Ok(own("crates/units")),
         "mutants-mechanics" => Ok(own("crates/mechanics")),
         "mutants-core" => Ok(own("crates/core")),
-        "mutants-balancing" => Ok(Judge {
-            folder: "plugins/balancing",
-            tests: Some("dalembert-tests"),
-            cargo: &["--test", "registry"],
-            words: &["catalogue::"],
-            variables: &[("DALEMBERT_ONLY", "balancing")],
-        }),
+        "mutants-balancing" => Ok(Judge { folder: "plugins/balancing", cargo: &["--test", "registry"] }),
         _ => anyhow::bail!("{row} has no judge"),
     }
 }
@@ -136,15 +124,11 @@ fn judged(
     command
         .args(["mutants", "--in-place", "--iterate", "--no-config"])
         .args(["--jobserver", "false", "--no-times", "--colors", "never"])
-        .args(["--package", &package, "--test-package", judge.tests.unwrap_or(&package)])
+        .args(["--package", &package, "--test-package", &package])
         .arg("--output")
         .arg(folder)
         .args(judge.cargo.iter().map(|word| format!("--cargo-arg={word}")));
-    if !judge.words.is_empty() {
-        command.args(["--", "--"]).args(judge.words);
-    }
     command
-        .envs(judge.variables.iter().copied())
         .env("CARGO_TARGET_DIR", folder.join("build"))
         // Property tests draw the same for each mutant, and learn nothing from the one before.
         .env("PROPTEST_RNG_SEED", seed.to_string())
