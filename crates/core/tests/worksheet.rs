@@ -232,6 +232,22 @@ fn the_worst_of_several_residuals_speaks_for_all() {
     }
 }
 
+/// A second method in which nothing was added up gives zero, and agrees with zero alone.
+#[test]
+fn beside_a_scale_of_zero_only_zero_agrees() {
+    let passes = |right: f64, scale: f64| {
+        let solution = worked(|bench| {
+            let left = bench.sheet.step("x", "1", bench.a / bench.a * 0.3, "why");
+            bench.sheet.check_sum("two ways", left, right.into(), scale);
+        });
+        solution.checks[0].passed
+    };
+    assert!(passes(0.3, 0.3) && passes(0.3, 0.0));
+    assert!(
+        !passes(0.0, 0.0) && !passes(0.301, 0.0) && !passes(0.0, f64::INFINITY) && !passes(0.0, f64::NAN)
+    );
+}
+
 /// Two methods agree as nearly as their condition lets the last places tell, and no nearer.
 #[test]
 fn the_limit_of_a_check_comes_from_its_condition() {
