@@ -81,10 +81,10 @@ impl Laboratory {
 }
 
 /// Expands to the tests of a [`Laboratory`], one `#[test]` each; with `english_only` behind it, without those of the
-/// Portuguese.
+/// Portuguese; with `=> module { name … }`, to these tests of a module alone.
 #[macro_export]
 macro_rules! registry_tests {
-    (@ $laboratory:expr => $module:ident { $($name:ident)* }) => {
+    ($laboratory:expr => $module:ident { $($name:ident)* }) => {
         $(
             #[test]
             fn $name() {
@@ -120,12 +120,12 @@ macro_rules! registry_tests {
             );
         }
 
-        $crate::registry_tests!(@ $laboratory => languages {
+        $crate::registry_tests!($laboratory => languages {
             labels_begin_with_capitals_in_both_languages
         });
     };
     ($laboratory:expr, english_only) => {
-        $crate::registry_tests!(@ $laboratory => catalogue {
+        $crate::registry_tests!($laboratory => catalogue {
             every_printed_answer_agrees_or_is_disputed
             a_companion_is_named_where_its_output_was_seen
             the_right_value_of_a_dispute_has_five_digits
@@ -134,42 +134,42 @@ macro_rules! registry_tests {
             a_solve_is_a_pure_function
             every_analysis_is_well_described
         });
-        $crate::registry_tests!(@ $laboratory => invariance {
+        $crate::registry_tests!($laboratory => invariance {
             every_answer_scales_with_its_dimension
             the_plain_reading_is_the_worked_reading
         });
-        $crate::registry_tests!(@ $laboratory => alternatives {
+        $crate::registry_tests!($laboratory => alternatives {
             every_alternative_is_reached_by_a_case
         });
-        $crate::registry_tests!(@ $laboratory => coverage {
+        $crate::registry_tests!($laboratory => coverage {
             every_answer_is_covered_or_has_a_reason
         });
-        $crate::registry_tests!(@ $laboratory => exhibits {
+        $crate::registry_tests!($laboratory => exhibits {
             every_mark_equals_an_answer_or_a_point_of_a_curve
             words_of_drawings_stand_over_no_other_words_and_over_no_head_of_an_arrow
             words_of_figures_stand_over_no_other_words
         });
-        $crate::registry_tests!(@ $laboratory => extremes {
+        $crate::registry_tests!($laboratory => extremes {
             a_longer_time_has_no_smaller_maximum
         });
-        $crate::registry_tests!(@ $laboratory => inputs {
+        $crate::registry_tests!($laboratory => inputs {
             every_gravity_has_the_same_default
             a_problem_has_one_gravity
             frequencies_in_tables_are_in_hertz
             published_tables_name_their_units
         });
-        $crate::registry_tests!(@ $laboratory => languages {
+        $crate::registry_tests!($laboratory => languages {
             every_sentence_of_a_case_has_a_key_of_its_own
         });
-        $crate::registry_tests!(@ $laboratory => papers {
+        $crate::registry_tests!($laboratory => papers {
             every_analysis_is_written_well_in_every_format
             every_picture_keeps_inside_its_frame
         });
-        $crate::registry_tests!(@ $laboratory => printed {
+        $crate::registry_tests!($laboratory => printed {
             printed_steps_give_their_results
             what_is_shown_is_right_to_any_number_of_digits
         });
-        $crate::registry_tests!(@ $laboratory => unknowns {
+        $crate::registry_tests!($laboratory => unknowns {
             an_input_is_found_back_from_an_answer
         });
 

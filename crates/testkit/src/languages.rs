@@ -151,16 +151,10 @@ pub fn the_translations_are_well_formed_and_use_the_same_arguments(
     for literal in sources.iter().flat_map(|source| literals(&source.text)) {
         used.insert(text::key(&literal), arguments(&literal, "{", "}"));
     }
-    let translations: Vec<PathBuf> =
-        folders.iter().flat_map(|folder| files(folder.as_ref(), "ftl")).collect();
-    assert!(!translations.is_empty(), "there is no translation file");
-    for path in translations {
-        for line in read(&path).lines() {
-            let Some((key, sentence)) = line.split_once(" = ") else { continue };
-            if let Some(wanted) = used.get(key) {
-                let have = arguments(sentence, "{ $", " }");
-                assert_eq!(&have, wanted, "{}: {key} has other arguments than the English", path.display());
-            }
+    for (path, key, sentence) in messages(folders).iter().filter(|(_, _, sentence)| !sentence.is_empty()) {
+        if let Some(wanted) = used.get(key) {
+            let have = arguments(sentence, "{ $", " }");
+            assert_eq!(&have, wanted, "{}: {key} has other arguments than the English", path.display());
         }
     }
 }
@@ -184,19 +178,26 @@ pub fn every_translation_is_in_use(
     let literals: Vec<String> = sources.iter().flat_map(|source| strings(&source.text)).collect();
     let used: BTreeSet<String> =
         sentences.0.keys().chain(&literals).map(|sentence| text::key(sentence)).collect();
-    let (mut known, mut unused) = (0, Vec::new());
+    let unused: Vec<String> = messages(folders)
+        .iter()
+        .filter(|(_, key, _)| !used.contains(key))
+        .map(|(path, key, _)| format!("{}: {key}", path.display()))
+        .collect();
+    assert!(unused.is_empty(), "{} translations of no sentence:\n{}", unused.len(), unused.join("\n"));
+}
+
+/// The messages of all translation files below some folders: file, key, and the sentence beside it, if it is one line.
+fn messages(folders: &[impl AsRef<Path>]) -> Vec<(PathBuf, String, String)> {
+    let mut found = Vec::new();
     for path in folders.iter().flat_map(|folder| files(folder.as_ref(), "ftl")) {
-        for (key, _) in read(&path).lines().filter_map(|line| line.split_once(" =")) {
+        for (key, sentence) in read(&path).lines().filter_map(|line| line.split_once(" =")) {
             if key.starts_with(|c: char| c.is_ascii_lowercase()) {
-                known += 1;
-                if !used.contains(key) {
-                    unused.push(format!("{}: {key}", path.display()));
-                }
+                found.push((path.clone(), key.to_owned(), sentence.trim().to_owned()));
             }
         }
     }
-    assert!(known > 0, "there is no translation");
-    assert!(unused.is_empty(), "{} translations of no sentence:\n{}", unused.len(), unused.join("\n"));
+    assert!(!found.is_empty(), "there is no translation");
+    found
 }
 
 /// The files with an ending below a folder, without what is built.
