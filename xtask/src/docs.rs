@@ -4,6 +4,7 @@ use std::{
     collections::{BTreeMap, BTreeSet},
     fs,
     path::Path,
+    process::{ExitStatus, Stdio},
 };
 
 use anyhow::{Context, Result, bail};
@@ -83,7 +84,7 @@ fn superfluous(root: &Path, generated: &[(String, String)]) -> Result<Vec<String
 /// The generated files: path and text.
 fn generated(root: &Path) -> Result<Vec<(String, String)>> {
     let program = Program::built(root, root)?;
-    let verified = program.with(&["verify", "--json"]).stdout(std::process::Stdio::piped()).spawn();
+    let verified = program.with(&["verify", "--json"]).stdout(Stdio::piped()).spawn();
     let verified = verified.context("the program cannot be run")?;
     let listed = json(&program, &["list", "--json"])?;
     let listed = array(&listed);
@@ -244,12 +245,17 @@ fn verdicts(verified: &Json) -> BTreeMap<(String, String), Counts> {
 
 /// JSON output of the program with these arguments.
 pub(crate) fn json(program: &Program, arguments: &[&str]) -> Result<Json> {
-    let mut command = program.with(arguments);
     // The status says what was found; the text is complete in any case.
-    let output =
-        command.stderr(std::process::Stdio::inherit()).output().context("the program cannot be run")?;
-    serde_json::from_slice(&output.stdout)
-        .with_context(|| format!("`dalembert {}` printed no JSON", arguments.join(" ")))
+    Ok(json_and_status(program, arguments)?.0)
+}
+
+/// JSON output of the program with these arguments, and its status.
+pub(crate) fn json_and_status(program: &Program, arguments: &[&str]) -> Result<(Json, ExitStatus)> {
+    let mut command = program.with(arguments);
+    let output = command.stderr(Stdio::inherit()).output().context("the program cannot be run")?;
+    let json = serde_json::from_slice(&output.stdout)
+        .with_context(|| format!("`dalembert {}` printed no JSON", arguments.join(" ")))?;
+    Ok((json, output.status))
 }
 
 /// Text for a cell of a table.

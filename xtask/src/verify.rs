@@ -204,10 +204,8 @@ fn seed_of_commit(root: &Path) -> u64 {
 /// Every published answer beside ours.
 fn catalogue(root: &Path) -> Found {
     let program = Program::built(root, root)?;
-    let verified = program.with(&["verify", "--json"]).output().context("the program cannot be run")?;
-    let counts: serde_json::Value =
-        serde_json::from_slice(&verified.stdout).context("`verify --json` printed no JSON")?;
-    if !verified.status.success() {
+    let (counts, status) = docs::json_and_status(&program, &["verify", "--json"])?;
+    if !status.success() {
         // The rows in words, with what differs.
         program.with(&["verify"]).status().context("the program cannot be run")?;
     }
@@ -220,7 +218,7 @@ fn catalogue(root: &Path) -> Found {
         "{agreed} agreed, {disputed} disputed, {differing} differing; {} and {} of these were printed",
         printed["agreed"], printed["disputed"]
     );
-    ensure!(differing == 0 && agreed > 0 && verified.status.success(), words);
+    ensure!(differing == 0 && agreed > 0 && status.success(), words);
     Ok(Verdict::Passed(words))
 }
 
