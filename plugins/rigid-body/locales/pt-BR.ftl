@@ -505,7 +505,6 @@ the-body-rotates-exactly-about-the-axis-of-the-intermediate-moment-where-the-sma
 the-complete-integral-by-equal-weight-quadrature = a integral completa por quadratura de pesos iguais
 the-component-along-the-intermediate-axis-at-that-time = a componente no eixo intermediário nesse instante
 the-moment-of-inertia-i-axis-is-out-of-range = o momento de inércia I_{ $axis } está fora da faixa
-the-motion-is-beyond-the-range-of-numbers-check-the-sizes-of-what-is-given = o movimento sai da faixa dos números: confira as grandezas dos dados
 the-motion-exceeds-the-numerical-range-check-the-magnitudes-of-the-inputs = o movimento excede a faixa numérica: confira as grandezas dos dados
 the-motion-is-on-the-separatrix-the-smallest-disturbance-determines-what-follows = o movimento está sobre a separatriz: a menor perturbação determina o que se segue
 the-rate-of-the-argument-by-the-numerical-kernel = a taxa do argumento pelo núcleo numérico
@@ -1410,7 +1409,6 @@ nutation-needs-the-transverse-moment-of-inertia-give-it-about-the-fixed-point-or
 the-angular-momentum-about-the-vertical-is-that-at-the-start = o momento angular em torno da vertical é o do início
 the-angle-at-the-start-by-the-elliptic-functions = o ângulo inicial pelas funções elípticas
 the-axis-approaches-the-vertical-asymptotically-change-the-spin-or-the-initial-state-a-little = o eixo se aproxima assintoticamente da vertical: mude um pouco a rotação ou o estado inicial
-the-axis-starts-on-the-vertical-where-precession-is-not-defined-start-a-little-beside-it = o eixo parte da vertical, onde a precessão não é definida: comece um pouco ao lado
 the-axis-starts-on-the-vertical-where-precession-is-not-defined-start-slightly-off-it = o eixo parte da vertical, onde a precessão não é definida: comece um pouco ao lado
 the-limit-substituted-into-the-cubic = o limite substituído na cúbica
 the-precession-angle-per-nutation-by-equal-weight-quadrature = o ângulo de precessão por nutação, por quadratura de pesos iguais

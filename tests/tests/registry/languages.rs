@@ -70,16 +70,13 @@ fn every_sentence_of_a_case_has_a_key_of_its_own() {
 
 #[test]
 fn the_translations_are_well_formed_and_use_the_same_arguments() {
-    let folders = [crates(), vec![root().join("plugins")]].concat();
-    languages::the_translations_are_well_formed_and_use_the_same_arguments(&sources(), &folders);
+    languages::the_translations_are_well_formed_and_use_the_same_arguments(&sources(), &folders());
 }
 
 #[test]
 fn every_translation_is_in_use() {
     let entries = [registry(), exams()].concat();
-    let folders = ["crates", "plugins"].map(|folder| root().join(folder));
-    let sources = folders.each_ref().map(|folder| SourceFile::below(folder, false)).concat();
-    languages::every_translation_is_in_use(&entries, &sources, &folders);
+    languages::every_translation_is_in_use(&entries, &sources(), &folders());
 }
 
 fn sources() -> Vec<SourceFile> {
@@ -88,9 +85,15 @@ fn sources() -> Vec<SourceFile> {
     all
 }
 
-/// The crates whose sentences users read: derive and testkit speak to programmers alone.
+/// The folders with translation files.
+fn folders() -> Vec<PathBuf> {
+    [crates(), vec![root().join("plugins")]].concat()
+}
+
+/// The crates whose sentences users read. Derive and testkit speak to programmers alone, and errors of kernels are put
+/// into words by the analyses.
 fn crates() -> Vec<PathBuf> {
-    ["core", "units", "report", "study", "terminal", "plot", "tui", "dalembert"]
+    ["core", "units", "import", "report", "study", "teaching", "terminal", "plot", "tui", "dalembert", "web"]
         .map(|name| root().join("crates").join(name))
         .to_vec()
 }
