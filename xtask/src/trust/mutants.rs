@@ -16,6 +16,8 @@ const QUANTILE: f64 = 1.959_963_984_540_054;
 struct Judge {
     /// Folder of the crate, which names it.
     folder: &'static str,
+    /// Packages whose tests they are.
+    tests: &'static [&'static str],
     /// Arguments of every `cargo test`.
     cargo: &'static [&'static str],
 }
@@ -39,16 +41,29 @@ enum Summary {
 }
 
 fn judge(row: &str) -> Result<Judge> {
-    let own = |folder| Judge { folder, cargo: &["--tests"] };
     match row {
-        "mutants-units" => Ok(own("crates/units")),
-        "mutants-mechanics" => Ok(own("crates/mechanics")),
-        // Compiled as the rest is, in a quarter of the time: none of its tests computes for long.
+        "mutants-units" => {
+            Ok(Judge { folder: "crates/units", tests: &["dalembert-units"], cargo: &["--tests"] })
+        }
+        "mutants-mechanics" => {
+            Ok(Judge { folder: "crates/mechanics", tests: &["dalembert-mechanics"], cargo: &["--tests"] })
+        }
+        // Compiled as most crates are, in a quarter of the time.
         "mutants-core" => Ok(Judge {
             folder: "crates/core",
-            cargo: &["--tests", "--config", "profile.dev.package.dalembert-core.opt-level=0"],
+            tests: &["dalembert-core", "dalembert-balancing"],
+            cargo: &[
+                "--tests",
+                "--test=registry",
+                "--config",
+                "profile.dev.package.dalembert-core.opt-level=0",
+            ],
         }),
-        "mutants-balancing" => Ok(Judge { folder: "plugins/balancing", cargo: &["--test", "registry"] }),
+        "mutants-balancing" => Ok(Judge {
+            folder: "plugins/balancing",
+            tests: &["dalembert-balancing"],
+            cargo: &["--test=registry"],
+        }),
         _ => anyhow::bail!("{row} has no judge"),
     }
 }
@@ -128,7 +143,7 @@ fn judged(
     command
         .args(["mutants", "--in-place", "--iterate", "--no-config"])
         .args(["--jobserver", "false", "--no-times", "--colors", "never"])
-        .args(["--package", &package, "--test-package", &package])
+        .args(["--package", &package, "--test-package", &judge.tests.join(",")])
         .arg("--output")
         .arg(folder)
         .args(judge.cargo.iter().map(|word| format!("--cargo-arg={word}")));
