@@ -23,8 +23,9 @@ pub struct Outcome {
 pub type Run = fn(times: u64, seed: u64) -> Outcome;
 
 /// Every trial, by name.
-pub const TRIALS: [(&str, Run); 8] = [
+pub const TRIALS: [(&str, Run); 9] = [
     ("formulas", formulas::beside_exact_arithmetic),
+    ("mutants-formulas", formulas::mutants),
     ("hostile-files", files::hostile),
     ("hostile-arguments", processes::hostile_arguments),
     ("kills", processes::kills),

@@ -149,7 +149,8 @@ fn check(root: &Path, row: &Row) -> Result<()> {
         (row.run)(root, row, row.times.div_ceil(SHARE), recorded.seed + 1).with_context(|| row.name)?;
     println!("{}: {} tried, {} failed; {}", row.name, outcome.tried, outcome.failed, outcome.note);
     if outcome.failed > 0 && recorded.failed == 0 {
-        bail!("{} failed: {}", row.name, outcome.failures.join("; "));
+        let first = &outcome.failures[..outcome.failures.len().min(SHOWN)];
+        bail!("{} failed: {}", row.name, first.join("; "));
     }
     Ok(())
 }

@@ -12,8 +12,8 @@ use std::{
 
 use crate::{
     Answer, Exhibit, Field, FieldError, FieldPath, Inputs, LinkedProblem, Record, Shape, Sheet, Solution,
-    Source, Text, Value, Worksheet, assumed, definitions, exhibit::mark_given, input::Lift, tolerances,
-    unknowns, vary,
+    Source, Text, Value, Worksheet, assumed, definitions, exhibit::mark_given, input::Lift, mutation::Mutant,
+    tolerances, unknowns, vary,
 };
 
 /// Description of an analysis, read before picking it.
@@ -265,11 +265,15 @@ impl Entry {
         worked(self, determined.as_ref().unwrap_or(record), stop, None)
     }
 
-    /// Solves with the result of one step wrong by [`trace::PERTURBATION`](crate::trace::PERTURBATION), to see which
-    /// checks notice.
-    pub fn solve_perturbed(&self, record: &Record, step: usize, stop: &Stop) -> Result<Solution, SolveError> {
+    /// Solves with one number of the worked solution made wrongly, to see which checks and published answers notice.
+    pub fn solve_mutated(
+        &self,
+        record: &Record,
+        mutant: Mutant,
+        stop: &Stop,
+    ) -> Result<Solution, SolveError> {
         let determined = unknowns::determine(self, record, stop)?;
-        worked(self, determined.as_ref().unwrap_or(record), stop, Some(step))
+        worked(self, determined.as_ref().unwrap_or(record), stop, Some(mutant))
     }
 
     /// Prepares the plain reading: `vary` are paths of quantities, `wanted` names of answers that are numbers.
@@ -375,9 +379,9 @@ fn worked(
     entry: &Entry,
     record: &Record,
     stop: &Stop,
-    perturbed: Option<usize>,
+    mutant: Option<Mutant>,
 ) -> Result<Solution, SolveError> {
-    let sheet = perturbed.map_or_else(|| Sheet::new(stop), |step| Sheet::perturbed(stop, step));
+    let sheet = mutant.map_or_else(|| Sheet::new(stop), |mutant| Sheet::mutated(stop, mutant));
     match &record.plan {
         Some(plan) => plan.solve(entry, record, &sheet)?,
         None => entry.write(&Value::Group(record.clone()), &FieldPath::TOP, &sheet)?,

@@ -235,11 +235,14 @@ impl Case {
                 why: Text::from(""),
             }]),
             (_, Err(err)) => Err(err),
-            (None, Ok(solution)) => {
-                let answers = self.expect.iter().map(|expected| verdict(expected, &solution));
-                Ok(answers.chain(failed_checks(&solution)).collect())
-            }
+            (None, Ok(solution)) => Ok(self.verdicts(&solution)),
         }
+    }
+
+    /// Compares a solution with every expected answer, and adds a verdict for each of its checks that fails.
+    pub fn verdicts(&self, solution: &Solution) -> Vec<Verdict> {
+        let answers = self.expect.iter().map(|expected| verdict(expected, solution));
+        answers.chain(failed_checks(solution)).collect()
     }
 }
 

@@ -1,7 +1,7 @@
 //! Coverage of answers by checks: whether a wrong answer would be noticed, found out and not declared.
 //!
 //! An answer is *covered* by a check that passes, and fails once the number of the answer is wrong by
-//! [`PERTURBATION`](crate::trace::PERTURBATION) where its step finds it, with everything after that step worked again
+//! [`PERTURBATION`](crate::mutation::PERTURBATION) where its step finds it, with everything after that step worked again
 //! from the wrong number. Two ways that rest on the answer alike do not notice, nor does a residual in which it
 //! cancels, and what numerical methods were handed need not be in the trace to be followed. A check whose two sides are
 //! the same tree covers nothing. An answer that is an input typed in again has nothing to be checked; one that is a
@@ -20,6 +20,7 @@ use std::collections::HashMap;
 
 use crate::{
     AnswerValue, Check, Entry, Record, Refusal, Sides, Solution, SolveError, Stop, Text, cases, file,
+    mutation::{Mutant, Mutation},
     trace::{Function, Id, Number, Op, TraceNode},
 };
 
@@ -180,7 +181,8 @@ fn noticing(
     step: usize,
     stop: &Stop,
 ) -> Result<Option<Text>, SolveError> {
-    let wrong = match entry.solve_perturbed(record, step, stop) {
+    let mutant = Mutant { at: solution.steps[step].result, mutation: Mutation::Perturbed };
+    let wrong = match entry.solve_mutated(record, mutant, stop) {
         Ok(wrong) => wrong,
         Err(SolveError::Refused(Refusal::Stopped)) => return Err(Refusal::Stopped.into()),
         // No answer is no wrong answer, but it was not a check that noticed.

@@ -30,6 +30,7 @@ mod intern;
 mod kept;
 mod kinds;
 pub mod linked;
+pub mod mutation;
 mod names;
 mod path;
 mod placed;

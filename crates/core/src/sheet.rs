@@ -21,6 +21,7 @@ use crate::{
     Answer, CommonError, Exhibit, Locale, Name, ProblemSteps, Reason, Refusal, Sides, Solution, Step, Stop,
     Symbol, Text, Value, Worksheet, derive_support,
     intern::intern,
+    mutation::Mutant,
     path::is_within,
     printer,
     solution::AnswerValue,
@@ -45,8 +46,8 @@ pub struct Sheet<'a> {
     early: RefCell<Vec<usize>>,
     /// Common errors of steps that are yet to be written.
     common_errors: RefCell<Vec<(Symbol, CommonError)>>,
-    /// The step whose result is written down with a relative error of [`PERTURBATION`].
-    perturbed: Option<usize>,
+    /// The number that is made wrongly.
+    mutant: Option<Mutant>,
 }
 
 /// Lengths of the lists of a sheet before the solution of one of several problems.
@@ -67,14 +68,13 @@ impl<'a> Sheet<'a> {
             lifted: RefCell::default(),
             early: RefCell::default(),
             common_errors: RefCell::default(),
-            perturbed: None,
+            mutant: None,
         }
     }
 
-    /// An empty sheet on which the result of one step comes out wrong by [`PERTURBATION`](crate::trace::PERTURBATION):
-    /// everything after it, what numerical methods make of it included, goes on with the wrong number.
-    pub fn perturbed(stop: &'a Stop, step: usize) -> Self {
-        Self { perturbed: Some(step), ..Self::new(stop) }
+    /// An empty sheet on which one number comes out wrong, and everything after it goes on with the wrong number.
+    pub fn mutated(stop: &'a Stop, mutant: Mutant) -> Self {
+        Self { mutant: Some(mutant), ..Self::new(stop) }
     }
 
     /// Recorded solution. Refused when a number left the finite range, with the first such number named.
@@ -110,9 +110,11 @@ impl<'a> Sheet<'a> {
     }
 
     fn push_rounded(&self, number: Number, dim: Dim, op: Op, [scale, error]: [f64; 2]) -> Id {
-        let nodes = &mut self.solution.borrow_mut().trace.nodes;
-        let id = Id::try_from(nodes.len()).expect("a worked solution has fewer than 2³² numbers");
-        nodes.push(TraceNode { number, dim, op, scale, error });
+        let trace = &mut self.solution.borrow_mut().trace;
+        let id = Id::try_from(trace.nodes.len()).expect("a worked solution has fewer than 2³² numbers");
+        let wrong = |mutant: Mutant| mutant.mutation.of(trace, &op, number, scale);
+        let number = self.mutant.filter(|mutant| mutant.at == id).and_then(wrong).unwrap_or(number);
+        trace.nodes.push(TraceNode { number, dim, op, scale, error });
         id
     }
 
@@ -167,7 +169,6 @@ impl<'a> Sheet<'a> {
             }
             None => [number.size(), f64::EPSILON * number.size()],
         };
-        let number = if self.perturbed == Some(step) { number.perturbed(rounded[0]) } else { number };
         let result = self.push_rounded(number, unit.dim, Op::Step(step), rounded);
         let step = Step { symbol, unit, formula, result, why: why.reason, cite: why.cite };
         self.solution.borrow_mut().steps.push(step);
@@ -182,8 +183,7 @@ impl<'a> Sheet<'a> {
 
     fn write_numerical(&self, symbol: Symbol, unit: &'static str, number: Number, how: Reason) -> Id {
         let unit = self.unit(unit);
-        let dim = unit.dim;
-        self.record(symbol, unit, None, number, dim, how)
+        self.record(symbol, unit.clone(), None, number, unit.dim, how)
     }
 
     fn named(&self, name: Name, id: Id) -> Option<Unit> {

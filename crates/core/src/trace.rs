@@ -32,10 +32,6 @@ pub struct TraceNode {
 /// Relative size below which the sum of cancelling terms is rounding noise.
 pub const ROUNDING: f64 = 1e-14;
 
-/// The relative error that a check must notice to cover a number: far above the limits of checks, and small enough for
-/// the rest of a solve to take the same way.
-pub const PERTURBATION: f64 = 1e-6;
-
 /// A number or a vector, in SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Number {
@@ -207,6 +203,13 @@ impl Trace {
             Op::Power(a, n) if n > 0 => scale(a).powi(n.into()),
             Op::Root(a, n) => scale(a).powf(1.0 / f64::from(n)),
             Op::Call(Function::Sin | Function::Cos, _) => 1.0,
+            // Through the derivative: an angle of a point near the axis, or of a cosine near one.
+            Op::Call(Function::Asin | Function::Acos, a) => {
+                scale(a) / ((1.0 - size(a)) * (1.0 + size(a))).sqrt()
+            }
+            Op::Atan2(y, x) => {
+                (size(x) * scale(y) + size(y) * scale(x)) / (size(x).powi(2) + size(y).powi(2))
+            }
             Op::Sum(ref all) => all.iter().map(|id| scale(*id)).fold(0.0, f64::max),
             Op::Compose(all) => all.into_iter().map(scale).fold(0.0, f64::max),
             _ => 0.0,
@@ -302,15 +305,20 @@ impl Number {
         }
     }
 
-    /// The same number, wrong by [`PERTURBATION`]; where it is rounding alone, wrong by as much of `scale`, the size of what
-    /// was added up to make it.
-    pub(crate) fn perturbed(self, scale: f64) -> Number {
-        let size = self.size();
-        let error = PERTURBATION * if size <= ROUNDING * scale { scale } else { size };
+    /// The same number so many times as large.
+    pub(crate) fn times(self, factor: f64) -> Number {
         match self {
-            Number::Scalar(x) => Number::Scalar(x + error.copysign(x)),
-            Number::Vector(v) if size == 0.0 => Number::Vector(v.map(|x| x + error)),
-            Number::Vector(v) => Number::Vector(v.map(|x| x * (1.0 + error / size))),
+            Number::Scalar(x) => Number::Scalar(factor * x),
+            Number::Vector(v) => Number::Vector(v.map(|x| factor * x)),
+        }
+    }
+
+    /// The sum of two numbers or of two vectors.
+    pub(crate) fn plus(self, other: Number) -> Option<Number> {
+        match (self, other) {
+            (Number::Scalar(a), Number::Scalar(b)) => Some(Number::Scalar(a + b)),
+            (Number::Vector(a), Number::Vector(b)) => Some(Number::Vector([0, 1, 2].map(|n| a[n] + b[n]))),
+            _ => None,
         }
     }
 

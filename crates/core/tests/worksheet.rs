@@ -3,8 +3,11 @@
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
 
 use dalembert_core::{
-    Field, FieldPath, Locale, Measure, Refusal, Shape, Sheet, Solution, Stop, Term, VectorTerm, Worksheet,
-    printer, worksheet::InputNumber,
+    Field, FieldPath, Locale, Measure, Number, Refusal, Shape, Sheet, Solution, Stop, Term, VectorTerm,
+    Worksheet,
+    mutation::{Mutant, Mutation},
+    printer,
+    worksheet::InputNumber,
 };
 use dalembert_numerics::{Real, Vector};
 use nalgebra::Vector3;
@@ -38,8 +41,10 @@ fn input(symbol: &'static str, unit: &'static str) -> InputNumber<'static> {
 }
 
 fn worked(work: impl for<'s> FnOnce(&Bench<'s>)) -> Solution {
-    let stop = Stop::new();
-    let sheet = Sheet::new(&stop);
+    worked_on(Sheet::new(&Stop::new()), work)
+}
+
+fn worked_on<'a>(sheet: Sheet<'a>, work: impl for<'s> FnOnce(&Bench<'s>)) -> Solution {
     let given = |symbol, unit, si| (&sheet).given(input(symbol, unit), si);
     let vector = |symbol, unit, si| (&sheet).given_vector(input(symbol, unit), si);
     work(&Bench {
@@ -290,4 +295,61 @@ fn the_limit_of_a_check_comes_from_its_condition() {
         .passed
     };
     assert!(!stated(0.0) && stated(1e-7));
+}
+
+/// The result of `y = formula` and that of `2 y`, the operation of the formula or the result made wrongly.
+fn mutated(mutation: Mutation, formula: impl for<'s> Fn(&Bench<'s>) -> Term<'s>) -> [f64; 2] {
+    let work = |bench: &Bench<'_>| {
+        let y = bench.sheet.step("y", "1", formula(bench), "why");
+        bench.sheet.step("z", "1", y * 2.0, "why");
+    };
+    let right = worked(work);
+    let step = &right.steps[0];
+    let is_of_result =
+        matches!(mutation, Mutation::Perturbed | Mutation::Negated | Mutation::Doubled | Mutation::FullTurn);
+    let at = if is_of_result { step.result } else { step.formula.unwrap() };
+    let mutant = Mutant { at, mutation };
+    let stop = Stop::new();
+    let wrong = worked_on(Sheet::mutated(&stop, mutant), work);
+    // The number that is stated beforehand is what comes out.
+    assert_eq!(mutant.number(&right.trace), Some(wrong.trace.node(at).number));
+    [0, 1].map(|step| match wrong.trace.node(wrong.steps[step].result).number {
+        Number::Scalar(x) => x,
+        Number::Vector(_) => unreachable!("y is a number"),
+    })
+}
+
+#[test]
+fn a_number_made_wrongly_is_carried_on() {
+    let near = |[y, z]: [f64; 2], known: f64| {
+        assert!((y - known).abs() < 1e-12 && (z - 2.0 * known).abs() < 1e-12, "{y}, {z} and not {known}");
+    };
+    near(mutated(Mutation::Perturbed, |s| s.a / s.b), -1.5 * 1.000_001);
+    near(mutated(Mutation::Negated, |s| s.a / s.b), 1.5);
+    near(mutated(Mutation::Doubled, |s| s.a / s.b), -3.0);
+    near(mutated(Mutation::FullTurn, |s| s.a / s.b), -3.0 * std::f64::consts::PI);
+    near(mutated(Mutation::Transposed, |s| s.a / s.b), -2.0 / 3.0);
+    near(mutated(Mutation::Sign, |s| s.a / s.b - s.b / s.a), -1.5 - 2.0 / 3.0);
+    near(mutated(Mutation::Sign, |s| s.a / s.b + s.b / s.a), -1.5 + 2.0 / 3.0);
+    near(mutated(Mutation::Sign, |s| -(s.a / s.b)), -1.5);
+    near(mutated(Mutation::Sign, |s| Real::sum([s.a / s.b, s.b / s.a, s.a / s.b])), -2.0 / 3.0);
+    near(mutated(Mutation::Cofunction, |s| s.angle.sin()), 0.75_f64.sqrt());
+    near(mutated(Mutation::Cofunction, |s| s.angle.cos()), 0.5);
+    near(mutated(Mutation::Cofunction, |s| s.angle.tan()), 3_f64.sqrt());
+    near(mutated(Mutation::Degrees, |s| s.angle.sin()), 30_f64.sin());
+    near(mutated(Mutation::Degrees, |s| Real::atan2(s.b, s.a)), (-2_f64).atan2(3.0).to_degrees());
+    near(mutated(Mutation::Transposed, |s| Real::atan2(s.b, s.a)), 3_f64.atan2(-2.0));
+}
+
+#[test]
+fn a_mutation_of_another_operation_is_none() {
+    let solution = worked(|bench| {
+        bench.sheet.step("y", "m", bench.a + bench.b, "why");
+    });
+    let at = solution.steps[0].formula.unwrap();
+    let none = |mutation| Mutant { at, mutation }.number(&solution.trace).is_none();
+    assert!(!none(Mutation::Sign));
+    let others = Mutation::ALL.into_iter().filter(|mutation| *mutation != Mutation::Sign);
+    assert_eq!(others.clone().count(), 6);
+    assert!(others.into_iter().all(none));
 }

@@ -32,6 +32,7 @@ pub mod invariance;
 mod laboratory;
 pub mod languages;
 pub mod letters;
+pub mod mutants;
 pub mod near_singular;
 pub mod optima;
 pub mod papers;

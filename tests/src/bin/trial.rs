@@ -5,9 +5,6 @@ use std::{env, process::ExitCode};
 use dalembert_tests::trials::TRIALS;
 use serde_json::json;
 
-/// Failures that are printed.
-const SHOWN: usize = 20;
-
 fn main() -> ExitCode {
     let words: Vec<String> = env::args().skip(1).collect();
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
@@ -22,10 +19,10 @@ fn main() -> ExitCode {
         return ExitCode::from(2);
     };
     let outcome = run(times, seed);
-    let shown: Vec<&String> = outcome.failures.iter().take(SHOWN).collect();
+    let failed = outcome.failures.len();
     println!(
         "{}",
-        json!({ "tried": outcome.tried, "failed": outcome.failures.len(), "failures": shown, "note": outcome.note })
+        json!({ "tried": outcome.tried, "failed": failed, "failures": outcome.failures, "note": outcome.note })
     );
     ExitCode::SUCCESS
 }

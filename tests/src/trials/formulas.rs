@@ -1,7 +1,10 @@
-//! Formulas beside exact arithmetic.
+//! Formulas beside exact arithmetic, and with one operation made wrongly.
 
 use dalembert_core::registry;
-use dalembert_testkit::cancellation::{SMALL, compared};
+use dalembert_testkit::{
+    cancellation::{SMALL, compared},
+    mutants,
+};
 
 use super::Outcome;
 
@@ -19,5 +22,23 @@ pub(super) fn beside_exact_arithmetic(times: u64, seed: u64) -> Outcome {
             "{} solutions; {} numbers with fewer than 12 digits that their condition explains",
             compared.solutions, compared.explained
         ),
+    }
+}
+
+/// Judges `times` formulas with one operation made wrongly, by the published answers and the checks of all cases.
+pub(super) fn mutants(times: u64, seed: u64) -> Outcome {
+    let verdicts = mutants::verdicts(registry(), times, seed);
+    Outcome {
+        tried: (verdicts.drawn - verdicts.without_effect.len()) as u64,
+        note: format!(
+            "{} caught by a published answer, {} by a check alone, {} because the solve did not end or panicked; \
+             {} more have no effect on any answer; drawn from {}",
+            verdicts.by_answers,
+            verdicts.by_checks,
+            verdicts.by_failure,
+            verdicts.without_effect.len(),
+            verdicts.all
+        ),
+        failures: verdicts.survivors,
     }
 }

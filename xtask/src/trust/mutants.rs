@@ -16,7 +16,7 @@ const QUANTILE: f64 = 1.959_963_984_540_054;
 struct Judge {
     /// Folder of the crate, which names it.
     folder: &'static str,
-    /// Packages whose tests they are.
+    /// Folders of the crates whose tests they are.
     tests: &'static [&'static str],
     /// Arguments of every `cargo test`.
     cargo: &'static [&'static str],
@@ -43,15 +43,15 @@ enum Summary {
 fn judge(row: &str) -> Result<Judge> {
     match row {
         "mutants-units" => {
-            Ok(Judge { folder: "crates/units", tests: &["dalembert-units"], cargo: &["--tests"] })
+            Ok(Judge { folder: "crates/units", tests: &["crates/units"], cargo: &["--tests"] })
         }
         "mutants-mechanics" => {
-            Ok(Judge { folder: "crates/mechanics", tests: &["dalembert-mechanics"], cargo: &["--tests"] })
+            Ok(Judge { folder: "crates/mechanics", tests: &["crates/mechanics"], cargo: &["--tests"] })
         }
         // Compiled as most crates are, in a quarter of the time.
         "mutants-core" => Ok(Judge {
             folder: "crates/core",
-            tests: &["dalembert-core", "dalembert-balancing"],
+            tests: &["crates/core", "plugins/balancing"],
             cargo: &[
                 "--tests",
                 "--test=registry",
@@ -61,7 +61,7 @@ fn judge(row: &str) -> Result<Judge> {
         }),
         "mutants-balancing" => Ok(Judge {
             folder: "plugins/balancing",
-            tests: &["dalembert-balancing"],
+            tests: &["plugins/balancing"],
             cargo: &["--test=registry"],
         }),
         _ => anyhow::bail!("{row} has no judge"),
@@ -138,12 +138,12 @@ fn judged(
     fs::create_dir_all(&report)?;
     let others: Vec<&str> = all.iter().filter(|name| !names.contains(name)).map(String::as_str).collect();
     fs::write(report.join("previously_caught.txt"), others.join("\n"))?;
-    let package = package(judge.folder);
+    let tests: Vec<String> = judge.tests.iter().map(|folder| package(folder)).collect();
     let mut command = cargo(tree);
     command
         .args(["mutants", "--in-place", "--iterate", "--no-config"])
         .args(["--jobserver", "false", "--no-times", "--colors", "never"])
-        .args(["--package", &package, "--test-package", &judge.tests.join(",")])
+        .args(["--package", &package(judge.folder), "--test-package", &tests.join(",")])
         .arg("--output")
         .arg(folder)
         .args(judge.cargo.iter().map(|word| format!("--cargo-arg={word}")));

@@ -28,7 +28,7 @@ pub(super) struct Row {
 const FEW: u64 = 1_000_000;
 const MANY: u64 = 100_000_000;
 
-pub(super) const ROWS: [Row; 27] = [
+pub(super) const ROWS: [Row; 28] = [
     Row {
         name: "catalogue",
         tried: "answers of all cases beside those published, and their checks",
@@ -40,6 +40,13 @@ pub(super) const ROWS: [Row; 27] = [
         tried: "answers and steps beside arithmetic of 77 digits: all cases, random problems near each, and one input after \
             the other nearly zero; a formula fails that keeps fewer digits than its condition allows",
         times: 3,
+        run: trial,
+    },
+    Row {
+        name: "mutants-formulas",
+        tried: "formulas of worked solutions with one operation made wrongly (sign, cofunction, degrees, operands interchanged) or \
+            with a result negated, doubled or times 2π, in all cases where they occur: an answer published or a check notices",
+        times: 30_000,
         run: trial,
     },
     Row {
@@ -178,7 +185,8 @@ pub(super) const ROWS: [Row; 27] = [
     },
     Row {
         name: "mutants-core",
-        tried: "mutants of core, drawn at random from those of cargo-mutants that compile, judged by its own tests, examples in the documentation left out",
+        tried: "mutants of core, drawn at random from those of cargo-mutants that compile, judged by its own tests and those of the \
+            catalogue over balancing, examples in the documentation left out",
         times: 300,
         run: mutants_of_a_crate,
     },
