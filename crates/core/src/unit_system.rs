@@ -8,7 +8,9 @@ use std::{fmt, sync::Arc};
 
 use dalembert_units::{Dim, Unit, UnitSystem, quantity_of, unit};
 
-use crate::{Answer, AnswerValue, Draft, Shape, Solution, Text, gravity, intern::fixed, table, trace::Op};
+use crate::{
+    Answer, AnswerValue, Draft, Shape, Solution, Symbol, Text, gravity, intern::fixed, table, trace::Op,
+};
 
 /// Setting of the units of a problem.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -228,9 +230,21 @@ impl Solution {
             if answer.is_unit_asked || is_named(&answer.unit) || !alike.all(|other| other.text == unit.text) {
                 continue;
             }
+            // The root mean square of an angular velocity is of the dimension of a frequency, and none.
+            if unit.text == "Hz" && self.symbol_of(answer).is_some_and(|symbol| symbol.base.starts_with('σ'))
+            {
+                continue;
+            }
             self.show_answer_in(at, unit);
         }
         self
+    }
+
+    /// The symbol of the step that found an answer.
+    fn symbol_of(&self, answer: &Answer) -> Option<Symbol> {
+        let AnswerValue::Number(_, id) = answer.value else { return None };
+        let Op::Step(step) = self.trace.node(id).op else { return None };
+        Some(self.steps[step].symbol)
     }
 
     /// Shows an answer, by its place, and the step that found it in another unit. In a system of units the step keeps its

@@ -181,6 +181,10 @@ impl<N: Real> Rates<N> {
                 "at a pole the axis of the Earth is vertical and every direction leads along a meridian: write a latitude between −90° and 90°",
             ));
         }
+        // An axle that is held level is not tilted by the vertical component.
+        let tilts = matches!(given.support, AxleSupportGiven::Pendulous { .. });
+        let upwards =
+            |rate: N, why: &'static str| if tilts { sheet.step("Ω_v", "rad/s", rate, why) } else { rate };
         let Some(vessel) = &given.vessel else {
             let horizontal = sheet.step(
                 "Ω_h",
@@ -191,12 +195,8 @@ impl<N: Real> Rates<N> {
                     KIBBLE.at("ch. 9"),
                 ),
             );
-            let vertical = sheet.step(
-                "Ω_v",
-                "rad/s",
-                given.earth * sin,
-                "Vertical component of the angular velocity of the Earth, upwards",
-            );
+            let why = "Vertical component of the angular velocity of the Earth, upwards";
+            let vertical = upwards(given.earth * sin, why);
             return Ok(Self { horizontal, vertical, deviation: None });
         };
         let north = sheet.step("v_N", "m/s", vessel.speed * vessel.course.cos(), "Velocity to the north");
@@ -228,7 +228,7 @@ impl<N: Real> Rates<N> {
                 "the vessel runs to the west as fast as the Earth turns to the east: no direction is left to the compass; write a lower speed",
             ));
         }
-        let vertical = sheet.step("Ω_v", "rad/s", about * sin, "Vertical component, upwards");
+        let vertical = upwards(about * sin, "Vertical component, upwards");
         let deviation = sheet.step(
             "δ",
             "deg",

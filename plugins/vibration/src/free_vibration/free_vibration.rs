@@ -71,7 +71,7 @@ impl Analysis for FreeVibration {
         }
         sheet.verify(|| checks::amplitude(&form, &motion, sheet));
         let largest = events(&form, &motion, &units, x0, sheet);
-        if zeta.value() > 0.0 {
+        if let Some(largest) = largest.filter(|_| zeta.value() > 0.0) {
             settling(given.settled, largest, &form, &motion, sheet);
         }
         let there = given.time.map(|time| at_time(time, &form, &motion, &units, sheet));
@@ -82,7 +82,7 @@ impl Analysis for FreeVibration {
             }
         }
         if zeta.value() < 0.0 {
-            let twice = sheet.step("ρ", "1", W::Num::from(2.0), "Twice the amplitude");
+            let twice = sheet.step("ρ", "1", W::Num::from(2.0), "Ratio of the amplitudes: doubled");
             let growth = sheet.step(
                 "t₂",
                 "s",
@@ -106,14 +106,15 @@ impl Analysis for FreeVibration {
     }
 }
 
-/// First passage through rest, first turning point, largest displacement; the last is the result.
+/// First passage through rest, first turning point, largest displacement; the last is the result, `None` of a motion
+/// that grows.
 fn events<W: Worksheet>(
     form: &FreeResponse<W::Num>,
     motion: &FreeMotion,
     units: &Units,
     x0: W::Num,
     sheet: W,
-) -> W::Num {
+) -> Option<W::Num> {
     // A passage that comes when nothing is left of the motion is none.
     let left =
         |time: &f64| (-motion.damping_ratio * motion.natural_frequency * time).exp() > f64::MIN_POSITIVE;
@@ -136,35 +137,23 @@ fn events<W: Worksheet>(
         sheet.verify(|| checks::turning([time, displacement], motion, sheet));
         (time, displacement)
     });
-    // Without damping, and while it grows, no turning point is the largest; the first one still says most.
-    match turning {
+    if motion.damping_ratio < 0.0 {
+        return None;
+    }
+    // Without damping the later turning points are as far as the first.
+    let (at, time, why) = match turning {
         Some((time, at)) if at.value().abs() > x0.value().abs() => {
             form.maximum_errors(sheet);
-            let largest = sheet.step(
-                "Xₘₐₓ",
-                units.displacement,
-                at.abs(),
-                "Maximum displacement of the decaying motion: its first turning point",
-            );
-            if motion.damping_ratio >= 0.0 {
-                sheet.answer("maximum", "Maximum displacement", largest);
-                sheet.answer("maximum_time", "Time of maximum displacement", time);
-            }
-            largest
+            (at, Some(time), "Maximum displacement, at the first turning point")
         }
-        _ => {
-            let largest = sheet.step(
-                "Xₘₐₓ",
-                units.displacement,
-                x0.abs(),
-                "Maximum displacement of the decaying motion: its start",
-            );
-            if motion.damping_ratio >= 0.0 {
-                sheet.answer("maximum", "Maximum displacement", largest);
-            }
-            largest
-        }
+        _ => (x0, None, "Maximum displacement, at the start"),
+    };
+    let largest = sheet.step("Xₘₐₓ", units.displacement, at.abs(), why);
+    sheet.answer("maximum", "Maximum displacement", largest);
+    if let Some(time) = time {
+        sheet.answer("maximum_time", "Time of maximum displacement", time);
     }
+    Some(largest)
 }
 
 /// Settling time, by the envelope and exactly.

@@ -131,7 +131,7 @@ impl Analysis for LargePendulum {
         });
         sheet.answer("period", "Period", period);
         sheet.answer("small_angle_period", "Period of small oscillations", small_period);
-        sheet.answer("shortfall", "Error of the small-angle period", excess);
+        sheet.answer("shortfall", "Deficit of the small-angle period", excess);
         sheet.answer("series_period", "Period by the series", series);
         sheet.answer("largest_angular_velocity", "Maximum angular velocity", fastest);
         if let (Some(t), Some(instant)) = (self.instant, instant) {

@@ -302,8 +302,11 @@ impl Analysis for EngineOrders {
                 )
             });
         }
-        let dangerous =
-            criticals.iter().find(|critical| critical.mode == 0 && major.contains(&critical.order.order));
+        // Where the node of the mode, of amplitude one, lies between the cylinders, their work cancels.
+        let is_dangerous = |critical: &&Critical| {
+            critical.mode == 0 && major.contains(&critical.order.order) && critical.sum.abs() > 1e-9
+        };
+        let dangerous = criticals.iter().find(is_dangerous);
         if let Some(critical) = dangerous {
             sheet.warn(|| {
                 Text::new("the major order {order} of the first mode is critical at {speed}, within the range of speeds")

@@ -144,7 +144,7 @@ impl<W: Worksheet> Kinematics<W> {
         let why = || Text::new(of_size).with("point", of.words);
         let magnitude = sheet.step(of.size[order], unit, value.magnitude(), why);
         sheet.answer(size[0], size[1], magnitude);
-        if magnitude.holds_with(self.driven[order], |size, driven| size > AT_REST * driven) {
+        if magnitude.holds_with(self.driven[order], |size, driven| size.abs() > AT_REST * driven) {
             let [x, y, _] = value.components();
             let heading = sheet.step(symbol(base, of.of), "deg", y.atan2(x), of_angle);
             sheet.answer(angle[0], angle[1], heading);

@@ -330,7 +330,7 @@ pub(crate) fn owners(rows: &[usize], row: usize) -> Range<usize> {
 }
 
 /// Reaction of the joint in a row of the form on its second point: the force along x and y, or across a line or along a
-/// rod; the couple. What is below that part of the largest effort is rounding alone, and zero.
+/// rod; the couple. What is below that part of the largest effort, or of the largest weight, is rounding alone, and zero.
 pub(crate) fn carried(
     system: &Model,
     rows: &[usize],
@@ -339,12 +339,15 @@ pub(crate) fn carried(
     rounding: f64,
 ) -> [Option<f64>; 3] {
     let mut carried = [None; 3];
-    let largest = multipliers.iter().fold(0.0f64, |most, x| most.max(x.abs()));
+    let mechanism = system.mechanism();
+    let gravity = mechanism.gravity[0].hypot(mechanism.gravity[1]);
+    let weights = mechanism.bodies.iter().map(|body| body.mass * gravity);
+    let largest = multipliers.iter().map(|x| x.abs()).chain(weights).fold(0.0, f64::max);
     for (joint, equation) in
         owners(rows, row).flat_map(|joint| system.equations_of(joint).map(move |equation| (joint, equation)))
     {
         let meets = matches!(
-            system.mechanism().joints.get(joint),
+            mechanism.joints.get(joint),
             Some(planar::PlanarJoint::Pin { .. } | planar::PlanarJoint::Weld { .. })
         );
         let place = match system.equations()[equation].terms[0].measure {
