@@ -1060,7 +1060,7 @@ trial-weights-left-on = Massas de teste mantidas
 balanceit-worked-example-of-two-planes-and-four-readings = Balanceit, exemplo resolvido de dois planos e quatro leituras
 the-second-trial-weight-is-added-while-the-first-is-retained-a-test-set-of-another-program-stores-5-4 = A segunda massa de teste é colocada com a primeira mantida. O conjunto de testes de outro programa guarda 5,4 g a −137° no plano 1, o resultado que se obtém quando se supõe retirada a primeira massa: o autor está certo.
 trial-weights-left-on-all-digits = Massas de teste mantidas, todos os algarismos
-by-the-complex-normal-equations-apart-from-this-program = Pelas equações normais complexas, calculadas fora deste programa.
+by-the-complex-normal-equations-independently-of-this-program = Pelas equações normais complexas, calculadas independentemente deste programa.
 the-same-runs-with-the-first-weight-taken-off = As mesmas medições com a primeira massa retirada
 balanceit-worked-example-of-two-planes-and-four-readings-read-otherwise = Balanceit, exemplo resolvido de dois planos e quatro leituras, lido de outra maneira
 result-if-the-first-trial-weight-had-been-removed-another-correction-with-the-same-sum-of-squares-so = Resultado se a primeira massa de teste tivesse sido retirada: outra correção com a mesma soma de quadrados, de modo que o resíduo não revela o erro.
@@ -1070,7 +1070,7 @@ r-foiles-as-the-test-set-of-hsbalance-gives-it = R. Foiles, conforme o conjunto 
 the-largest-initial-reading-is-138 = A maior leitura inicial é 138.
 the-optimum-is-flat-the-printed-weights-leave-75-80-at-most-where-72-93-is-the-least = o ótimo é achatado: as massas impressas deixam 75,80 no máximo, quando o menor possível é 72,93
 the-same-proved-optimum = O mesmo caso, ótimo comprovado
-by-a-general-optimiser-apart-from-this-program = Por um otimizador geral, fora deste programa.
+by-a-general-optimiser-independently-of-this-program = Por um otimizador geral, independentemente deste programa.
 the-optimiser-stopped-earlier = o otimizador parou antes
 the-same-by-least-squares = O mesmo caso por mínimos quadrados
 least-squares-give-a-larger-maximum-reading-than-the-minimax-solution = Os mínimos quadrados dão uma leitura máxima maior que a da solução minimax.
@@ -1198,7 +1198,7 @@ e-2-3-1-3-of-m-r-10-kn = e = √((2/3)² + (1/3)²) de m r ω² = 10 kN.
 no-part-of-the-reciprocating-masses-balanced = Nenhuma parte das massas alternativas balanceada
 with-c-0-there-is-no-hammer-blow-the-tractive-effort-varies-by-2-m-r = com c = 0 não há golpe de martelo; o esforço de tração varia de √2 m r ω²
 three-coupled-axles = Três eixos acoplados
-each-axle-carries-a-third-of-the-balance-of-the-reciprocating-masses = cada eixo leva um terço do balanceamento das massas alternativas
+each-axle-carries-a-third-of-the-balance-of-the-reciprocating-masses-its-balance-masses-follow-from = cada eixo leva um terço do balanceamento das massas alternativas; suas massas de balanceamento resultam de forças e momentos
 the-coupling-rods-run-in-the-planes-of-the-wheels-opposite-the-cranks = As barras de acoplamento ficam nos planos das rodas, opostas às manivelas.
 hammer-blow-that-needs-more-than-the-whole-mass = Golpe de martelo que exige mais que toda a massa
 there-is-no-such-fraction = não existe tal fração
@@ -1427,6 +1427,10 @@ accelerations-of-four-runs-that-agree = Acelerações de quatro medições que c
 divisions-of-four-runs-that-agree = Divisões de quatro medições que concordam
 weights-in-newtons-on-one-disc = Pesos em newtons em um disco
 w-g-r-e-i-and-its-opposite-at-80-mm = Σ (W/g) r e^(iθ) e o seu oposto a 80 mm
+equivalent-unbalances-in-two-other-planes = Desbalanceamentos equivalentes em dois outros planos
+closed-form-u-ii-u-z-z-i-z-ii-z-i-u-i-u-u-ii-their-half-sum-and-half-difference-moment-u-z = forma fechada: U_II = Σ U (z − z_I)/(z_II − z_I), U_I = Σ U − U_II, sua semissoma e sua semidiferença; momento |Σ U z|
+two-masses-outside-the-bearing-span = Duas massas fora do vão entre os mancais
+closed-form-u-u-z-z-with-z-midway-between-the-bearings-and-moments-about-each-bearing-times = forma fechada: Σ U, Σ U (z − z₀) com z₀ no ponto médio entre os mancais, e momentos em relação a cada mancal, vezes ω²
 accelerations-one-trial-run = Acelerações, uma medição com massa de teste
 a-rotor-of-known-s-and-the-correction-is-s = um rotor de S e α conhecidos: a correção é −S/α
 scale-divisions-of-an-old-instrument-one-trial-run = Divisões da escala de um instrumento antigo, uma medição com massa de teste
@@ -1435,7 +1439,7 @@ velocities-the-influence-known = Velocidades, a influência conhecida
 weights-counted-against-the-rotation = Massas contadas contra a rotação
 a-rotor-of-known-s-and-weights-at-m-e-i-the-correction-is-the-conjugate-of-s = um rotor de S e α conhecidos, massas em m e^(−iθ): a correção é o conjugado de −S/α
 opposed-pistons-with-a-lead = Pistões opostos com avanço
-cranks-0-and-180-f-4-m-r-sin-c-2-m-r-z-sin-2 = manivelas a 0° e 180°: F₂ = 4 m r ω² λ sen δ, C₁ = 2 m r ω² z sen(δ/2)
+cranks-0-and-180-f-4-m-r-sin-sin-2-c-2-m-r-z-sin-2 = manivelas a 0° e 180°: F₂ = 4 m r ω² λ sen δ sen(2θ + δ), C₁ = 2 m r ω² z sen(δ/2)
 inline-four-of-two-strokes-in-its-best-order = Quatro em linha de dois tempos na sua melhor ordem
 cranks-a-quarter-of-a-turn-apart-of-the-six-orders-the-least-z-e-i-is-2-p-then-z-e-2i-is-4-p = manivelas a um quarto de volta: das seis ordens o menor |Σ z e^(iφ)| é √2 p, e então |Σ z e^(2iφ)| é 4 p
 fossee-companion-to-bevan-the-theory-of-machines-ch-14-ex-1 = Complemento FOSSEE a Bevan, The Theory of Machines, cap. 14, ex. 1

@@ -1879,12 +1879,12 @@ closed-form-cos-g-l = forma fechada: cos θ = g/(ω² L)
 l-0-981-m-so-that-l-2-g-at-20-rad-s-60 = L = 0,981 m, de modo que ω² L = 2 g a √20 rad/s: θ = 60°.
 chair-of-a-merry-go-round = Cadeira de um carrossel
 closed-form-tan-a-l-sin-g = forma fechada: tan θ = ω² (a + L sen θ)/g
-a-4-m-l-5-m-at-45-9-81-4-3-535534 = a = 4 m, L = 5 m a 45°: ω² = 9,81/(4 + 3,535534).
+a-4-m-l-5-m-at-45-9-81-4-3-535534-small-oscillations-with-p-g-cos-a-sin-l-cos-2-l = a = 4 m, L = 5 m a 45°: ω² = 9,81/(4 + 3,535534); pequenas oscilações com p² = (g cos θ + ω² (a sen θ − L cos 2θ))/L.
 chair-of-a-merry-go-round-from-its-speed = Cadeira de um carrossel, a partir da velocidade
 inverse-of-the-preceding-case-9-81-4-5-2 = Inverso do caso anterior: ω² = 9,81/(4 + 5/√2).
 thick-bar-on-the-axis = Barra grossa sobre o eixo
 closed-form-cos-g-r-k-k = forma fechada: cos θ = g r/(ω² (k_ξ² − k_η²))
-r-0-2-m-k-0-06-m-k-0-01-m-at-8-rad-s-cos-1-962-3-2 = r = 0,2 m, k_ξ² = 0,06 m², k_η² = 0,01 m² a 8 rad/s: cos θ = 1,962/3,2.
+r-0-2-m-k-0-06-m-k-0-01-m-at-8-rad-s-cos-1-962-3-2-c-1-962-0-05-s-small-oscillations-with-p-sin-0-05 = r = 0,2 m, k_ξ² = 0,06 m², k_η² = 0,01 m² a 8 rad/s: cos θ = 1,962/3,2, ω_c² = 1,962/0,05 s⁻²; pequenas oscilações com p² = ω² sen² θ · 0,05/0,07.
 angle-above-the-horizontal-through-the-pin = Ângulo acima da horizontal pelo pino
 closed-form-cos-3-g-2-l-is-positive = forma fechada: cos θ = 3 g/(2 ω² L) é positivo
 rod-on-the-axis-hanging-down = Haste sobre o eixo, pendente na vertical
@@ -1893,7 +1893,7 @@ closed-form-it-remains-there-at-any-speed = forma fechada: permanece ali a qualq
 # edge_mill.toml
 roller-of-350-kg = Rolo de 350 kg
 edge-runner-chile-mill-in-closed-form-n-m-g-m-r-2 = moinho de galgas (moinho chileno) em forma fechada: N = m g + m r Ω²/2
-the-contact-force-of-the-disc-is-3433-5-492-1875-n-for-any-arm = A força de contato do disco é 3433,5 + 492,1875 N para qualquer braço.
+the-contact-force-of-the-disc-is-3433-5-492-1875-n-for-any-arm-the-hinge-pulls-the-arm-down-with-492 = A força de contato do disco é 3433,5 + 492,1875 N para qualquer braço; a articulação puxa o braço para baixo com 492,1875 N.
 twice-the-weight = O dobro do peso
 closed-form-m-g-i-a-r = forma fechada: m g = I_a Ω²/r
 for-a-solid-roller-2-g-r-19-62-0-5-rad-s-two-rollers-press-with-4-m-g-the-edges-slip-at-b-2 = Para um rolo maciço Ω = √(2 g/r): √(19,62/0,5) rad/s. Dois rolos pressionam com 4 m g; as bordas escorregam a Ω b/2.
@@ -1956,6 +1956,9 @@ beside-the-unstable-axis-10-s = Ao lado do eixo instável, 10 s
 taylor-series-to-thirty-digits = série de Taylor com trinta algarismos
 beside-the-unstable-axis-100-s = Ao lado do eixo instável, 100 s
 telephone-spun-about-its-intermediate-axis = Telefone girado em torno do eixo intermediário
+polhode-around-the-axis-of-the-smallest-moment = Polódia em torno do eixo do menor momento
+euler-s-equations-by-taylor-series-to-twenty-digits-and-h-2-t-i-on-the-separatrix = equações de Euler por série de Taylor com vinte algarismos, e H² = 2 T I na separatriz
+the-moment-about-x-is-the-intermediate-one = O momento em torno de x é o intermediário.
 growth-rate-of-a-homogeneous-box-i-b-i-a-i-c-i-b-i-a-i-c = taxa de crescimento de um paralelepípedo homogêneo, ω √((I_b − I_a)(I_c − I_b)/(I_a I_c))
 n-0-2-kg-75-mm-by-150-mm-by-8-mm-spun-about-its-intermediate-axis-the-shorter-one-in-its-plane-at-one = 0,2 kg, 75 mm por 150 mm por 8 mm, girado em torno do eixo intermediário, o mais curto do seu plano, a uma volta e meia por segundo.
 body-of-revolution = Corpo de revolução
@@ -2016,7 +2019,7 @@ the-bearing-forces-include-the-weight = as forças nos mancais incluem o peso
 # heavy_top.toml
 top-of-0-5-kg-at-35-160-rad-s = Pião de 0,5 kg a 35°, 160 rad/s
 the-quadratic-of-steady-precession-i-t-i-a-cos-i-a-k-0-beer-johnston-dynamics-18-3 = a equação do segundo grau da precessão estacionária (I_t − I_a) cos θ φ̇² − I_a ψ̇ φ̇ + K = 0, Beer & Johnston, Dynamics, §18.3
-moments-of-inertia-about-the-tip-in-the-equations-of-motion-integrated-from-either-precession-the = Momentos de inércia em relação à ponta. Nas equações do movimento, integradas a partir de qualquer das duas precessões, o ângulo permanece constante.
+moments-of-inertia-about-the-tip-in-the-equations-of-motion-integrated-from-either-precession-the = Momentos de inércia em relação à ponta. Nas equações do movimento, integradas a partir de qualquer das duas precessões, o ângulo permanece constante. A frequência angular das pequenas nutações é √(V″/I_t), com o potencial efetivo V(θ).
 the-same-top-by-its-angular-velocity-about-the-axis = O mesmo pião, pela velocidade angular em torno do eixo
 the-quadratic-of-steady-precession-i-t-cos-i-a-k-0-goldstein-classical-mechanics-5-7 = a equação do segundo grau da precessão estacionária I_t cos θ φ̇² − I_a ω₃ φ̇ + K = 0, Goldstein, Classical Mechanics, §5-7
 sleeping-top = Pião adormecido
@@ -2304,7 +2307,7 @@ solid-cone-of-25-rolling-at-2-2-rad-s = Cone maciço de 25° rolando a 2,2 rad/s
 landau-lifshitz-mechanics-32-problem-7-with-numbers-chosen-here = Landau & Lifshitz, Mechanics, §32, problema 7, com números escolhidos aqui
 t-3-m-h-1-5-cos-40-the-normal-force-must-stay-between-the-apex-and-the-edge-of-the-base-0-4414-m-away = T = 3 m h² φ̇² (1 + 5 cos² α)/40. A força normal deve ficar entre o vértice e a borda da base, a 0,4414 m.
 conical-shell-given-by-its-angular-velocity = Casca cônica dada pela velocidade angular
-closed-form-t-i-a-cos-i-t-sin-2 = forma fechada: T = (I_a cos² α + I_t sen² α) ω²/2
+closed-form-t-i-a-cos-i-t-sin-2-x-n-l-cos-2-t-tan-m-g-l-cos-g = forma fechada: T = (I_a cos² α + I_t sen² α) ω²/2, x_N = l cos α + 2 T tan α/(m g), μ = φ̇² l cos α/g
 n-30-h-0-3-m-m-1-kg-i-a-m-r-2-i-t-m-r-4-h-2-through-the-apex-4-cot-30-rad-s = α = 30°, h = 0,3 m, m = 1 kg: I_a = m r²/2, I_t = m (r²/4 + h²/2) pelo vértice; ω = 4 cot 30° rad/s.
 cone-about-to-tip = Cone na iminência de tombar
 closed-form-m-g-s-l-cos-i-a-cos-i-t-sin-cot = forma fechada: m g (s − l cos α) = (I_a cos² α + I_t sen² α) cot α φ̇²
@@ -2381,7 +2384,7 @@ hibbeler-dynamics-11th-ed-problem-21-69-solutions-manual-the-numbers-are-chosen-
 the-manual-gives-a-formula-its-own-moment-equation-m-a-r-sin-m-g-r-cos-m-r-2-a-r-cos-r-sin-m-r-2-a-r = O manual dá uma fórmula. A sua própria equação dos momentos, m a φ̇² r sen θ − m g r cos θ = −(m r²/2) ((a + r cos θ)/r) φ̇² sen θ − (m r²/2)(a/r) φ̇² sen θ, leva a 2 g cos θ = φ̇² sen θ (4 a + r cos θ); a linha impressa em seguida só conserva (a + r cos θ).
 an-algebra-error-between-two-printed-lines-4a-r-cos-became-a-r-cos-with-the-moment-equation-as = Um erro de álgebra entre duas linhas impressas: 4a + r cos θ virou a + r cos θ. Com a equação dos momentos como impressa, φ̇ = 1,6752 rad/s, que também deixa θ em repouso nas equações do aro que rola; e em um círculo grande tan(inclinação) = 2 v²/(g a), como deve ser para um aro.
 the-same-hoop-by-its-moment-equation = O mesmo aro, pela equação dos momentos
-closed-form-2-g-cos-sin-4-a-r-cos-for-a-hoop = forma fechada: φ̇² = 2 g cos θ/(sen θ (4 a + r cos θ)) para um aro
+closed-form-2-g-cos-sin-4-a-r-cos-for-a-hoop-its-oscillation-by-the-eigenvalues-of-the-linearised = forma fechada: φ̇² = 2 g cos θ/(sen θ (4 a + r cos θ)) para um aro; a sua oscilação pelos autovalores das equações do movimento linearizadas, independentemente do programa
 disc-at-70-from-its-speed = Disco a 70°, a partir da velocidade
 closed-form-g-cos-sin-3-a-2-r-cos-4-for-a-disc = forma fechada: φ̇² = g cos θ/(sen θ (3 a/2 + r cos θ/4)) para um disco
 the-speed-is-the-value-given-by-the-formula-for-70 = A velocidade é o valor dado pela fórmula para θ = 70°.
@@ -2519,14 +2522,19 @@ n-2-5-m-r-r-r-r-83-320-m-r-and-2-5-m-r-m-b-c-5-masses-by-the-volumes = 2/5 m(R�
 tube-shell-rod-by-its-far-end-and-two-parts-that-are-given = Tubo, casca, barra pela extremidade distante, e duas partes dadas
 m-r-2-h-12-and-m-r-2-3-m-r-m-l-12-at-l-2-before-the-end-m-k-the-matrix-parallel-axis-theorem = m(R²/2 + h²/12) e m R²; 2/3 m R²; m l²/12 a l/2 antes da extremidade; m k²; a matriz; teorema dos eixos paralelos
 gate-on-a-hinge-struck-by-a-short-force-and-a-bullet-that-falls-off = Portão em uma dobradiça, atingido por uma força curta e uma bala que cai
-i-i-x-f-t-x-p-m-p-v-p-the-mass-of-the-bullet-is-neglected-afterwards = I ω = I ω₀ + x F Δt + x_p m_p v_p; a massa da bala é desprezada depois
+i-i-x-f-t-x-p-m-p-v-p-t-i-m-p-v-p-2-the-mass-of-the-bullet-is-neglected-afterwards = I ω = I ω₀ + x F Δt + x_p m_p v_p, T = (I ω₀² + m_p v_p²)/2; a massa da bala é desprezada depois
 roller-of-a-given-moment-of-inertia = Rolo de momento de inércia dado
 no-slip-r-r-c-i-n-m-g-c-r = sem deslizamento: ω = Ω R/r, C = I ω Ω, N = m g + C/R
 wheel-of-given-moments-on-a-circle-of-the-floor = Roda de momentos dados em um círculo do piso
 a-r-r-cos-sin-1-a-r-cos-g-cos-with-i-a-m-r-i-t-m-r = a = R − r cos θ, φ̇² sen θ ((1 + α) a + β r cos θ) = g cos θ com I_a = α m r², I_t = β m r²
 body-with-two-points-at-rest = Corpo com dois pontos em repouso
+body-carried-by-a-turning-arm-about-an-oblique-line = Corpo levado por um braço que gira, em relação a uma reta oblíqua
+v-g-r-g-h-g-i-h-b-h-g-r-g-r-b-m-v-g-about-the-line-h-b = v_G = Ω × r_G, H_G = I ω, H_B = H_G + (r_G − r_B) × m v_G, em relação à reta λ · H_B
 e-s-e-a-along-the-line-e-of-the-points-at-rest-h-i-v-r-t-m-v-h-2 = ω = e s/(e·a) ao longo da reta e dos pontos em repouso; H = I ω, v = ω × r, T = (m v² + ω·H)/2
 rate-of-turn-given = Taxa de curva dada
+disc-that-spins-slowly-in-a-fast-turn = Disco que gira devagar, numa curva rápida
+sin-i-a-k-d-2-i-a-i-t-with-i-a-m-r-2-i-t-m-r-4 = sen θ = I_a ω Ω/(k d²/2 − (I_a − I_t) Ω²), com I_a = m r²/2, I_t = m r²/4
+n-1-5-kg-and-0-12-m-at-30-rad-s-in-a-turn-at-5-rad-s-sin-1-62-3-0-135 = 1,5 kg e 0,12 m a 30 rad/s, em curva a 5 rad/s: sen θ = 1,62/(3 − 0,135).
 sin-i-a-k-d-2-i-a-i-t = sen θ = I_a ω Ω/(k d²/2 − (I_a − I_t) Ω²)
 particle-on-a-turning-arm-moments-about-another-fixed-point = Partícula em um braço giratório, momentos em relação a outro ponto fixo
 h-r-r-a-m-v-and-m-r-r-a-m-a-with-v-r-a-v = H = (r − r_A) × m v e M = (r − r_A) × m a com v = ω × r, a = ω × v
@@ -2733,6 +2741,9 @@ speed-at-which-the-frame-stays-upright = Velocidade em que o quadro fica na vert
 speed-of-the-vehicle-at-which-the-two-couples-are-equal-the-frame-stays-upright-in-any-turn = Velocidade do veículo em que os dois binários são iguais: o quadro fica na vertical em qualquer curva
 speed-of-the-wheel = Rotação do volante
 spinning-body-given-a-transverse-angular-impulse = Corpo em rotação que recebe um impulso angular transversal
+bullet-that-passes-through-a-spinning-body-in-flight = Bala que atravessa um corpo em rotação e em voo
+m-v-m-p-v-p-v-p-i-r-p-m-p-v-p-v-p-in-principal-axes-t-m-v-i-2 = m Δv = m_p (v_p − v_p′), I Δω = r_p × m_p (v_p − v_p′) em eixos principais, T = Σ (m v² + ω · I ω)/2
+the-bullet-loses-9-7-5-3-kg-m-s-of-linear-momentum = A bala perde (9; −7,5; 3) kg·m/s de quantidade de movimento.
 square-plate-of-thickness-a-4-one-revolution-per-second-a-1-m-and-m-1-kg-are-chosen-here-and-cancel = Placa quadrada de espessura a/4, uma volta por segundo. a = 1 m e m = 1 kg são escolhidos aqui e se cancelam.
 the-axes-of-this-shape-are-not-principal-axes-of-inertia-calculate-them-by-rigid-body-mass-properties = os eixos desta forma não são eixos principais de inércia: calcule-os com rigid-body/mass-properties
 the-book-gives-letters-mv-mr-2-27-18-25-9-8-and-the-moment-of-the-momentum-lost-15-32-mvr-1-12-12-m-1 = O livro dá letras: ω = mV/(MR) (2/27; −18/25; −9/8), e o momento da quantidade de movimento perdida, 15/32 mVR (1; −12; −12). M = 1 kg, R = 1 m, V = 1 m/s e m = 1 kg são escolhidos aqui.
@@ -2825,6 +2836,12 @@ axle-at-one-end-by-its-angular-momentum = Eixo apoiado em uma ponta, pelo moment
 axle-held-level = Eixo mantido na horizontal
 ball-against-a-swinging-pendulum = Bola contra um pêndulo em movimento
 ball-against-a-wall = Bola contra uma parede
+ball-against-a-rod-between-its-middle-and-its-lower-end = Bola contra uma barra entre o meio e a ponta inferior
+two-linear-equations-angular-momentum-about-the-hinge-and-r-v-e-u-then-energy-of-the-rod = duas equações lineares: o momento angular em relação à articulação e ω r − v = e u; depois a energia da barra
+n-3-kg-at-6-m-s-1-1-m-below-the-hinge-of-a-slender-rod-of-7-5-kg-and-1-6-m-e-0-55 = 3 kg a 6 m/s, 1,1 m abaixo da articulação de uma barra delgada de 7,5 kg e 1,6 m, e = 0,55.
+two-smooth-discs-at-25-and-140-to-the-line-of-impact = Dois discos lisos a 25° e 140° da linha de impacto
+momentum-and-coefficient-of-restitution-along-the-line-of-impact-the-components-across-it-do-not = quantidade de movimento e coeficiente de restituição ao longo da linha de impacto; as componentes transversais não mudam
+n-2-kg-at-5-m-s-and-3-5-kg-at-3-m-s-e-0-6 = 2 kg a 5 m/s e 3,5 kg a 3 m/s, e = 0,6.
 ball-against-the-middle-of-a-hanging-rod = Bola contra o meio de uma barra suspensa
 ball-of-1-kg-at-10-m-s-rod-of-5-kg-and-1-m-e-0-4 = Bola de 1 kg a 10 m/s, barra de 5 kg e 1 m, e = 0,4.
 ball-on-a-turntable = Bola sobre uma mesa giratória
@@ -2845,7 +2862,7 @@ c-plath-navigat-x-mk-1-manual-table-of-the-north-speed-error = C. Plath, manual 
 centre-of-the-circle-at-the-start = Centro do círculo no início
 centre-of-the-circle-from-half-a-circle = centro do círculo por meio círculo
 child-who-jumps-on-a-merry-go-round = Criança que salta num carrossel
-closed-form-of-the-circle-and-numerical-integration-apart-from-the-program = forma fechada do círculo, e integração numérica à parte do programa
+closed-form-of-the-circle-and-numerical-integration-independently-of-the-program = forma fechada do círculo, e integração numérica independentemente do programa
 clutch-between-two-discs-that-turn-against-each-other = Embreagem entre dois discos que giram em sentidos contrários
 coefficient-of-friction-that-it-takes-to-keep-the-ball-on-its-circle = Coeficiente de atrito necessário para manter a bola no seu círculo
 coefficient-of-friction-that-it-takes-where-friction-holds-the-circle-and-the-weight-along-the-slope = Coeficiente de atrito necessário onde o atrito mantém ao mesmo tempo o círculo e o peso ao longo do plano
@@ -3013,11 +3030,15 @@ negative-where-it-turns-the-other-way = Negativa se gira no outro sentido.
 no-body-turns-with-an-angular-velocity-that-is-to-be-found-let-one-of-them-turn-with-the-others-after = nenhum corpo gira com uma velocidade angular a determinar: faça um deles girar com os outros depois
 no-direction-at-a-pole-leads-to-the-north = nenhuma direção num polo leva ao norte
 nothing-left-to-be-found = Nada a determinar
-numerical-integration-of-h-u-h-u-and-the-roots-of-its-linear-equations-apart-from-the-program = integração numérica de h u̇ = τ − Ω × h u, e as raízes das suas equações lineares, à parte do programa
-numerical-integration-of-i-t-h-i-t-h-cos-h-sin-apart-from-the-program = integração numérica de I_t α̈ = −(h − I_t Ω_h cos α) Ω_h sen α, à parte do programa
-numerical-integration-of-the-equations-of-motion-apart-from-the-program = integração numérica das equações do movimento, à parte do programa
+numerical-integration-of-h-u-h-u-and-the-roots-of-its-linear-equations-independently-of-the-program = integração numérica de h u̇ = τ − Ω × h u, e as raízes das suas equações lineares, independentemente do programa
+numerical-integration-of-i-t-h-i-t-h-cos-h-sin-independently-of-the-program = integração numérica de I_t α̈ = −(h − I_t Ω_h cos α) Ω_h sen α, independentemente do programa
+numerical-integration-of-the-equations-of-motion-independently-of-the-program = integração numérica das equações do movimento, independentemente do programa
 oblique-axle-of-which-the-angular-momentum-alone-is-known = Eixo oblíquo de que só se conhece o momento angular
 oblique-gimbal = Cardã oblíquo
+rotor-along-a-vehicle-and-its-bearings-in-a-turn-to-the-left = Rotor ao longo de um veículo, e os seus mancais, numa curva para a esquerda
+rotor-along-a-vehicle-and-its-bearings-in-a-turn-to-the-right = Rotor ao longo de um veículo, e os seus mancais, numa curva para a direita
+b-u-f-b-a-u-f-a-h-u-with-f-a-f-b-0-m-v-r-m-g = b u × F_B − a u × F_A = Ω × h u, com F_A + F_B = (0; ±m v²/R; m g)
+u-points-forward-h-201-6-kg-m-s-0-4-rad-s-and-m-v-r-352-n-towards-the-centre-of-the-turn = u aponta para a frente; h = 201,6 kg·m²/s, Ω = 0,4 rad/s e m v²/R = 352 N, para o centro da curva.
 of-all-that-turns-about-the-vertical-with-the-axle = De tudo o que gira com o eixo em torno da vertical.
 of-the-axle-from-its-settled-direction-where-it-is-released-from-rest = Do eixo em relação à sua direção de equilíbrio, onde é solto do repouso.
 path-of-a-ball-that-rolls-on-a-level-or-tilted-turntable-angular-velocity-centre-and-radius-of-its = Trajetória de uma bola que rola sobre uma mesa giratória nivelada ou inclinada: velocidade angular, centro e raio do círculo, deriva transversal à inclinação, posição num instante, atrito.
@@ -3168,6 +3189,9 @@ vertical-component-upwards = Componente vertical, para cima
 vertical-curve-loop-pull-out-of-a-dive-crest = Curva vertical: looping, saída de mergulho, lombada
 vessel = Embarcação
 vessel-on-a-course-of-30 = Embarcação no rumo de 30°
+pendulous-gyrocompass-on-a-vessel-that-steers-south-west = Bússola giroscópica pendular em uma embarcação no rumo sudoeste
+equilibrium-and-linearised-form-of-h-u-h-u-with-the-motion-of-the-vessel-in-independently-of-the = equilíbrio e forma linearizada de h u̇ = τ − Ω × h u, com o movimento da embarcação em Ω, independentemente do programa
+n-13-m-s-on-a-course-of-215-in-latitude-38-north-the-axle-points-to-the-east-of-north = 13 m/s no rumo de 215° na latitude 38° norte: o eixo aponta a leste do norte.
 vessel-that-steers-north-in-high-latitude = Embarcação que navega para norte em latitude alta
 what-turns-with-the-common-angular-velocity-has-no-moment-of-inertia-write-a-distance-from-the-axis = o que gira com a velocidade angular comum não tem momento de inércia: escreva uma distância ao eixo maior que zero
 wheel-by-its-angular-momentum = Volante pelo momento angular
@@ -3179,6 +3203,9 @@ n-3-1-3-precession-nutation-spin = 3-1-3: precessão, nutação, rotação próp
 n-3-2-1-angles-of-40-30-and-80-at-the-start-20-s-sin-0-1t-0-01-cos-0-1t-in-b = Ângulos 3-2-1 de 40°, 30° e 80° no início, ω = 20°/s (sen 0,1t; 0,01; cos 0,1t) em B.
 n-3-2-1-yaw-pitch-roll = 3-2-1: guinada, arfagem, rolamento
 a-third-of-a-turn-about-the-space-diagonal = Um terço de volta em torno da diagonal do cubo
+rotation-of-150-about-an-oblique-axis = Rotação de 150° em torno de um eixo oblíquo
+closed-form-bn-cos-1-1-cos-e-e-sin-e-cos-2-e-sin-2-q-e-tan-2-e-tan-4 = forma fechada: [BN] = cos Φ 1 + (1 − cos Φ) e eᵀ − sen Φ [e×], β₀ = cos(Φ/2), ε = e sen(Φ/2), q = e tan(Φ/2), σ = e tan(Φ/4)
+e-1-2-6-41-is-the-largest-euler-parameter-and-is-above-zero = e = (1; −2; 6)/√41: β₃ é o maior parâmetro de Euler, e β₀ é positivo.
 aerospace-toolbox-documentation-angle2dcm-and-angle2rod-first-examples = Documentação do Aerospace Toolbox, angle2dcm e angle2rod, primeiros exemplos
 aerospace-toolbox-documentation-angle2dcm-and-angle2rod-second-row-of-the-second-examples = Documentação do Aerospace Toolbox, angle2dcm e angle2rod, segunda linha dos segundos exemplos
 aerospace-toolbox-documentation-quat2dcm-second-quaternion-of-the-example-1-0-5-0-3-0-1-divided-by = Documentação do Aerospace Toolbox, quat2dcm, segundo quatérnio do exemplo: (1; 0,5; 0,3; 0,1), dividido por seu comprimento

@@ -1086,7 +1086,7 @@ amplitude-from-the-cosine-and-sine-coefficients = Amplitude pelos coeficientes d
 # rotating-unbalance
 damping-ratio-between-two-values = Fator de amortecimento entre dois valores
 the-amplitude-is-largest-with-the-minimum-damping-for-which-all-other-results-are-computed = A amplitude é maior com o amortecimento mínimo, para o qual se calculam todos os outros resultados.
-least-damping-ratio = Menor razão de amortecimento
+least-damping-ratio = Menor fator de amortecimento
 minimum-damping-ratio = Fator de amortecimento mínimo
 maximum-damping-ratio = Fator de amortecimento máximo
 the-minimum-damping-ratio-exceeds-the-maximum-one-exchange-them = o fator de amortecimento mínimo excede o máximo: troque-os
@@ -2090,8 +2090,8 @@ half-a-cycle-reduces-the-amplitude-from-1-to-the-overshoot-half-the-logarithmic-
 imaginary-part = Parte imaginária
 inertia-torsion-spring-and-damper = Inércia, mola de torção e amortecedor
 the-mass-starts-at-rest-in-its-equilibrium-position-and-does-not-move-write-an-initial-displacement = a massa parte do repouso na posição de equilíbrio e não se move: escreva um deslocamento ou uma velocidade inicial para o movimento no tempo
-maximum-displacement-of-the-decaying-motion-its-first-turning-point = Deslocamento máximo do movimento que decai: seu primeiro ponto de retorno
-maximum-displacement-of-the-decaying-motion-its-start = Deslocamento máximo do movimento que decai: o início
+maximum-displacement-at-the-first-turning-point = Deslocamento máximo, no primeiro ponto de retorno
+maximum-displacement-at-the-start = Deslocamento máximo, no início
 mass-of-that-weight = Massa desse peso
 mass-spring-and-damper = Massa, mola e amortecedor
 moment-of-inertia = Momento de inércia
@@ -2142,7 +2142,7 @@ time-of-maximum-displacement = Instante do deslocamento máximo
 time-to-double = Tempo para dobrar
 torsional-damping-coefficient = Coeficiente de amortecimento torcional
 torsional-stiffness = Rigidez torcional
-twice-the-amplitude = O dobro da amplitude
+ratio-of-the-amplitudes-doubled = Razão das amplitudes: o dobro
 underdamped-1-complex-roots-i-d-a-decaying-oscillation-with-frequency = Subamortecido, ζ < 1: raízes complexas −ζωₙ ± i ω_d, oscilação decrescente com frequência
 velocity-by-integration-of-the-equation-of-motion = velocidade por integração da equação de movimento
 without-damping-the-motion-is-harmonic-its-period = Sem amortecimento o movimento é harmônico; seu período
@@ -2875,13 +2875,13 @@ period-of-small-oscillations-independent-of-the-amplitude = Período das pequena
 modulus-of-the-elliptic-integral-of-the-quarter-period = Módulo da integral elíptica do quarto de período
 arithmetic-geometric-mean-of-1-and-cos-2 = Média aritmético-geométrica de 1 e cos(θ₀/2)
 period-that-of-small-oscillations-over-the-mean = Período: o das pequenas oscilações dividido pela média
-deficit-of-the-small-angle-value = Quanto falta ao valor de pequenos ângulos
+deficit-of-the-small-angle-value = Déficit do valor para pequenos ângulos
 first-terms-of-the-series-in-the-amplitude = Primeiros termos da série na amplitude
 angular-velocity-at-the-lowest-position-from-l-g-l-1-cos = Velocidade angular na posição mais baixa, de ½ L² Ω² = g L (1 − cos θ₀)
 period-by-quadrature-of-dt-d-with-sin-2-sin-and-tan-sinh-u = período pela quadratura de dt = dθ/θ′, com sen(θ/2) = κ sen φ e tg φ = senh u
 angular-velocity-at-the-lowest-position-from-the-loss-of-height = velocidade angular na posição mais baixa pela perda de altura
 period-of-small-oscillations = Período das pequenas oscilações
-error-of-the-small-angle-period = Erro do período para pequenos ângulos
+deficit-of-the-small-angle-period = Déficit do período para pequenos ângulos
 period-by-the-series = Período pela série
 largest-angular-velocity = Maior velocidade angular
 maximum-angular-velocity = Velocidade angular máxima
@@ -4213,7 +4213,9 @@ n-0-2-at-resonance-tr-1-16-0-4 = ζ = 0,2 na ressonância: TR = √1,16/0,4.
 base-motion-at-the-natural-frequency-without-damping = Excitação pela base na frequência natural, sem amortecimento
 x-y-2-sin-t-t-cos-t-at-t-the-amplitude-grows-by-y-2-each-second = x = (Y/2)(sen ωt − ωt cos ωt) em ωt = π: a amplitude cresce de Yω/2 a cada segundo
 hysteretic-mounts-at-resonance = Coxins histeréticos na ressonância
-tr-1-at-r-1 = TR = √(1 + η²)/η em r = 1
+damped-trailer-on-a-wavy-road = Reboque com amortecimento em estrada ondulada
+x-y-k-ic-k-m-ic-with-c-2-km-z-x-y-v-c-2-and-the-largest-x-y-by-newton-s-method = X/Y = (k + icω)/(k − mω² + icω) com c = 2ζ√(km), Z = X − Y; v_c = λωₙ/(2π), e o maior |X/Y| pelo método de Newton
+tr-1-tan-1-and-90-at-r-1 = TR = √(1 + η²)/η, tan ψ = 1/η e φ = 90° em r = 1
 a-coefficient-without-a-mass = Um coeficiente sem massa
 a-damping-coefficient-has-no-meaning-without-a-mass = Um coeficiente de amortecimento não tem significado sem uma massa
 
@@ -4337,6 +4339,7 @@ the-body-approaches-t-f-k-t-2-mrad-without-oscillation = O corpo tende a T_f/k_t
 viscous-torsional-damping-above-critical = Amortecimento viscoso torcional acima do crítico
 k-t-0-1-n-m-is-below-t-f-0-2-n-m = k_t θ₀ = 0,1 N·m está abaixo de T_f = 0,2 N·m
 q-f-1-q-f-2-mrad-0-1-from-50-mrad = Θₙ₊₁ = q Θₙ − θ_f (1 + q), θ_f = 2 mrad, ζ = 0,1, a partir de 50 mrad
+t-f-k-t-4-980-0-00500510204-4-n-m-below-25-mrad-after-five-periods-of-2-14-s = T_f = k_t ΔΘ/4: 980·0,00500510204/4 N·m; abaixo de 25 mrad após cinco períodos de 2π/14 s
 
 # coupled_pendulums.toml
 two-rods-joined-at-their-free-ends = Duas barras unidas nas suas extremidades livres
@@ -4349,7 +4352,7 @@ in-phase-the-spring-has-no-effect-k-k-mgl-0 = Em fase a mola não tem efeito: K�
 
 # damped_absorber.toml
 mass-ratio-of-one-twentieth-by-the-fixed-points = Razão de massas de um vigésimo, pelos pontos fixos
-j-p-den-hartog-mechanical-vibrations-4th-ed-3-3-f-1-1-3-8-1-h-1-2 = J. P. Den Hartog, Mechanical Vibrations, 4ª ed., §3.3: f = 1/(1 + μ), γ² = 3μ/(8(1 + μ)³), H = √(1 + 2/μ)
+j-p-den-hartog-mechanical-vibrations-4th-ed-3-3-f-1-1-3-8-1-h-1-2-g-1-2-1 = J. P. Den Hartog, Mechanical Vibrations, 4ª ed., §3.3: f = 1/(1 + μ), γ² = 3μ/(8(1 + μ)³), H = √(1 + 2/μ), g² = (1 ∓ √(μ/(2 + μ)))/(1 + μ)
 c-2-m-a-m-and-a-c-2-m-a-a-differ-by-the-tuning-the-true-peak-with-these-values-lies-0-08-above-the = γ = c/(2 m_a ω_m) e ζ_a = c/(2 m_a ω_a) diferem pela sintonia. O pico verdadeiro com estes valores fica 0,08 % acima dos pontos fixos.
 mass-ratio-of-one-twentieth-for-the-lowest-peak = Razão de massas de um vigésimo, para o menor pico
 direct-minimisation-of-the-maximum-magnification-over-tuning-and-damping = Minimização direta da amplificação máxima em relação à sintonia e ao amortecimento
@@ -4394,10 +4397,10 @@ two-equal-small-masses-on-equal-strings = Duas pequenas massas iguais em fios ig
 n-2-2-g-l-angles-in-the-ratio-2 = ω² = (2 ∓ √2) g/l, ângulos na razão ±√2
 n-1-kg-and-1-m-each = 1 kg e 1 m em cada um.
 two-equal-rods = Duas barras iguais
-n-3-6-7-g-l = ω² = (3 ∓ 6/√7) g/l
+n-3-6-7-g-l-angles-in-the-ratio-2-7-1-3 = ω² = (3 ∓ 6/√7) g/l, ângulos na razão (±2√7 − 1)/3
 n-0-8557-g-l-and-2-2953-g-l = 0,8557 √(g/l) e 2,2953 √(g/l).
 a-body-that-is-a-small-mass-on-a-string = Um corpo que é uma pequena massa num fio
-a-body-with-zero-moment-of-inertia-is-a-point-mass-2-2-g-l = Um corpo com momento de inércia nulo é uma massa pontual: ω² = (2 ∓ √2) g/l
+a-body-with-zero-moment-of-inertia-is-a-point-mass-2-2-g-l-angles-in-the-ratio-2 = Um corpo com momento de inércia nulo é uma massa pontual: ω² = (2 ∓ √2) g/l, ângulos na razão ±√2
 a-light-pendulum-under-a-heavy-one = Pêndulo leve sob um pêndulo pesado
 with-m-much-smaller-than-m-each-oscillates-independently-g-l = Com m₂ muito menor que m₁ cada um oscila por si: √(g/l)
 a-millionth-of-the-mass-l-2-5-m-l-0-4-m-g-10-m-s = Um milionésimo da massa; l₁ = 2,5 m, l₂ = 0,4 m, g = 10 m/s².
@@ -4429,7 +4432,7 @@ hardening-spring-released-at-1-in = Mola com enrijecimento, solta a 1 in
 ansys-mechanical-apdl-verification-manual-vm156-natural-frequency-of-a-nonlinear-spring-mass-system = ANSYS Mechanical APDL Verification Manual, VM156 (frequência natural de um sistema massa–mola não linear)
 the-target-was-read-from-a-transient-of-finite-steps-the-elliptic-integral-gives-0-14404-s = o valor de referência foi lido de uma resposta transitória com passos finitos; a integral elíptica dá 0,14404 s
 the-same-spring-by-the-elliptic-integral-and-by-harmonic-balance = A mesma mola pela integral elíptica e pelo balanço harmônico
-t-4k-with-6-0-002588-s-1-3-t-2-0-002588-5 = T = 4K(κ)/Ω com Ω² = 6/0,002588 s⁻², κ² = 1/3; T′ = 2π√(0,002588/5)
+t-4k-with-6-0-002588-s-1-3-t-2-0-002588-5-and-their-relative-difference = T = 4K(κ)/Ω com Ω² = 6/0,002588 s⁻², κ² = 1/3; T′ = 2π√(0,002588/5), e a diferença relativa entre eles
 forced-at-the-peak-of-its-response-smaller-force = Forçada no pico da resposta, força menor
 ansys-mechanical-apdl-verification-manual-vm319-forced-duffing-oscillator-f-m-125-mm-s = ANSYS Mechanical APDL Verification Manual, VM319 (oscilador de Duffing forçado), F/m = 125 mm/s²
 n-200-x-46-752-x-125-cos-t-in-mm-and-s-with-8766-2-s-for-a-mass-of-1-kg = ẍ + (ω₀/200) ẋ + ω₀² x + 46,752 x³ = 125 cos ωt em mm e s, com ω₀² = 8766,2 s⁻², para uma massa de 1 kg.
@@ -4461,6 +4464,8 @@ carter-l-0-8t-d-0-75l-c-d-c-d-c-1-5r-tw-ker-wilson-l-0-4d-d-l-c-0-4d-c-d-c-d-c-r
 half-orders-of-a-two-stroke-engine = Meias ordens de um motor de dois tempos
 
 # equivalent_damping.toml
+stiffness-multiplier-below-resonance = Multiplicador da rigidez abaixo da ressonância
+x-f-k-m-i-k-in-complex-numbers-c-k-w-kx = X = F₀/(k − mω² + iωβk) em números complexos; c = βk, η = βω, W = πηkX²
 structural-damping-at-resonance = Amortecimento estrutural na ressonância
 w-t-thomson-vibration-theory-and-applications-art-3-9-target-of-the-verification-problem-vm87-of = W. T. Thomson, Vibration Theory and Applications, art. 3.9; valor de referência do problema de verificação VM87 do Ansys Mechanical APDL
 the-stiffness-multiplier-of-the-program-is-0-03-s-so-that-the-loss-factor-at-20-rad-s-is-0-6 = O multiplicador da rigidez no programa é 0,03 s, de modo que o fator de perda a 20 rad/s é 0,6.
@@ -4516,7 +4521,7 @@ the-printed-value-is-computed-from-rounded-numbers-g-9-81-m-s-gives-97-9877-n = 
 exact-motion-without-sticking-at-twice-the-natural-frequency = Movimento exato sem adesão no dobro da frequência natural
 j-p-den-hartog-forced-vibrations-with-combined-coulomb-and-viscous-friction-1931-v-1-3-u-tan-4-2-1-2 = J. P. Den Hartog, Forced vibrations with combined Coulomb and viscous friction, 1931: V = −1/3, U = tan(π/4)/2 = 1/2 em r = 2
 the-force-of-that-motion = A força desse movimento
-f-k-1-r-x-f-u-the-inverse-of-the-case-above = F₀ = k |1 − r²| √(X² + (f U)²), o inverso do caso acima
+f-k-1-r-x-f-u-the-inverse-of-the-case-above-by-equivalent-damping-c-eq-4f-x-and-f-k-1-r-x-4f = F₀ = k |1 − r²| √(X² + (f U)²), o inverso do caso acima; pelo amortecimento equivalente c_eq = 4F/(πωX) e F₀ = √((k |1 − r²| X)² + (4F/π)²)
 motion-with-stick-slip = Movimento com adesão e deslizamento
 slip-and-stick-phases-solved-piecewise-a-time-integration-with-20-s-steps-also-gives-125-159-mm = Fases de deslizamento e aderência resolvidas trecho a trecho; uma integração no tempo com passos de 20 µs também dá 125,159 mm
 friction-balances-60-of-the-force-the-mass-is-at-rest-twice-per-cycle = O atrito equilibra 60 % da força; a massa fica em repouso duas vezes por ciclo.
@@ -4555,7 +4560,7 @@ the-printed-solution-calls-the-peak-frequency-the-natural-frequency = a soluçã
 the-suspension-by-its-exact-peak-under-100-n = A suspensão pelo seu pico exato, sob 100 N
 lists-06-08-list-06-question-1-with-the-peak-at-1-2 = Listas 06–08, lista 06, questão 1, com o pico em ωₙ√(1 − 2ζ²)
 the-suspension-as-a-table-of-points = A suspensão como tabela de pontos
-n-1-k-m-c-with-k-5000-n-m-m-34-45-kg-c-51-98-n-s-m-to-five-digits = 1/√((k − m ω²)² + (c ω)²) com k = 5000 N/m, m = 34,45 kg, c = 51,98 N·s/m, com cinco algarismos
+n-1-k-m-c-with-k-5000-n-m-m-34-45-kg-c-51-98-n-s-m-to-five-digits-the-spread-of-the-three-readings-of = 1/√((k − m ω²)² + (c ω)²) com k = 5000 N/m, m = 34,45 kg, c = 51,98 N·s/m, com cinco algarismos; a dispersão das três leituras da tabela por NumPy
 all-three-readings-should-give-the-same-system = As três leituras devem dar o mesmo sistema.
 the-table-is-rounded-to-five-digits = a tabela está arredondada a cinco algarismos
 the-half-power-points-lie-between-the-points-of-the-table = os pontos de meia potência ficam entre os pontos da tabela
@@ -4568,16 +4573,16 @@ code-aster-validation-manual-sdld21-sdld21a-comm-receptance-of-node-n5-frequency
 three-points-and-four-unknowns-with-a-real-residual-the-printed-damping-ratio-is-that-of-the-model = Três pontos e quatro incógnitas com um resíduo real. O fator de amortecimento impresso é o do modelo; os pontos têm cinco algarismos e vestígios de sete outros modos.
 three-points-of-five-digits-and-modes-that-a-constant-residual-does-not-follow = três pontos de cinco algarismos, e modos que um resíduo constante não acompanha
 the-nyquist-circle-of-the-same-three-receptances = O círculo de Nyquist das mesmas três receptâncias
-code-aster-validation-manual-sdld21-sdld21a-comm-three-points-of-node-n5-the-circle-through-three = Code_Aster, manual de validação, SDLD21 (sdld21a.comm): três pontos do nó N5; o círculo por três pontos é único
+code-aster-validation-manual-sdld21-sdld21a-comm-three-points-of-node-n5-the-circle-through-three = Code_Aster, manual de validação, SDLD21 (sdld21a.comm): três pontos do nó N5; o círculo por três pontos é único; a dispersão das três leituras por SciPy
 a-mobility-by-amplitude-and-phase = Mobilidade por amplitude e fase
 i-k-m-ic-with-m-2-kg-10-hz-and-0-02-to-six-digits = iω/(k − mω² + icω) com m = 2 kg, 10 Hz e ζ = 0,02, com seis algarismos
 all-readings-should-give-the-same-mode = Todas as leituras devem dar o mesmo modo.
 hysteretic-mode-with-residual-stiffness-of-other-modes = Modo histerético com rigidez residual dos outros modos
-n-1-k-1-0-04i-m-2-10-m-n-with-m-2-kg-and-10-hz-to-six-digits = 1/(k(1 + 0,04i) − mω²) + 2·10⁻⁶ m/N com m = 2 kg e 10 Hz, com seis algarismos
+n-1-k-1-0-04i-m-2-10-m-n-with-m-2-kg-and-10-hz-to-six-digits-the-spread-of-the-three-readings-by = 1/(k(1 + 0,04i) − mω²) + 2·10⁻⁶ m/N com m = 2 kg e 10 Hz, com seis algarismos; a dispersão das três leituras por SciPy
 the-residual-shifts-the-circle-away-from-the-origin-without-changing-its-diameter-1-k = O resíduo desloca a circunferência da origem sem alterar o seu diâmetro 1/(ηk).
 the-residual-is-a-thousandth-of-the-peak-and-the-table-has-six-digits = o resíduo é um milésimo do pico, e a tabela tem seis algarismos
 an-accelerance-with-decimal-commas-out-of-order = Acelerância com vírgulas decimais, fora de ordem
-k-m-ic-10-m-n-with-m-5-kg-25-hz-and-0-05-to-six-digits = −ω²/(k − mω² + icω) − ω²·10⁻⁶ m/N com m = 5 kg, 25 Hz e ζ = 0,05, com seis algarismos
+k-m-ic-10-m-n-with-m-5-kg-25-hz-and-0-05-to-six-digits-the-spread-of-the-three-readings-by-scipy = −ω²/(k − mω² + icω) − ω²·10⁻⁶ m/N com m = 5 kg, 25 Hz e ζ = 0,05, com seis algarismos; a dispersão das três leituras por SciPy
 the-table-has-six-digits = a tabela tem seis algarismos
 free-test-at-9-8-hz-forced-peak-at-9-6-hz = Ensaio livre a 9,8 Hz, pico forçado a 9,6 Hz
 the-book-rounds-intermediate-results-d-1-2-1-gives-0-19706 = o livro arredonda resultados intermediários; (ωₚ/ω_d)² = (1 − 2ζ²)/(1 − ζ²) dá 0,19706
@@ -4624,7 +4629,6 @@ j-guillen-and-c-pierre-1999-target-of-the-verification-problem-vm320-of-ansys-me
 the-printed-peak-is-read-off-the-curve-of-the-reference = O pico impresso é lido da curva da referência.
 read-off-a-curve = lido de uma curva
 slip-of-half-the-amplitude = Deslizamento de metade da amplitude
-x-2x-y-2-k-j-k-d-2-h-k-d = X = 2x_y: θ = π/2, k_j = k_d/2, h = k_d/π
 without-viscous-damping-the-peak-takes-f-hx-2f-d-at-k-k-d-2-m = Sem amortecimento viscoso, o pico exige F₀ = hX = 2F_d/π em √((k + k_d/2)/m).
 friction-element-that-always-sticks = Elemento de atrito que nunca desliza
 viscous-oscillator-with-k-k-d-100-n-m-and-0-1-x-f-2-k-1 = Oscilador viscoso com k + k_d = 100 N/m e ζ = 0,1: X = F₀/(2ζk√(1 − ζ²))
@@ -4663,10 +4667,10 @@ the-same-without-damping-unbounded = O mesmo sem amortecimento: sem limite
 x-f-2k-sin-t-t-cos-t-at-t-50 = x = F₀/(2k) (sen ωt − ωt cos ωt) em ωt = 50
 heavy-mass-on-a-soft-spring-at-its-natural-frequency = Massa pesada sobre mola macia, na sua frequência natural
 weight-in-oil = Peso imerso em óleo
-w-t-thomson-theory-of-vibration-with-applications-ch-3-free-period-1-80-s-ratio-of-successive = W. T. Thomson, Theory of Vibration with Applications, cap. 3: período livre de 1,80 s, razão de amplitudes sucessivas de 4,2; F = 2 cos 3t; X = F/√((k − mω²)² + (cω)²)
+w-t-thomson-theory-of-vibration-with-applications-ch-3-free-period-1-80-s-ratio-of-successive = W. T. Thomson, Theory of Vibration with Applications, cap. 3: período livre de 1,80 s, razão de amplitudes sucessivas de 4,2; F = 2 cos 3t; X = F/√((k − mω²)² + (cω)²), F_c = cωX, e os máximos de X e ω²X
 the-mass-of-2-lb-0-907-kg-is-quoted-from-memory-it-is-cut-off-in-the-statement-consulted = A massa de 2 lb, 0,907 kg, é citada de memória: está cortada no enunciado consultado.
 hysteretic-spring-at-its-natural-frequency = Mola histerética na sua frequência natural
-x-f-k-90-rao-5th-ed-3-10-energy-k-x-per-cycle = X = F₀/(ηk), φ = 90° (Rao, 5ª ed., §3.10); energia π η k X² por ciclo
+x-f-k-90-rao-5th-ed-3-10-the-damping-alone-balances-the-force-energy-k-x-per-cycle = X = F₀/(ηk), φ = 90° (Rao, 5ª ed., §3.10): só o amortecimento equilibra a força; energia π η k X² por ciclo
 overdamped-start-under-a-cosine-force = Início superamortecido sob uma força cossenoidal
 x-t-by-residues-of-the-laplace-transform-with-poles-5-and-20-rad-s-and-force-8-cos-10t-on-1-kg = x(t) pelos resíduos da transformada de Laplace, com polos em −5 e −20 rad/s e força 8 cos 10t sobre 1 kg
 k-100-n-m-c-25-n-s-m-x-8-250-m-90-so-x-0-032-sin-10t-c-e-5t-c-e-20t-with-c-c-0-32-15 = k = 100 N/m, c = 25 N·s/m: X = 8/250 m, φ = 90°, portanto x = 0,032 sen 10t + C₁e^(−5t) + C₂e^(−20t) com C₁ = −C₂ = −0,32/15.
@@ -4703,7 +4707,7 @@ n-3-cos-t-4-cos-t-90-5-cos-t-180-20-cos-t-116-565 = 3 cos ωt + 4 cos(ωt + 90°
 three-motions-of-different-frequencies = Três movimentos de frequências diferentes
 mean-square-half-the-sum-of-the-squares-of-the-amplitudes = Valor quadrático médio: metade da soma dos quadrados das amplitudes
 two-motions-of-one-frequency-beat-with-a-third = Dois movimentos de uma mesma frequência batem com um terceiro
-n-3-and-4-mm-a-quarter-of-a-cycle-apart-add-up-to-5-mm-with-6-mm-the-amplitude-varies-between-11-and = 3 e 4 mm defasados de um quarto de ciclo somam 5 mm; com 6 mm a amplitude varia entre 11 e 1 mm
+n-3-and-4-mm-a-quarter-of-a-cycle-apart-add-up-to-5-mm-with-6-mm-the-amplitude-varies-between-11-and = 3 e 4 mm defasados de um quarto de ciclo somam 5 mm; com 6 mm a amplitude varia entre 11 e 1 mm, e o valor quadrático médio é (5² + 6²)/2 mm²
 force-beyond-the-range-of-numbers = Força além do alcance dos números
 the-work-is-1e399-j-beyond-the-range-of-representable-numbers = O trabalho é de 1e399 J, além da faixa dos números representáveis
 
@@ -4729,7 +4733,7 @@ w-4000-lbf-on-10-000-lbf-in-0-314-measured-period-0-2025-s-from-mass-and-stiffne
 the-printed-value-uses-the-measured-period-0-2025-s-the-computed-value-uses-that-of-mass-and = o valor impresso usa o período medido, 0,2025 s; o calculado, o da massa e da rigidez
 the-machine-by-its-period-alone = A máquina só pelo seu período
 problem-without-a-printed-answer-tutorsglobe-question-51418516-t-n-t-d-n-ln-10 = Problema sem resposta impressa (TutorsGlobe, questão 51418516): t = n T_d, n = ln 10/δ
-decrement-of-a-damping-ratio-of-0-316 = Decremento de uma razão de amortecimento de 0,316
+decrement-of-a-damping-ratio-of-0-316 = Decremento de um fator de amortecimento de 0,316
 n-25-4-rad-s-the-decrement-does-not-depend-on-it = ωₙ = 25,4 rad/s; o decremento não depende dela.
 the-printed-solution-multiplies-rounded-numbers-t-d-with-a-rounded-period = a solução impressa multiplica números arredondados: ζ ωₙ T_d com um período arredondado
 seven-amplitudes-15-1-at-180-cycles-a-minute = Sete amplitudes na razão 15:1 a 180 ciclos por minuto
@@ -4847,6 +4851,8 @@ a-solid-roller-of-order-four-and-a-half = Rolete maciço de ordem quatro e meio
 n-r-r-1-a-a-2 = n² = R/(r (1 + κ²/a²)), κ² = a²/2
 a-ring-needs-a-shorter-arm-than-a-bifilar-weight = Um anel exige um braço mais curto que um peso bifilar
 n-r-2-r-for-a-ring = n² = R/(2 r) para um anel
+three-bodies-on-a-rotor-below-their-tuned-order = Três corpos em um rotor, abaixo da sua ordem sintonizada
+m-j-nm-r-r-m-nm-r-r-r-m-nm-r-k-nmrr-steady-state-amplitudes-and-natural-frequency-of-the-2-2-matrices = M₁₁ = J + Nm((R + r)² + κ²), M₁₂ = Nm(r(R + r) + κ²), M₂₂ = Nm(r² + κ²), K₂₂ = NmRrΩ²: amplitudes em regime permanente e frequência natural das matrizes 2 × 2
 a-body-whose-arm-is-the-larger-root = Corpo cujo braço é a raiz maior
 r-75-r-900-0-in-mm-r-60-mm-or-15-mm-from-n-r-r-r = r² − 75 r + 900 = 0 em mm: r = 60 mm ou 15 mm, por n² = R r/(r² + κ²)
 rotor-on-a-shaft-torque-of-the-second-order = Rotor num eixo, torque de segunda ordem
@@ -4865,11 +4871,11 @@ square-wave-at-a-third-of-the-natural-frequency = Onda quadrada a um terço da f
 u-4-sin-n-t-n-over-odd-n-undamped-r-0-3-x-4f-n-k-1-n-r = u = (4/π) Σ sen(nωt)/n para n ímpar; sem amortecimento, r = 0,3: |Xₙ| = 4F₀/(nπk |1 − n²r²|)
 the-third-harmonic-lies-at-0-9-of-the-natural-frequency-and-is-the-largest = O terceiro harmônico fica a 0,9 da frequência natural e é o maior.
 cam-with-a-sawtooth-lift = Came com elevação em dente de serra
-sawtooth-y-y-t-t-on-spring-and-damper-mean-y-2-harmonics-y-n-transmissibility-of-each = Dente de serra y = Y t/T sobre mola e amortecedor: média Y/2, harmônicos Y/(nπ), transmissibilidade de cada um
+sawtooth-y-y-t-t-on-spring-and-damper-mean-y-2-harmonics-y-n-transmissibility-and-lag-of-each-mean = Dente de serra y = Y t/T sobre mola e amortecedor: média Y/2, harmônicos Y/(nπ), transmissibilidade e atraso de cada um; valor quadrático médio pela soma de todos
 slow-triangular-force = Força triangular lenta
 far-below-the-natural-frequency-the-displacement-is-force-over-stiffness-rms-value-1-3-of-the-height = Muito abaixo da frequência natural o deslocamento é a força sobre a rigidez: valor eficaz igual a 1/√3 da altura
 half-rectified-sine-with-damping = Seno de meia onda com amortecimento
-f-f-2-f-2f-n-1-for-even-n-and-the-magnification-of-each = F₁ = F₀/2, Fₙ = 2F₀/((n² − 1)π) para n par, e a amplificação de cada um
+f-f-2-f-2f-n-1-for-even-n-and-the-magnification-and-lag-of-each = F₁ = F₀/2, Fₙ = 2F₀/((n² − 1)π) para n par, e a amplificação e o atraso de cada um
 pulses-of-a-quarter-of-the-period = Pulsos de um quarto do período
 f-2f-sin-n-d-n-the-fourth-harmonic-is-missing = Fₙ = 2F₀ |sen nπd|/(nπ): falta o quarto harmônico
 rectified-sine-on-critically-damped-springs = Seno retificado sobre molas com amortecimento crítico
@@ -4969,7 +4975,7 @@ j-m-biggs-introduction-to-structural-dynamics-p-262-target-of-the-verification-p
 the-first-mode-alone-0-2-lbf-s-in-of-mass-for-each-inch-of-length-273-9726-in-of-0-00073-lbf-s-in = Somente o primeiro modo; 0,2 lbf s²/in de massa por polegada de comprimento (273,9726 in² de 0,00073 lbf s²/in⁴).
 the-printed-stress-is-truncated-20158-55 = a tensão impressa está truncada: 20158,55
 the-same-beam-with-three-modes = A mesma viga com três modos
-n-4-n-alternating-in-sign-e-c-n-l-y = Γφ = 4/(nπ), de sinal alternado; σ = E c (nπ/L)² y
+n-4-n-alternating-in-sign-e-c-n-l-y-cqc-with-of-each-pair-of-modes = Γφ = 4/(nπ), de sinal alternado; σ = E c (nπ/L)² y; CQC com ρ de cada par de modos
 at-a-constant-displacement-the-higher-modes-add-little-to-the-deflection-and-much-to-the-stress = Com deslocamento constante, os modos superiores acrescentam pouco à deflexão e muito à tensão.
 two-masses-under-a-constant-acceleration = Duas massas sob aceleração constante
 two-equal-links-3-5-2-k-m-from-the-eigenvectors-1-1-5-2 = Dois elos iguais: ω² = (3 ∓ √5)/2 k/m, Γφ pelos autovetores (1, (1 ± √5)/2)
@@ -5020,6 +5026,9 @@ f-2 = ω² = ω_f² − Ω²/2
 n-6-4495-12-5-5-3938 = √(6,4495² − 12,5) = 5,3938.
 speed-too-high = Rotação alta demais
 a-blade-without-stiffness-is-a-string = Uma pá sem rigidez é uma corda
+blade-with-hub-and-tip-mass-at-30-degrees = Pá com cubo e massa na ponta, a 30 graus
+closed-form-w-t-w-w-by-power-series-in-60-digits-with-the-mass-at-the-tip-f-sin = forma fechada: w'''' − η²(T w')' = Λ² w por séries de potências com 60 algarismos, com a massa na ponta; ω² = ω_f² − Ω² sen² ψ
+southwell-s-coefficients-are-with-4-00751-and-t-w-dx-over-w-dx-w-1-of-the-mode-shapes-at-rest = Os coeficientes de Southwell são (Λ² − Λ₀²)/η² com η = 4,00751, e ∫T w'² dx sobre ∫w² dx + μ w(1)² das formas modais em repouso.
 
 # rotating_unbalance.toml
 fan-on-a-cantilever = Ventilador sobre viga em balanço
@@ -5049,6 +5058,8 @@ turbine-disc-problem-of-rao-ch-9-amplitude-e-r-1-r-2-r-at-6000-rpm = Problema do
 e-207-gpa-is-assumed = Supõe-se E = 207 GPa.
 allowed-amplitude-below-m-e-m = Amplitude admissível abaixo de m₀e/M
 the-peak-is-never-below-m-e-m-rao-5th-ed-3-7 = O pico nunca é menor que m₀e/m (Rao, 5ª ed., §3.7)
+machine-with-a-known-damping-coefficient = Máquina com coeficiente de amortecimento conhecido
+closed-form-x-m-e-k-m-i-c-f-k-i-c-x-the-peak-m-e-2m-1-at-1-2-c-2-km = forma fechada: X = m₀e ω²/|k − mω² + iωc|, F = |k + iωc| X; o pico m₀e/(2mζ√(1 − ζ²)) em ωₙ/√(1 − 2ζ²), ζ = c/(2√(km))
 
 # rotor_dynamics.toml
 two-discs-on-isotropic-bearings-at-4000-rpm = Dois discos em mancais isotrópicos a 4000 rpm
@@ -5118,9 +5129,12 @@ a-disc-beside-the-shaft = Disco fora do eixo
 a-disc-must-be-located-on-the-shaft = Um disco deve estar sobre o eixo
 a-shaft-compressed-beyond-buckling = Eixo comprimido além da flambagem
 euler-ei-l-248-05-kn = Euler: π²EI/L² = 248,05 kN
+disc-on-a-light-shaft-in-anisotropic-bearings-backward-whirl = Disco num eixo leve em mancais anisotrópicos, precessão retrógrada
+closed-form-1-d-a-b-3eil-b-l-k-sc-a-l-k-sc-of-shaft-and-bearings-along-x-and-along-y-d-s-ms-0-and-x-u = forma fechada: 1/D = a²b²/(3EIL) + b²/(L²(k₁ + sc₁)) + a²/(L²(k₂ + sc₂)) de eixo e mancais ao longo de x e ao longo de y; D(s) + ms² = 0, e X = U Ω² e^(iα)/(D − mΩ²), Y com −i, em s = iΩ
+at-2000-rpm-the-shaft-rotates-between-its-two-critical-speeds-and-the-whirl-is-backward = A 2000 rpm o eixo gira entre as suas duas velocidades críticas, e a precessão é retrógrada.
 
 # shaft_clearance.toml
-francis-turbine-with-a-damping-ratio-of-0-30 = Turbina Francis com razão de amortecimento de 0,30
+francis-turbine-with-a-damping-ratio-of-0-30 = Turbina Francis com fator de amortecimento de 0,30
 lists-06-08-list-08-question-3 = Listas 06–08, lista 08, questão 3
 length-and-young-s-modulus-are-those-of-the-figure-of-rao-s-example-2-m-and-207-gpa-with-0-30-the = O comprimento e o módulo de elasticidade são os da figura do exemplo de Rao, 2 m e 207 GPa. Com ζ = 0,30 a amplitude nunca passa de 0,035 mm, de modo que todo diâmetro é permitido.
 the-printed-solution-uses-the-damping-ratio-in-place-of-the-coefficient-c-0-3-n-s-m-which-is-almost = A solução impressa usa o fator de amortecimento no lugar do coeficiente, c = 0,3 N·s/m, o que é quase nenhum amortecimento, considera apenas a maior rotação e omite a operação supercrítica. Com ζ = 0,30 a amplitude máxima de qualquer eixo é 0,0349 mm, contra uma folga de 5 mm: todo diâmetro é permitido.
@@ -5139,7 +5153,7 @@ the-printed-solution-solves-m-e-k-m-r-at-600-rpm-which-there-is-the-subcritical-
 the-turbine-of-the-textbook-corrected = A turbina do livro, corrigida
 s-s-rao-mechanical-vibrations-4th-ed-ex-3-5-with-k-m-m-e-r-at-600-and-6000-rpm = S. S. Rao, Mechanical Vibrations, 4ª ed., ex. 3.5, com k = (m ∓ m₀e/R)ω² a 600 e 6000 rpm
 the-turbine-with-negligible-damping = A turbina com amortecimento desprezível
-k-m-1-2-m-e-m-r-4-1-with-0-001 = k/(m ω²) = 1 − 2ζ² ∓ √((m₀e/(m R))² − 4ζ²(1 − ζ²)) com ζ = 0,001
+k-m-1-2-m-e-m-r-4-1-with-0-001-the-peak-e-2-1-at-1-2 = k/(m ω²) = 1 − 2ζ² ∓ √((m₀e/(m R))² − 4ζ²(1 − ζ²)) com ζ = 0,001; o pico e/(2ζ√(1 − ζ²)) em ωₙ/√(1 − 2ζ²)
 the-undamped-turbine-with-shafts-from-150-to-400-mm-only = A turbina sem amortecimento, só com eixos de 150 a 400 mm
 the-permitted-diameters-up-to-113-4-mm-or-from-439-9-mm-include-none-of-these = Os diâmetros permitidos, de até 113,4 mm ou a partir de 439,9 mm, não incluem nenhum destes
 a-shaft-on-two-bearings = Eixo em dois mancais
@@ -5177,11 +5191,11 @@ e-i-4-kn-m-48-4000-10-138-564-rad-s = E I = 4 kN·m²: ω = √(48·4000/10) = 1
 shaft-with-a-disc-of-negligible-mass = Eixo com um disco de massa desprezível
 ei-m-l-with-the-static-deflection-rayleigh-s-quotient-gives-1-00144-times-that-rao-5th-ed-8-5-8-7 = ω = π²√(EI/(m̄L⁴)); com a deflexão estática, Rayleigh dá π²√(1,00144…) disso (Rao, 5ª ed., §§8.5, 8.7)
 e-i-4-kn-m-m-4-kg-m-312-104-rad-s-rayleigh-s-quotient-with-the-deflection-under-self-weight-wy-m-y = E I = 4 kN·m², m̄ = 4 kg/m: 312,104 rad/s. Quociente de Rayleigh com a deflexão sob o peso próprio: ω² = (∫wy)/(∫m̄y²) = 3024/31·EI/(m̄L⁴), 312,327 rad/s.
-e-i-y-by-singularity-functions-unit-loads-one-after-the-other-a-2-66667-a-3-33333-a-2-m-n-det-a-m-1-0 = E I y'' por funções de singularidade, uma carga unitária de cada vez: a₁₁ = 2.66667, a₂₂ = 3.33333, a₁₂ = −2 µm/N; det(A M − 1/ω²) = 0
+e-i-y-by-singularity-functions-unit-loads-one-after-the-other-a-2-66667-a-3-33333-a-2-m-n-det-a-m-1-0 = E I y'' por funções de singularidade, uma carga unitária de cada vez: a₁₁ = 2,66667, a₂₂ = 3,33333, a₁₂ = −2 µm/N; det(A M − 1/ω²) = 0
 disc-on-an-overhang = Disco num trecho em balanço
 n-3ei-c-l-c-m-shigley-table-a-9 = ω² = 3EI/(c²(l + c)m) (Shigley, tabela A-9)
 l-0-8-m-c-0-2-m-e-i-4-kn-m-5-kg-3-4000-0-04-1-5-244-949-rad-s = l = 0,8 m, c = 0,2 m, E I = 4 kN·m², 5 kg: ω = √(3·4000/(0,04·1·5)) = 244,949 rad/s.
-l-0-8-m-c-0-2-m-e-i-4-kn-m-the-weight-of-one-disc-lifts-the-other-rayleigh-s-quotient-with-the-static = l = 0.8 m, c = 0.2 m, E I = 4 kN·m². O peso de um disco levanta o outro: o quociente de Rayleigh com a forma estática erra muito.
+l-0-8-m-c-0-2-m-e-i-4-kn-m-the-weight-of-one-disc-lifts-the-other-rayleigh-s-quotient-with-the-static = l = 0,8 m, c = 0,2 m, E I = 4 kN·m². O peso de um disco levanta o outro: o quociente de Rayleigh com a forma estática erra muito.
 cantilever-with-two-discs-and-its-own-mass = Eixo em balanço com dois discos e a sua massa própria
 dynamic-stiffness-verified-with-the-strain-and-kinetic-energy-of-the-mode-shape = Rigidez dinâmica; verificada com as energias de deformação e cinética da forma modal
 a-disc-beyond-the-shaft = Disco além do eixo
@@ -5192,7 +5206,12 @@ i-24-100-12-mm-2-10-m-e-i-400-kn-m-48-400000-1000-138-564-rad-s = I = 24·100³/
 rectangular-bar-with-a-mass-at-the-middle = Barra retangular com uma massa no meio
 the-mass-per-unit-length-is-the-density-times-the-area = A massa por unidade de comprimento é a massa específica vezes a área
 three-equal-discs-at-the-quarters = Três discos iguais nos quartos do vão
-a-9-a-11-a-7-a-16-l-768ei-1-m-l-768ei-16-11-2-and-2 = a₁₁ = 9, a₁₂ = 11, a₁₃ = 7, a₂₂ = 16 (L³/768EI): 1/ω² = m L³/768EI × (16 ± 11√2) e 2
+a-9-a-11-a-7-a-16-l-768ei-1-m-l-768ei-16-11-2-and-2-34-by-dunkerley-and-2902-92-by-rayleigh = a₁₁ = 9, a₁₂ = 11, a₁₃ = 7, a₂₂ = 16 (L³/768EI): 1/ω² = m L³/768EI × (16 ± 11√2) e 2; 34 por Dunkerley e 2902/92 por Rayleigh
+heavy-shaft-with-one-disc-off-the-middle = Eixo pesado com um disco fora do meio
+heavy-cantilever-with-two-unequal-discs = Eixo pesado em balanço com dois discos desiguais
+heavy-shaft-with-discs-between-the-bearings-and-on-the-overhang = Eixo pesado com discos entre os mancais e no trecho em balanço
+closed-form-roots-of-the-beam-equation-by-transfer-matrices-rayleigh-s-quotient-m-gy-dx-mgy-m-y-dx-my = forma fechada: raízes da equação da viga por matrizes de transferência; quociente de Rayleigh (∫m̄gy dx + Σmgy)/(∫m̄y² dx + Σmy²) da deflexão por funções de singularidade; Dunkerley 1/ω² = Σma + 1/ω_s²
+in-the-first-mode-the-discs-move-in-opposite-directions-while-their-weights-act-in-the-same-direction = No primeiro modo os discos se movem em sentidos opostos, enquanto os seus pesos atuam no mesmo sentido: o quociente de Rayleigh da deflexão estática fica 47 % alto demais.
 
 # shock_response_spectrum.toml
 half-sine-pulse-on-undamped-oscillators = Pulso de meio seno em osciladores sem amortecimento
@@ -5324,8 +5343,8 @@ the-printed-table-is-0-012-below-the-converged-value-480-46 = a tabela impressa 
 double-taper-between-two-bounds = Afilamento duplo entre dois limites
 rayleigh-ritz-from-above-and-the-quotient-of-the-moments-from-below-which-agree-to-twelve-digits = Rayleigh–Ritz por cima e o quociente dos momentos por baixo, que concordam em doze algarismos
 wedge = Cunha
-kirchhoff-5-315-ei-a-l-for-a-clamped-wedge-timoshenko-art-62 = Kirchhoff: ω = 5,315 √(EI₀/(ρA₀L⁴)) para uma cunha engastada (Timoshenko, art. 62)
-kirchhoff-8-719-ei-a-l-for-a-clamped-cone-timoshenko-art-62 = Kirchhoff: ω = 8,719 √(EI₀/(ρA₀L⁴)) para um cone engastado (Timoshenko, art. 62)
+kirchhoff-5-315-ei-a-l-for-a-clamped-wedge-timoshenko-art-62-the-number-is-z-4-with-j-z-i-z-j-z-i-z-0 = Kirchhoff: ω = 5,315 √(EI₀/(ρA₀L⁴)) para uma cunha engastada (Timoshenko, art. 62); o número é z²/4 com J₁(z)I₂(z) + J₂(z)I₁(z) = 0
+kirchhoff-8-719-ei-a-l-for-a-clamped-cone-timoshenko-art-62-the-number-is-z-4-with-j-z-i-z-j-z-i-z-0 = Kirchhoff: ω = 8,719 √(EI₀/(ρA₀L⁴)) para um cone engastado (Timoshenko, art. 62); o número é z²/4 com J₂(z)I₃(z) + J₃(z)I₂(z) = 0
 no-taper = Sem afilamento
 uniform-cantilever-roots-of-cos-cosh-1-rao-5th-ed-8-5 = Viga em balanço uniforme: Λ = β², raízes de cos β cosh β = −1 (Rao, 5ª ed., §8.5)
 support-at-a-pointed-end = Apoio em uma extremidade pontiaguda
@@ -5361,6 +5380,8 @@ torque-at-a-natural-frequency = Torque numa frequência natural
 two-discs-of-1-kg-m-on-50-n-m-rad-10-rad-s = Dois discos de 1 kg·m² ligados por 50 N·m/rad: ω = 10 rad/s
 shaft-that-closes-a-loop = Eixo que fecha uma malha
 a-torsional-train-must-be-a-tree-no-closed-loops = Um trem torcional deve ser uma árvore (sem malhas fechadas)
+motor-and-pump-through-gears-with-inertia = Motor e bomba por engrenagens com inércia
+closed-form-det-k-m-0-in-the-angles-of-motor-pinion-and-pump-that-of-the-wheel-being-p-2-5-nodes = forma fechada: det(K − ω²M) = 0 nos ângulos de motor, pinhão e bomba, sendo θ_p/2,5 o da roda; nós onde θ, linear ao longo de cada eixo, se anula, k = πGd⁴/(32L)
 
 # transient_response.toml
 beam-with-a-load-that-rises-in-75-ms = Viga com carga que sobe em 75 ms
@@ -5409,6 +5430,8 @@ free-vibration-x-x-v = Vibração livre: X = √(x₀² + (v₀/ωₙ)²)
 x-t-sin-t-t-r-unbounded-but-known-at-every-time = x = δ(t − sen(ωt)/ω)/t_r: ilimitado, mas conhecido em qualquer instante
 force-on-an-unknown-mass = Força em uma massa desconhecida
 a-force-moves-a-mass = Uma força move uma massa
+damped-rotor-after-an-angular-impulse = Rotor amortecido após um impulso angular
+closed-form-i-j-d-e-t-sin-d-t-largest-where-tan-d-t-1-largest-torque-where-the-derivative-of-k-t-c-t = forma fechada: θ = I/(Jω_d) e^(−ζωₙt) sen ω_d t, máximo onde tan ω_d t = √(1 − ζ²)/ζ; torque máximo onde se anula a derivada de k_t θ + c_t θ̇
 
 # vibration_absorber.toml
 machine-of-1500-kg-below-its-resonance = Máquina de 1500 kg abaixo da sua ressonância
@@ -5416,10 +5439,10 @@ exercise-on-a-machine-of-1500-kg-physicsforums-com-368412-by-k-a-f-x-a-m-a-k-a-a
 the-thread-has-no-answer-the-force-of-200-n-acts-at-80-of-the-natural-frequency-and-the-absorber-may = A discussão não tem resposta. A força de 200 N atua a 80 % da frequência natural, e o absorvedor pode mover-se 10 mm.
 rotor-with-a-torsional-absorber-on-four-springs = Rotor com absorvedor torcional em quatro molas
 both-resonances-must-be-at-least-20-away-from-the-speed-the-lower-one-governs-the-book-numbers-the = As duas ressonâncias devem ficar a pelo menos 20 % da rotação; a inferior é a determinante. O livro dá ao absorvedor o número 2: J₂, b₂.
-trial-absorber-of-1-kg-then-a-new-design = Absorvedor de teste de 1 kg, depois um novo projeto
+trial-absorber-of-1-kg-then-a-new-design = Absorvedor de ensaio de 1 kg, depois um novo projeto
 tuned-to-220-cpm-the-trial-absorber-splits-the-resonance-into-188-and-258-cpm-with-the-new-one-there = Sintonizado em 220 cpm, o absorvedor de ensaio divide a ressonância em 188 e 258 cpm; com o novo não deve haver ressonância de 150 a 310 cpm. O livro toma a média de duas razões de massas; o complemento chama o segundo par de sistema principal, mas é o novo absorvedor.
-the-same-trial-both-resonances-at-the-exact-limits = O mesmo teste, com as duas ressonâncias exatamente nos limites
-m-a-and-1-p-p-1-on-the-numbers-of-g-k-grover-ex-5-7-2 = ω_m = Ω₁Ω₂/ω_a e μ = (1 − p₁²)(p₂² − 1), com os números de G. K. Grover, ex. 5.7.2
+the-same-trial-from-both-resonances-at-once = O mesmo ensaio, pelas duas ressonâncias ao mesmo tempo
+m-a-and-1-p-p-1-on-the-numbers-of-g-k-grover-ex-5-7-2-k-m-a-m-a-a-at-150-cpm-for-the-new-absorber = ω_m = Ω₁Ω₂/ω_a e μ = (1 − p₁²)(p₂² − 1), com os números de G. K. Grover, ex. 5.7.2; (k − mω²)(ω_a² − ω²) = m_a ω_a² ω² a 150 cpm para o novo absorvedor
 two-resonances-give-two-unknowns-mass-and-stiffness-the-main-system-has-220-47-cpm-and-not-220 = Duas ressonâncias dão duas incógnitas: massa e rigidez. O sistema principal tem 220,47 cpm e não 220.
 a-mass-ratio-of-one-quarter-tuned-to-resonance = Razão de massas de um quarto, sintonizada na ressonância
 g-2-25g-1-0-g-4-25-0-5-2 = g⁴ − 2,25g² + 1 = 0: g = (√4,25 ∓ 0,5)/2
@@ -5431,6 +5454,9 @@ resonances-on-one-side-of-the-absorber-frequency = Ressonâncias de um só lado 
 interlacing-the-natural-frequency-of-an-undamped-absorber-lies-between-the-two-resonances = Entrelaçamento: a frequência natural de um absorvedor sem amortecimento fica entre as duas ressonâncias
 stroke-limit-without-an-excitation = Limite de curso sem excitação
 k-a-f-x-a-needs-f = k_a = F₀/X_a precisa de F₀
+new-disc-absorber-from-a-trial-disc-for-a-range-of-speeds = Novo absorvedor em disco a partir de um disco de ensaio, para uma faixa de rotações
+closed-form-k-t-j-a-j-a-a-at-both-ends-of-the-range-and-j-a-j-q-1-q-2-by-the-mean-the-larger-j-a = forma fechada: (k_t − Jω²)(ω_a² − ω²) = J_a ω_a² ω² nas duas extremidades da faixa, e J_a/J = q² + 1/q² − 2 pela média: o maior J_a
+the-upper-end-of-the-range-decides = A extremidade superior da faixa é a determinante.
 
 # vibration_instrument.toml
 vibrometer-and-its-peak-to-peak-record = Vibrômetro e o seu registro de pico a pico
@@ -5439,10 +5465,10 @@ the-source-writes-2z-0-0008-m-and-goes-on-with-z-0-004-m-the-record-is-8-mm-from
 undamped-vibrometer-at-twice-its-natural-frequency = Vibrômetro sem amortecimento no dobro da sua frequência natural
 accelerometer-far-above-its-natural-frequency = Acelerômetro muito acima da sua frequência natural
 accelerometer-far-above-its-natural-frequency-corrected = Acelerômetro muito acima da sua frequência natural, corrigido
-r-from-1-r-4-r-1-1-01-factor-and-phase-in-closed-form = r por (1 − r²)² + 4ζ²r² = 1/1,01²; fator e fase em forma fechada
+r-from-1-r-4-r-1-1-01-factor-and-phase-in-closed-form-the-peak-1-2-1-at-1-2-and-for-a-peak-of-1-01 = r por (1 − r²)² + 4ζ²r² = 1/1,01²; fator e fase em forma fechada; o pico 1/(2ζ√(1 − ζ²)) em √(1 − 2ζ²), e ζ para um pico de 1,01
 vibrometer-given-by-its-damped-and-undamped-natural-frequencies = Vibrômetro dado pelas frequências naturais amortecida e não amortecida
 the-same-vibrometer-corrected = O mesmo vibrômetro, corrigido
-u-2-1-2-u-1-1-1-02-in-u-f-f-peak-1-2-1 = u² − 2(1 − 2ζ²)u + 1 = 1/1,02² em u = (fₙ/f)²; pico 1/(2ζ√(1 − ζ²))
+u-2-1-2-u-1-1-1-02-in-u-f-f-peak-1-2-1-at-f-1-2-and-for-a-peak-of-1-02 = u² − 2(1 − 2ζ²)u + 1 = 1/1,02² em u = (fₙ/f)²; pico 1/(2ζ√(1 − ζ²)) em fₙ/√(1 − 2ζ²), e ζ para um pico de 1,02
 flattest-accelerometer = Acelerômetro de resposta mais plana
 with-1-2-the-reading-is-1-1-r = Com ζ = 1/√2 a leitura é 1/√(1 + r⁴)
 n-1-is-reached-at-r-1-0-99-1-at-r-0-2-the-reading-is-1-1-0016 = 1 % é atingido em r⁴ = 1/0,99² − 1; em r = 0,2 a leitura é 1/√1,0016.
@@ -5481,6 +5507,8 @@ maximum-of-r-1-4-r-1-r-4-r-within-the-speed-range-by-golden-section-search = Má
 damped-mounts-for-90-isolation = Coxins amortecidos para 90 % de isolamento
 r-b-b-1-t-1-with-b-1-2-2-t = r² = b + √(b² + 1/T² − 1) com b = 1 − 2ζ² + 2ζ²/T²
 with-0-15-a-transmissibility-of-0-1-needs-r-4-0990-and-not-11-3-3166 = Com ζ = 0,15, uma transmissibilidade de 0,1 exige r = 4,0990 e não √11 = 3,3166.
+single-damped-mount-for-75-isolation = Um único coxim amortecido para 75 % de isolamento
+closed-form-1-4-r-1-r-4-r-t-and-k-m-r-force-m-e-t-and-amplitude-m-e-k-m-i-c-at-the-lowest-speed = forma fechada: (1 + 4ζ²r²)/((1 − r²)² + 4ζ²r²) = T² e k = m(ω₁/r)²; força m₀eω²T e amplitude m₀eω²/|k − mω² + iωc| na menor rotação
 
 # whirling_shaft.toml
 turbine-disc-above-its-critical-speed = Disco de turbina acima da sua velocidade crítica
@@ -5494,12 +5522,12 @@ forbidden-band-of-a-vertical-shaft-under-a-stress-limit = Faixa proibida de um e
 n-15-kg-at-midspan-of-a-15-mm-shaft-clamped-at-both-ends-the-companion-takes-the-critical-frequency = 15 kg no meio do vão de um eixo biengastado de 15 mm. O complemento toma a frequência crítica como 0,4985/√δ em metros e π como 3,147; as suas rotações ficam todas 0,09 % acima.
 the-printed-solution-rounds-g-2-to-0-4985 = a solução impressa arredonda √g/(2π) para 0,4985
 the-same-band-without-intermediate-rounding = A mesma faixa sem arredondamentos intermediários
-b-k-sarkar-theory-of-machines-ch-11-ill-13-with-r-r-e-and-r-l-12ed = B. K. Sarkar, Theory of Machines, cap. 11, il. 13, com ω = ωₙ√(R/(R ± e)) e R = σL²/(12Ed)
+b-k-sarkar-theory-of-machines-ch-11-ill-13-with-r-r-e-and-r-l-12ed-at-500-rpm-a-er-1-r-ka-2-and-12eda = B. K. Sarkar, Theory of Machines, cap. 11, il. 13, com ω = ωₙ√(R/(R ± e)) e R = σL²/(12Ed); a 500 rpm, A = er²/(1 − r²), kA/2 e 12EdA/L²
 rotor-of-60-kg-at-operating-speed-and-during-run-up = Rotor de 60 kg, na rotação de operação e durante a partida
 tutorsglobe-com-question-51533194 = tutorsglobe.com, questão 51533194
 no-answer-is-printed-checked-against-a-e-r-1-r-2-r-and-its-peak-e-2-1 = Nenhuma resposta é impressa. Conferido com A = e r²/√((1 − r²)² + (2ζr)²) e com o seu pico e/(2ζ√(1 − ζ²)).
 the-same-rotor-its-damping-read-from-the-run-up = O mesmo rotor, com o amortecimento lido na partida
-n-1-1-e-a-2-of-the-peak-a-20-02505-mm = ζ = √((1 − √(1 − (e/A)²))/2) pelo pico A = 20,02505 mm
+n-1-1-e-a-2-of-the-peak-a-20-02505-mm-er-r-1-r-4-r-at-both-ends-of-the-band = ζ = √((1 − √(1 − (e/A)²))/2) pelo pico A = 20,02505 mm; er² = R√((1 − r²)² + 4ζ²r²) nas duas extremidades da faixa
 damping-so-high-that-the-limit-is-never-reached = Amortecimento tão alto que o limite nunca é atingido
 the-peak-e-2-1-with-0-3-is-1-747-e = O pico e/(2ζ√(1 − ζ²)) com ζ = 0,3 é 1,747 e
 a-limit-below-the-eccentricity = Limite abaixo da excentricidade
@@ -5568,7 +5596,7 @@ resonances-outside-a-speed-range = Ressonâncias fora de uma faixa de rotações
 absorber-of-12-kg-tuned-to-the-speed = Absorvedor de 12 kg sintonizado na velocidade
 k-k-a-m-k-a-m-a-k-a-with-k-a-m-a = (k + k_a − m Ω²)(k_a − m_a Ω²) = k_a² com k_a = m_a ω²
 rotor-identified-by-a-trial-disc = Rotor identificado por um disco de teste
-a-m-and-m-1-j-t-j-a = Ω₁ Ω₂ = ω_a ω_m e Ω₁² + Ω₂² = ω_m² + (1 + J_t/J) ω_a²
+a-m-and-m-1-j-t-j-a-the-mean-of-j-t-j-p-1-p-2-of-both-resonances = Ω₁ Ω₂ = ω_a ω_m e Ω₁² + Ω₂² = ω_m² + (1 + J_t/J) ω_a²; a média de J_t/J = p² + 1/p² − 2 das duas ressonâncias
 rotor-with-a-known-damping-coefficient = Rotor com coeficiente de amortecimento conhecido
 e-r-1-r-2-r-with-c-2-k-m = e r²/√((1 − r²)² + (2 ζ r)²) com ζ = c/(2√(k m))
 absorber-by-its-own-frequency-damping-by-that-of-the-main-system = Absorvedor pela sua frequência, amortecimento pela do sistema principal
@@ -5611,6 +5639,10 @@ rectangular-cantilever-with-a-point-mass = Viga retangular em balanço com massa
 n-1-cos-cosh-m-m-l-sin-cosh-cos-sinh-in-both-planes = 1 + cos β cosh β = (M/m L) β (sen β cosh β − cos β senh β) nos dois planos
 tubular-cantilever-with-a-point-mass = Viga tubular em balanço com massa pontual
 n-1-cos-cosh-m-m-l-sin-cosh-cos-sinh-the-same-in-both-planes = 1 + cos β cosh β = (M/m L) β (sen β cosh β − cos β senh β), igual nos dois planos
+stout-rectangular-cantilever-with-two-eccentric-masses-by-timoshenko = Viga retangular curta em balanço com duas massas excêntricas, por Timoshenko
+timoshenko-s-bending-in-both-planes-axial-motion-and-torsion-by-matrix-exponentials-scipy-joined-to = Flexão de Timoshenko nos dois planos, movimento axial e torção por exponenciais de matriz (SciPy), ligados ao corpo rígido na ponta; κ = 10(1 + ν)/(12 + 11ν), J pela série de Saint-Venant
+tubular-cantilever-with-two-eccentric-masses-by-timoshenko = Viga tubular em balanço com duas massas excêntricas, por Timoshenko
+timoshenko-s-bending-axial-motion-and-torsion-of-a-tube-by-the-same-matrix-exponentials-6-1-1-m-7-6-1 = Flexão de Timoshenko, movimento axial e torção de um tubo, pelas mesmas exponenciais de matriz: κ = 6(1 + ν)(1 + m²)²/((7 + 6ν)(1 + m²)² + (20 + 12ν)m²), J = π(D⁴ − d⁴)/32
 stout-cantilever-with-a-point-mass-by-timoshenko = Viga curta em balanço com massa pontual, por Timoshenko
 determinant-of-the-four-exponentials-of-timoshenko-s-equations-with-6-1-7-6-in-30-digits = determinante das quatro exponenciais das equações de Timoshenko com κ = 6(1 + ν)/(7 + 6ν), com 30 dígitos
 two-separate-cranks-a-tube-and-a-given-shaft = Duas manivelas separadas, um tubo e um eixo dado
@@ -5646,9 +5678,9 @@ n-2-of-both-modes-the-triangle-is-a-ramp-of-0-2-s-minus-one-of-0-3-s = ζ = (α/
 base-acceleration-by-a-table = Aceleração da base por uma tabela
 z-2-z-z-a-a-ramp-to-2-m-s-in-0-3-s-then-constant-closed-form-at-0-8-s = z″ + 2ζωz′ + ω²z = −a, uma rampa até 2 m/s² em 0,3 s, depois constante: forma fechada em 0,8 s
 rotor-on-a-shaft-clamped-and-pinned = Rotor em um eixo engastado e apoiado
-n-768-e-i-7-l-m = ω = √(768 E I/(7 L³ m))
+n-768-e-i-7-l-m-11-16-of-k-a-on-the-clamped-bearing-and-the-moment-3-k-a-l-16 = ω = √(768 E I/(7 L³ m)); 11/16 de k A no mancal engastado, e o momento 3 k A L/16
 friction-by-a-normal-force = Atrito por uma força normal
-f-n-x-f-k-1-4f-f-1-r-exact-f-k-v-f-f-u-u-sin-r-r-1-cos-r = F = µ N; X = (F₀/k) √(1 − (4F/πF₀)²)/|1 − r²|; exata (F₀/k) √(V² − (F/F₀)² U²), U = sen(π/r)/(r(1 + cos(π/r)))
+f-n-x-f-k-1-4f-f-1-r-exact-f-k-v-f-f-u-u-sin-r-r-1-cos-r-relative-error-of-the-former = F = µ N; X = (F₀/k) √(1 − (4F/πF₀)²)/|1 − r²|; exata (F₀/k) √(V² − (F/F₀)² U²), U = sen(π/r)/(r(1 + cos(π/r))); erro relativo da primeira
 mass-with-a-known-damping-ratio = Massa de fator de amortecimento conhecido
 x-e-t-x-cos-d-t-v-x-d-sin-d-t-c-2-km = x = e^(−ζωt)(x₀ cos ω_d t + (v₀ + ζωx₀)/ω_d sen ω_d t), c = 2ζ√(km)
 rotor-with-a-known-damping-ratio-released = Rotor de fator de amortecimento conhecido, solto
@@ -5739,7 +5771,7 @@ the-contributions-of-all-modes-to-the-total-mass-sum-to-one = as contribuições
 time-of-rest-the-middle-of-the-last-stroke-backwards-from-its-end-and-by-step-by-step-integration = instante do repouso: o meio do último curso, para trás a partir do seu fim e por integração passo a passo desde o início
 transmissibility-at-the-lowest-speed-from-the-dynamic-stiffness = transmissibilidade na menor rotação, pela rigidez dinâmica
 travel-of-the-softest-mounts-the-amplitude-v-of-the-free-vibration = curso dos coxins mais macios: a amplitude v₀/ωₙ da vibração livre
-tuned-order-of-that-arm = ordem de sintonia desse braço
+tuned-order-of-that-arm = ordem sintonizada desse braço
 two-motions-of-equal-amplitude-equal-one-beating-motion-at-the-mean-frequency-sin-t-sin-t-2-sin-m-t = dois movimentos de amplitudes iguais equivalem a um movimento com batimento na frequência média, sen ω₁t + sen ω₂t = 2 sen ω_m t cos(ω_b t/2)
 with-the-mass-at-rest-the-pendulum-at-its-limit-balances-the-force-m = com a massa parada, o pêndulo no seu limite equilibra a força, M₁₂ ω₀² φ
 work-of-a-cycle-by-numerical-integration = trabalho de um ciclo por integração numérica
@@ -5806,12 +5838,14 @@ square-of-the-radius-is-the-mean-square-of-the-distances-of-the-points-from-the-
 the-complex-residuals-are-orthogonal-to-the-derivatives-of-the-fit-with-respect-to-each-of-its = os resíduos complexos são ortogonais às derivadas do ajuste em relação a cada um dos seus parâmetros
 mass-stiffness-and-damping-reproduce-the-measured-receptance-at-the-lowest-frequency = massa, rigidez e amortecimento reproduzem a receptância medida na frequência mais baixa
 hysteretic-mode-with-residual-terms-of-lower-and-higher-modes = Modo histerético com termos residuais dos modos inferiores e superiores
-n-0-5-1-0-04i-2-10-0-05-with-10-hz-to-seven-digits = 0,5/(ωₙ²(1 + 0,04i) − ω²) + 2·10⁻⁵ − 0,05/ω² com 10 Hz, com sete algarismos
+n-0-5-1-0-04i-2-10-0-05-with-10-hz-to-seven-digits-the-spread-of-the-three-readings-by-scipy = 0,5/(ωₙ²(1 + 0,04i) − ω²) + 2·10⁻⁵ − 0,05/ω² com 10 Hz, com sete algarismos; a dispersão das três leituras por SciPy
 a-tenth-of-the-force-at-580-rpm-is-to-be-transmitted-by-three-equal-springs-the-stiffness-of-one-is-a = Um décimo da força a 580 rpm deve ser transmitido por três molas iguais; a rigidez de uma delas é uma definição incógnita.
 a-weight-of-10-lbf-of-whose-mass-g-386-in-s-is-a-definition-the-ratio-is-asked-for = Um peso de 10 lbf; g = 386 in/s², que dá a sua massa, é uma definição; pergunta-se a razão.
 ansys-mechanical-apdl-verification-manual-vm72-w-t-thomson-vibration-theory-and-applications-ex-2-3-1 = Manual de verificação do ANSYS Mechanical APDL, VM72 (W. T. Thomson, Vibration Theory and Applications, ex. 2.3-1)
 ansys-mechanical-apdl-verification-manual-vm83-f-p-beer-and-e-r-johnston-vector-mechanics-for = Manual de verificação do ANSYS Mechanical APDL, VM83 (F. P. Beer e E. R. Johnston, Vector Mechanics for Engineers, 1962, p. 531)
 block-and-pan-are-given-by-their-weights-the-displacement-of-the-pan-from-the-unloaded-spring-is = O bloco e o prato são dados pelos seus pesos; pergunta-se o deslocamento do prato a partir da mola sem carga.
+block-dropped-on-a-pan-by-momentum-and-energy = Bloco que cai sobre um prato, por quantidade de movimento e energia
+v-m-v-m-m-p-y-v-with-m-g-k-and-k-m-m-p-the-block-leaves-the-pan-where-g = v₀ = m v/(m + m_p), y = δ + √(δ² + v₀²/ωₙ²) com δ = m g/k e ωₙ² = k/(m + m_p); o bloco deixa o prato onde ÿ = g
 block-dropped-on-the-pan-of-a-spring-scale = Bloco que cai sobre o prato de uma balança de mola
 engine-on-springs-of-its-stroke-and-its-dashpot = Motor sobre molas, dado pelo curso e pelo amortecedor
 fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-3-6-2 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 3.6.2
@@ -5820,6 +5854,8 @@ fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-4-3-2 = Complemen
 fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-8-3-1 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 8.3.1
 force-and-power-of-a-shaker = Força e potência de um excitador
 mass-on-five-springs-unknown = Massa incógnita sobre cinco molas
+radio-on-four-isolators-to-more-digits = Rádio sobre quatro isoladores, com mais algarismos
+x-y-k-ic-k-m-ic-z-x-y-and-f-m-x-in-complex-numbers = X/Y = (k + icω)/(k − mω² + icω), Z = X − Y e F = mω²X em números complexos
 radio-on-four-isolators = Rádio sobre quatro isoladores
 ratio-of-successive-peaks = Razão entre picos sucessivos
 spring-stretched-in-all-by-126-mm = Mola esticada ao todo de 126 mm
@@ -5915,7 +5951,7 @@ impulse-of-the-force-and-of-the-spring-up-to-the-maximum = impulso da força e d
 impulse-of-the-spring-up-to-the-maximum = impulso da mola até o máximo
 initial-velocity-from-a-blow = Velocidade inicial, de um choque
 kinetic-energy-at-the-start-in-the-spring-at-the-maximum = energia cinética inicial, na mola no máximo
-m-v-2-r-y-max-y-e-2-energy-of-an-elastic-perfectly-plastic-spring = m v₀²/2 = R (y_max − y_e/2): energia de uma mola elástica, perfeitamente plástica
+m-v-2-r-y-max-y-e-2-energy-of-an-elastic-perfectly-plastic-spring-it-yields-at-sin-t-e-y-e-v-and-the = m v₀²/2 = R (y_max − y_e/2): energia de uma mola elástica, perfeitamente plástica; ela escoa em sen ωₙt_e = y_e ωₙ/v₀, e a massa desacelera com R/m a partir de v₀ cos ωₙt_e
 maximum-displacement-after-yielding = Deslocamento máximo, após o escoamento
 maximum-displacement-permanent-displacement-ductility-and-rebound-of-a-mass-on-an-elastic-perfectly = Deslocamento máximo, deslocamento permanente, ductilidade e retorno de uma massa sobre uma mola elástica, perfeitamente plástica, sob uma força súbita ou um choque.
 maximum-displacement-the-spring-stays-elastic = Deslocamento máximo: a mola permanece elástica
@@ -6052,7 +6088,7 @@ columns-of-810-mm-clamped-at-their-feet-beams-at-360-and-810-mm-all-of-one-secti
 cone-by-a-table = Cone por uma tabela
 coordinate-x = Coordenada x
 coordinate-y = Coordenada y
-cubic-finite-elements-with-the-varying-section-integrated-in-each-extrapolated-from-40-and-80 = Elementos finitos cúbicos com a seção variável integrada em cada um, extrapolados de 40 e 80 elementos, à parte do programa
+cubic-finite-elements-with-the-varying-section-integrated-in-each-extrapolated-from-40-and-80 = Elementos finitos cúbicos com a seção variável integrada em cada um, extrapolados de 40 e 80 elementos, independentemente do programa
 cylinder-in-a-cylindrical-trough = Cilindro em uma calha cilíndrica
 cylinder-in-a-looped-cord = Cilindro em um laço de cabo
 dampers = Amortecedores
@@ -6172,6 +6208,8 @@ of-the-table-the-follower-or-the-road-zero-to-peak-unless-the-unit-says-otherwis
 omitted-for-a-point-mass = Omitido para uma massa pontual.
 omitted-for-a-spring-along-the-motion = Omitido para uma mola ao longo do movimento.
 phase-by-which-the-motion-lags = Fase com que o movimento se atrasa
+pinned-aluminium-beam-under-compression = Viga biapoiada de alumínio sob compressão
+f-n-n-2l-ei-m-1-n-n-n-cr-with-n-cr-ei-l = f_n = (n²π/(2L²))√(EI/m̄)√(1 − N/(n²N_cr)) com N_cr = π²EI/L²
 pinned-beam-with-a-mass-on-a-spring-at-midspan = Viga biapoiada com uma massa sobre uma mola no meio do vão
 pivoted-bar-with-a-mass-a-spring-and-a-dashpot = Barra pivotada com uma massa, uma mola e um amortecedor
 plane-frame = Pórtico plano
@@ -6265,7 +6303,9 @@ bandwidth-of-a-mode-with-the-exact-damping-ratio-from-its-half-power-frequencies
 bandwidth-over-twice-the-damping-ratio-the-frequency-between = largura de banda sobre o dobro do fator de amortecimento: a frequência entre elas
 both-joints-of-member-n-have-the-same-coordinates-correct-one-of-them = os dois nós da barra { $n } têm as mesmas coordenadas: corrija um deles
 contact-is-lost = perde-se o contato
-cos-cosh-1 = cos β cosh β = 1
+cos-cosh-1-f-2-l-e-d-d-16 = cos β cosh β = 1, f = β²/(2πL²)·√(E(D² + d²)/(16ρ))
+round-cantilever-away-from-the-origin = Barra redonda em balanço, afastada da origem
+closed-form-cos-cosh-1-f-2-l-d-4-e-l-0-9-1-2-m = forma fechada: cos β cosh β = −1, f = β²/(2πL²)·(d/4)·√(E/ρ), L = √(0,9² + 1,2²) m
 doubtnut-com-qqkdweke3t-2k-3m-numbers-of-askfilo-com-3430393239313731 = doubtnut.com, QQkdWeke3T: ωₙ = √(2k/3m); números de askfilo.com 3430393239313731
 elements-in-each-member = elementos em cada barra
 hysteretic-damping-half-the-power-of-the-peak-where-1-is-the-loss-factor = amortecimento histerético: metade da potência do pico onde 1 − (ω/ωₙ)² é o fator de perda
@@ -6323,14 +6363,14 @@ m-k-t-j-with-j-m = Θ = M₀/(k_t − J ω²) com J = m κ²
 ei-1-cos-cosh-k-l-cos-sinh-sin-cosh-k-5-kn-m = β³EI(1 + cos β cosh β) = k L³(cos β sinh β − sin β cosh β), k = 5 kN/m
 ei-1-cos-cosh-k-e-l-cos-sinh-sin-cosh-with-k-e-k-m-m-k = β³EI(1 + cos β cosh β) = k_e L³(cos β sinh β − sin β cosh β) com k_e = k m ω²/(m ω² − k)
 i-g-a-i-1-e-g-k-ei-k-0-k-l-5-6-rod-e-4l = ρ²I ω⁴/(κG) − (ρA + ρI(1 + E/κG)k²) ω² + EI k⁴ = 0, k = π/L, κ = 5/6; barra √(E/ρ)/(4L)
-a-m-m-k-ic-k-m-ic-m-m-g-solved-by-bisection-apart-from-the-program = ω² A|m + M(k + icω)/(k − Mω² + icω)| = (m + M)g, resolvida por bisseção à parte do programa
+a-m-m-k-ic-k-m-ic-m-m-g-solved-by-bisection-independently-of-the-program = ω² A|m + M(k + icω)/(k − Mω² + icω)| = (m + M)g, resolvida por bisseção independentemente do programa
 and-are-1-2-2-1 = ω₁² e ω₂² são ωₙ²(1 − 2ζ² ∓ 2ζ√(1 − ζ²))
 k-a-m-g-l-m-l-stable-for-k-m-g-l-a = ωₙ² = (k a² − m g l)/(m l²); estável para k > m g l/a²
 k-j-10-rad-s = √(K/J) = 10 rad/s
 
 # Half-power points, equivalent-system, plane-frame, sprung masses, loss-of-contact, tables of tapered beams, loss factors
-k-m-ih-x-f-solved-apart-from-the-program-r-k-k = (K − ω²M + iH)X = F resolvida à parte do programa; η_r = Σηⱼkⱼ(Δφⱼ)²/Σkⱼ(Δφⱼ)²
-k-m-ih-x-f-with-h-0-3-2000-n-m-solved-apart-from-the-program-r-k-k = (K − ω²M + iH)X = F com H₁₁ = 0,3·2000 N/m, resolvida à parte do programa; η_r = Σηⱼkⱼ(Δφⱼ)²/Σkⱼ(Δφⱼ)²
+k-m-ih-x-f-solved-independently-of-the-program-r-k-k = (K − ω²M + iH)X = F resolvida independentemente do programa; η_r = Σηⱼkⱼ(Δφⱼ)²/Σkⱼ(Δφⱼ)²
+k-m-ih-x-f-with-h-0-3-2000-n-m-solved-independently-of-the-program-r-k-k = (K − ω²M + iH)X = F com H₁₁ = 0,3·2000 N/m, resolvida independentemente do programa; η_r = Σηⱼkⱼ(Δφⱼ)²/Σkⱼ(Δφⱼ)²
 a-loss-factor-of-a-spring-that-does-not-exist = Um fator de perda de uma mola que não existe
 counted-from-the-left-the-spring-before-mass-1-is-the-first-that-to-the-wall-on-the-right-the-last = Contada da esquerda: a mola antes da massa 1 é a primeira, a que vai à parede da direita a última.
 critical-torsional-damping-2-k-eq-j-eq = Amortecimento torcional crítico: 2√(K_eq J_eq)
@@ -6447,10 +6487,12 @@ rotation-of-the-base-given = Rotação da base dada
 rotor-after-an-angular-impulse = Rotor depois de um impulso angular
 rotor-from-an-initial-rotation = Rotor a partir de uma rotação inicial
 rotor-on-a-base-with-a-sawtooth-rotation = Rotor numa base com rotação em dente de serra
+n-1-2-nr-1-n-r-2-nr-mean-square-2 = Θₙ = Φ/(nπ)√((1 + (2ζnr)²)/((1 − n²r²)² + (2ζnr)²)), valor quadrático médio (Φ/2)² + ½ΣΘₙ²
 rotor-on-a-shaft-whose-end-is-suddenly-accelerated = Rotor num eixo cuja ponta é acelerada de repente
 rotor-on-a-shaft-whose-other-end-oscillates = Rotor num eixo cuja outra ponta oscila
 rotor-under-a-half-sine-torque = Rotor sob um torque em meio seno
 rotor-under-a-square-wave-of-torque = Rotor sob uma onda quadrada de torque
+n-4t-n-k-t-1-n-r-2-nr-mean-square = Θₙ = 4T₀/(nπk_t)/√((1 − n²r²)² + (2ζnr)²), valor quadrático médio ½ΣΘₙ²
 rotor-under-a-torque-from-a-table = Rotor sob um torque dado por tabela
 rotor-under-a-triangular-torque-of-known-impulse = Rotor sob um torque triangular de impulso conhecido
 slender-rod-axis-across-it = Barra esbelta, eixo transversal
@@ -6481,6 +6523,8 @@ two-masses-under-a-triangle-and-a-versed-sine = Duas massas sob um triângulo e 
 t-2i-t-d-the-motion-by-numerical-integration-of-its-equation-step-by-step = T₀ = 2I/t_d; o movimento por integração numérica da sua equação, passo a passo
 versed-sine-pulse = Pulso em seno verso
 weight-with-a-known-static-deflection-and-decay = Peso com deflexão estática e decaimento conhecidos
+overdamped-with-a-velocity-that-carries-it-through-equilibrium = Superamortecido, com velocidade que o leva além do equilíbrio
+n-1-x-c-e-t-c-e-t-from-x-and-v-and-its-derivatives = λ = −ζωₙ ± ωₙ√(ζ² − 1), x = C₁e^(λ₁t) + C₂e^(λ₂t) a partir de x₀ e v₀, e as suas derivadas
 wheel-that-rolls-on-a-spring = Roda que rola presa a uma mola
 a-torque-moves-a-moment-of-inertia-give-it-in-addition-to-the-natural-frequency = um torque move um momento de inércia: dê-o além da frequência natural
 a-parabola-without-coefficients-is-no-load-write-at-least-one-of-them = uma parábola sem coeficientes não é carga: escreva ao menos um deles
@@ -6491,7 +6535,7 @@ c-2-m-the-motion-by-numerical-integration-of-its-equation = c = 2ζmωₙ; o mov
 equal-springs = molas iguais
 equivalent-mass-by-the-moment-of-inertia-about-the-point-of-contact-j-c-r = massa equivalente pelo momento de inércia em relação ao ponto de contato, J_C/r²
 static-angle-under-the-torque = ângulo estático sob o torque
-m-eq-3m-2-2k-m-eq-c-2-k-m-eq-the-motion-by-numerical-integration-of-its-equation = m_eq = 3m/2, ωₙ = √(2k/m_eq), c = 2ζ√(k m_eq); o movimento por integração numérica da sua equação
+m-eq-3m-2-2k-m-eq-c-2-k-m-eq-the-motion-by-numerical-integration-of-its-equation-with-the-envelope-x = m_eq = 3m/2, ωₙ = √(2k/m_eq), c = 2ζ√(k m_eq); o movimento por integração numérica da sua equação, com a envoltória x₀e^(−ζωₙt)/√(1 − ζ²)
 relative-angle = ângulo relativo
 the-area-under-this-parabola-is-not-positive-and-gives-no-maximum-for-an-impulse-give-the-maximum-or = a área sob esta parábola não é positiva, e não dá máximo para um impulso: dê o máximo, ou outros coeficientes
 at-the-natural-frequency-stiffness-and-inertia-have-one-impedance-k-m = na frequência natural a rigidez e a inércia têm a mesma impedância, k/ωₙ = mωₙ
@@ -6789,7 +6833,7 @@ from-x-1-with-1-and-t-1-x-1-2-and-x-1-2-by-central-differences-3-x-5-x-4-x-x = D
 t-with-t-1-s-which-the-mass-0-2533-gives-to-four-figures = T/π com T = 1 s, que a massa 0,2533 dá com quatro algarismos
 the-numbers-of-the-book-in-kips-and-inches-stand-as-newtons-and-metres-here = Os números do livro, em kips e polegadas, estão aqui em newtons e metros.
 the-book-rounds-every-step-to-four-decimals = o livro arredonda cada passo a quatro casas decimais
-x-1-z-2-z-24-and-v-z-z-6-with-z-t-0-2 = x₁ = 1 − z²/2 + z⁴/24 e v₁ = −ω(z − z³/6) com z = ωΔt = 0,2
+x-1-z-2-z-24-and-v-z-z-6-with-z-t-0-2-the-amplitude-does-not-grow-while-z-576-z-72-z-2-2 = x₁ = 1 − z²/2 + z⁴/24 e v₁ = −ω(z − z³/6) com z = ωΔt = 0,2; a amplitude não cresce enquanto z⁸/576 ≤ z⁶/72, z ≤ 2√2
 without-displacement-or-velocity-there-is-no-motion-but-a-period-2-1 = Sem deslocamento nem velocidade não há movimento, mas há um período: 2π/(ωₙ√(1 − ζ²))
 time-step-over-the-minimum-natural-period = Passo de tempo dividido pelo menor período natural
 time-step-over-the-minimum-period = Passo de tempo sobre o menor período
@@ -7277,5 +7321,7 @@ the-plate-taken-as-a-strip-of-the-length-a-pinned-at-its-ends = placa tomada com
 the-membrane-taken-as-a-string-across-its-diameter = membrana tomada como corda ao longo do diâmetro
 the-plate-taken-as-a-beam-across-its-diameter = placa tomada como viga ao longo do diâmetro
 the-highest-frequency-decides-not-that-of-the-modes-that-are-shown = A maior frequência decide, não a dos modos mostrados.
+two-steps-of-linear-acceleration = Dois passos de aceleração linear
+x-x-hv-h-a-3-1-h-6-a-x-v-v-h-a-a-2-with-3-rad-s-and-h-0-2-s-stable-up-to-h-2-3 = x₁ = (x₀ + hv₀ + h²a₀/3)/(1 + ω²h²/6), a₁ = −ω²x₁, v₁ = v₀ + h(a₀ + a₁)/2 com ω = 3 rad/s e h = 0,2 s; estável até ωh = 2√3
 twenty-masses-a-step-beyond-the-critical-one = Vinte massas, um passo maior que o crítico
 n-2-k-m-sin-20-42-of-twenty-equal-masses-between-two-walls-t-cr-2-of-central-differences = ω₂₀ = 2√(k/m) sen(20π/42) de vinte massas iguais entre duas paredes, Δt_cr = 2/ω₂₀ das diferenças centrais

@@ -243,7 +243,7 @@ exhaust-pressure = Pressão de escape
 cut-off = Corte da admissão
 fraction-of-the-stroke-during-which-the-cylinder-is-filled = Fração do curso durante a qual o cilindro é enchido.
 clearance = folga
-closed-form-f-p-b-a-h-p-a-s-a-k-p-a-r-s-0-62646-of-the-return-stroke = forma fechada: F = p_b A_h − p_a ((ε + κ)/(s + κ))ᵏ A_k − p₀ A_r, s = 0.62646 do curso de retorno
+closed-form-f-p-b-a-h-p-a-s-a-k-p-a-r-s-0-62646-of-the-return-stroke = forma fechada: F = p_b A_h − p_a ((ε + κ)/(s + κ))ᵏ A_k − p₀ A_r, s = 0,62646 do curso de retorno
 clearance-volume-at-the-dead-centre-divided-by-the-swept-volume = Volume morto, no ponto morto, dividido pela cilindrada.
 expansion-law = Lei da expansão
 indicator-diagram-over-the-stroke = Diagrama indicado em função do curso
@@ -2218,9 +2218,9 @@ beer-johnston-sample-problem-10-3-f-w-a-l-2-a-l-cos-cot-l-for-both-cylinders-tog
 load-lifted-by-the-cylinders = Carga levantada pelos cilindros
 the-same-closed-form-solved-in-reverse = A mesma forma fechada, resolvida no sentido inverso
 three-stages-with-a-level-cylinder-between-the-feet = Três estágios com um cilindro horizontal entre os pés
-f-n-w-n-g-cot-for-a-cylinder-along-the-ground-with-2-n-bars-of-weight-g = F = −n (W + n G) cot θ para um cilindro ao longo do solo, com 2 n barras de peso G
+f-n-w-n-g-cot-for-a-cylinder-along-the-ground-with-2-n-bars-of-weight-g-its-length-l-cos-the-height-n = F = −n (W + n G) cot θ para um cilindro ao longo do solo, com 2 n barras de peso G; seu comprimento L cos θ, a altura n L sen θ
 vertical-cylinder-under-the-table = Cilindro na vertical sob a mesa
-a-vertical-cylinder-from-ground-to-table-carries-the-whole-load = Um cilindro vertical, do solo à mesa, sustenta toda a carga
+a-vertical-cylinder-from-ground-to-table-carries-the-whole-load-and-is-n-l-sin-long = Um cilindro vertical, do solo à mesa, sustenta toda a carga e tem comprimento n L sen θ
 cylinder-of-stationary-length = Cilindro de comprimento estacionário
 both-ends-on-one-bar = As duas extremidades em uma mesma barra
 
@@ -2246,7 +2246,7 @@ plain-jack-with-a-collar = Macaco simples com colar
 m-p-d-2-d-d-p-c-d-c-2-square-thread = M = P (d/2) (ℓ + π μ d)/(π d − μ ℓ) + P μ_c d_c/2, rosca quadrada
 load-that-20-n-m-raises-on-two-threads = Carga que 20 N·m levantam com duas roscas
 p-m-tan-d-tan-for-a-rhombus-with-a-right-hand-and-a-left-hand-thread = P = M tan θ/(d tan(α + φ)) para um losango com rosca direita e rosca esquerda
-p-t-tan = P = T tan θ
+p-t-tan-the-height-2-l-sin = P = T tan θ; a altura 2 L sen θ
 a-torque-without-a-screw = Torque sem parafuso
 a-torque-requires-a-lead = O torque requer o avanço da rosca
 
@@ -2720,7 +2720,7 @@ harmonics-about-the-mean = Harmônicos em torno da média
 ideal-cycle-otto-diesel = Ciclo ideal: Otto, Diesel
 load-by-a-table-over-two-turns-of-an-engine-with-one = Carga por tabela, em duas voltas de um motor com uma
 load-torque = Torque de carga
-m-c-g-4-c-and-a-search-for-the-maximum-of-the-exact-velocity-apart-from-the-program = m c (g τ²/4π² − c), e uma busca do máximo da velocidade exata, à parte do programa
+m-c-g-4-c-and-a-search-for-the-maximum-of-the-exact-velocity-independently-of-the-program = m c (g τ²/4π² − c), e uma busca do máximo da velocidade exata, independentemente do programa
 maximum-absolute-pressure = Pressão absoluta máxima
 maximum-angular-acceleration-of-the-flywheel = Aceleração angular máxima do volante
 maximum-of-turning-moment-less-load = Máximo do torque menos a carga
@@ -2744,14 +2744,14 @@ n-680-of-720-with-the-same-inlet-as-a-gauge-pressure = 680° de 720°, com a mes
 n-95-kpa-8-1-32-1478-kpa = 95 kPa · 8^1,32 = 1478 kPa
 no-compound-pendulum-is-faster-than-a-simple-one-of-the-length-to-its-centre-of-mass = nenhum pêndulo composto é mais rápido que um simples do comprimento até o seu centro de massa
 no-crank-angle-has-a-more-extreme-moment = nenhum ângulo da manivela tem um torque mais extremo
-numerical-integration-of-the-difference-of-the-two-apart-from-the-program = integração numérica da diferença dos dois, à parte do programa
+numerical-integration-of-the-difference-of-the-two-independently-of-the-program = integração numérica da diferença dos dois, independentemente do programa
 obliquity-of-the-rod-there = Obliquidade da biela nesse ponto
 of-an-internal-combustion-engine-the-crank-angle-counts-from-the-dead-centre-of-the-combustion = De um motor de combustão interna. O ângulo da manivela conta a partir do ponto morto da combustão; admissão e escape ficam à pressão de admissão.
 of-the-rod-alone-hung-on-that-pin = Da biela sozinha, pendurada nesse pino.
 oscillation-about-a-pin = Oscilação em torno de um pino
 otto-cycle-by-its-pressure-ratio = Ciclo Otto pela razão de pressões
-p-p-r-v-1-32-p-3-6-p-and-the-area-of-the-diagram-by-quadrature-apart-from-the-program = p₂ = p₁ r_v^1,32, p₃ = 3,6 p₂, e a área do diagrama por quadratura, à parte do programa
-p-v-v-1-32-at-40-before-the-dead-centre-the-area-of-the-diagram-by-quadrature-apart-from-the-program = p₁ (v₁/v)^1,32 a 40° antes do ponto morto; a área do diagrama por quadratura, à parte do programa
+p-p-r-v-1-32-p-3-6-p-and-the-area-of-the-diagram-by-quadrature-independently-of-the-program = p₂ = p₁ r_v^1,32, p₃ = 3,6 p₂, e a área do diagrama por quadratura, independentemente do programa
+p-v-v-1-32-at-40-before-the-dead-centre-the-area-of-the-diagram-by-quadrature-independently-of-the = p₁ (v₁/v)^1,32 a 40° antes do ponto morto; a área do diagrama por quadratura, independentemente do programa
 period-of-the-rod-as-a-compound-pendulum = período da biela como pêndulo composto
 pressure-after-the-combustion-over-that-before-it = Pressão depois da combustão sobre a de antes
 pressure-at-the-end-of-the-compression-from-the-volumes = pressão no fim da compressão, pelos volumes
@@ -2765,7 +2765,7 @@ rod-swung-about-its-gudgeon-pin = Biela oscilada em torno do pino do pistão
 suction-and-exhaust-the-pressure-of-the-inlet = Admissão e escape: a pressão de admissão
 the-absolute-pressure-of-the-inlet-must-be-above-zero-write-a-gauge-pressure-above-minus-the = a pressão absoluta de admissão deve ser maior que zero: escreva uma pressão manométrica acima de menos a pressão atmosférica, ou escolha pressões absolutas
 the-angular-acceleration-from-turning-moment-and-load-at-that-crank-angle = a aceleração angular pelo torque e pela carga nesse ângulo da manivela
-the-area-of-the-diagram-by-quadrature-apart-from-the-program = a área do diagrama por quadratura, à parte do programa
+the-area-of-the-diagram-by-quadrature-independently-of-the-program = a área do diagrama por quadratura, independentemente do programa
 the-companion-cuts-292-97-off = o companheiro trunca 292,97
 the-cut-off-lies-beyond-the-end-of-the-stroke-the-cut-off-ratio-must-not-be-above-the-compression = o corte fica além do fim do curso: a razão de corte não deve ser maior que a taxa de compressão
 the-maximum-pressure-lies-below-that-of-the-compression-write-a-larger-maximum-pressure-or-a-smaller = a pressão máxima é menor que a da compressão: escreva uma pressão máxima maior, ou uma taxa de compressão menor
@@ -2923,6 +2923,10 @@ tangential-acceleration-of-b-relative-to-a = Aceleração tangencial de B em rel
 tangential-acceleration-of-point-positive-counter-clockwise-r = Aceleração tangencial de { $point }, positiva no sentido anti-horário: α r
 the-coupler-keeps-its-angle-d-moves-like-the-crank-pin-v-a-link-5-and-the-slider-are-an-offset-slider = O acoplador mantém o ângulo: D se move como o pino da manivela, v = a ω; o elo 5 e o cursor são um cursor-manivela excêntrico com D como pino da manivela
 the-coupler-keeps-its-angle-v-p-v-b-v-a-a-at-2-90-a-p-a-b-a-a-a-at-2-180 = O acoplador mantém o ângulo: v_P = v_B = v_A = a ω a θ_2 + 90°, a_P = a_B = a_A = a ω² a θ_2 + 180°
+motion-of-the-points-of-an-accelerated-crank-rocker = Movimento dos pontos de uma manivela-balancim acelerada
+closed-form-b-and-p-from-the-intersection-of-two-circles-differentiated-twice-with-2-65-12-t-25-t = forma fechada: B e P pela interseção de duas circunferências, derivados duas vezes com θ_2 = 65° + 12 t − 25 t²
+stephenson-an-accelerated-crank-rocker-and-a-slider-on-an-inclined-line = Stephenson: manivela-balancim acelerada e cursor em guia inclinada
+closed-form-b-d-and-the-slider-from-intersections-of-circles-and-a-line-differentiated-twice-with-2 = forma fechada: B, D e o cursor por interseções de circunferências e uma reta, derivados duas vezes com θ_2 = 55° + 9 t + 15 t²; T = −F dx/dθ
 the-rods-keep-their-angles-v-p-v-a-v-b-a-a-p-a-towards-the-pivots = As bielas mantêm os ângulos: v_P = v_A = v_B = a ω, a_P = a ω² para os pivôs
 unit-vector-along-name = Vetor unitário ao longo de { $name }
 vector-of-name-from-its-first-pin = Vetor de { $name } a partir do primeiro pino
@@ -2981,7 +2985,7 @@ v-point-v-from-v-relative-along-y = v_{ $point } = v_{ $from } + v_{ $relative }
 velocity-of-slip-as-the-rate-of-the-distance-along-name = velocidade de deslizamento como taxa da distância ao longo de { $name }
 velocity-of-point-along-x-from-the-derivatives-of-the-constraint-equations = velocidade de { $point } ao longo de x pelas derivadas das equações de restrição
 velocity-of-point-along-y-from-the-derivatives-of-the-constraint-equations = velocidade de { $point } ao longo de y pelas derivadas das equações de restrição
-y-a-sin-b-d-2-a-cos-at-70-differentiated-twice-with-10-rad-s-and-20-rad-s = y = a sin θ + √(b² − (d/2 − a cos θ)²) a 70°, derivada duas vezes com ω = 10 rad/s e α = 20 rad/s²
+y-a-sin-b-d-2-a-cos-at-70-differentiated-twice-with-10-rad-s-and-20-rad-s = y = a sen θ + √(b² − (d/2 − a cos θ)²) a 70°, derivada duas vezes com ω = 10 rad/s e α = 20 rad/s²
 name-magnitude-and-direction-make-up-the-vector = { $name }: módulo e direção compõem o vetor
 point-magnitude-and-direction-make-up-the-vector = { $point }: módulo e direção compõem o vetor
 n-0-the-pin-moves-along-the-slot-only-v-s-r-a-s-0 = θ = 0: o pino se move apenas ao longo da ranhura, v_s = r ω, a_s = 0
