@@ -3791,3 +3791,6 @@ the-whole-mass-of-the-cylinder-taken-at-its-outer-surface = toda a massa do cili
 the-moment-of-inertia-taken-about-a-corner-of-the-plate = momento de inércia tomado em relação a um canto da placa
 the-moment-of-inertia-taken-about-a-diameter-of-the-end-of-the-cylinder = momento de inércia tomado em relação a um diâmetro da base do cilindro
 the-moment-of-inertia-of-the-disc-taken-about-a-diameter = momento de inércia do disco tomado em relação a um diâmetro
+solid-cylinder-that-turns-about-an-oblique-axis = Cilindro maciço que gira em torno de um eixo oblíquo
+c-h-i-a-i-t-x-z-with-i-a-m-r-2-and-i-t-m-3-r-h-12 = C = (h + (I_a − I_t) Ω_x) Ω_z com I_a = m r²/2 e I_t = m (3 r² + h²)/12
+i-a-0-05-kg-m-and-i-t-0-028-kg-m-c-15-0-022-2-2 = I_a = 0,05 kg·m² e I_t = 0,028 kg·m²: C = (15 + 0,022 · 2) · 2.

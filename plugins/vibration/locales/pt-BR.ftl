@@ -1032,6 +1032,7 @@ mean-of-the-motion-the-static-deflection-under-the-mean-of-the-wave = Média do 
 mean-displacement = Deslocamento médio
 coefficient-of-the-harmonic-from-the-pieces-of-the-wave = coeficiente do harmônico pelos trechos da onda
 its-frequency-ratio = A sua razão de frequências
+no-response-this-harmonic-is-absent-from-the-wave = Sem resposta: este harmônico está ausente da onda
 response-to-this-harmonic-magnified-static-deflection = Resposta a este harmônico: deflexão estática amplificada
 response-to-this-harmonic-transmitted-motion-of-the-base = Resposta a este harmônico: movimento da base transmitido
 its-lag-behind-this-harmonic-of-the-wave = O seu atraso em relação a este harmônico da onda

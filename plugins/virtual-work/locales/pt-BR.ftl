@@ -2925,6 +2925,9 @@ the-coupler-keeps-its-angle-d-moves-like-the-crank-pin-v-a-link-5-and-the-slider
 the-coupler-keeps-its-angle-v-p-v-b-v-a-a-at-2-90-a-p-a-b-a-a-a-at-2-180 = O acoplador mantém o ângulo: v_P = v_B = v_A = a ω a θ_2 + 90°, a_P = a_B = a_A = a ω² a θ_2 + 180°
 motion-of-the-points-of-an-accelerated-crank-rocker = Movimento dos pontos de uma manivela-balancim acelerada
 closed-form-b-and-p-from-the-intersection-of-two-circles-differentiated-twice-with-2-65-12-t-25-t = forma fechada: B e P pela interseção de duas circunferências, derivados duas vezes com θ_2 = 65° + 12 t − 25 t²
+uniform-bars-in-motion = Barras uniformes em movimento
+closed-form-t-j-j-2-v-with-j-2-the-kinetic-energy-of-the-three-bars-and-v-their-potential-energy = forma fechada: T = J α + J′ ω²/2 + V′, com J ω²/2 a energia cinética das três barras e V a sua energia potencial
+closed-form-t-j-j-2-v-f-x-with-j-2-the-kinetic-energy-of-bars-and-slider-v-their-potential-energy-and = forma fechada: T = J α + J′ ω²/2 + V′ − F x′, com J ω²/2 a energia cinética das barras e do cursor, V a sua energia potencial e x a posição do cursor
 stephenson-an-accelerated-crank-rocker-and-a-slider-on-an-inclined-line = Stephenson: manivela-balancim acelerada e cursor em guia inclinada
 closed-form-b-d-and-the-slider-from-intersections-of-circles-and-a-line-differentiated-twice-with-2 = forma fechada: B, D e o cursor por interseções de circunferências e uma reta, derivados duas vezes com θ_2 = 55° + 9 t + 15 t²; T = −F dx/dθ
 the-rods-keep-their-angles-v-p-v-a-v-b-a-a-p-a-towards-the-pivots = As bielas mantêm os ângulos: v_P = v_A = v_B = a ω, a_P = a ω² para os pivôs

@@ -218,7 +218,7 @@ impl Reactions {
         let worked = WorkedChain::new(&self.joints, &given.joints, axes, sheet);
         let n = self.joints.len();
         let (omega, alpha) = (worked.omega[n], worked.alpha[n]);
-        let base = worked.origins(&given.joints, sheet)[n];
+        let base = worked.origins(&given.joints, false, sheet)[n];
         let (_, acceleration) = joints::carried(base, omega, alpha, arm);
         let acceleration = sheet.step_vector(
             if matches!(self.drive, ShaftDrive::Motion) { "a_G" } else { "a_0" },

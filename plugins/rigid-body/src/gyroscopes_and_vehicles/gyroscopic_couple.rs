@@ -242,11 +242,16 @@ impl Analysis for GyroscopicCouple {
         let mass = rotor.mass;
         let axle = self.axle(given, sheet)?;
         let (precession, rate) = self.precession(given, axle, &rotor, sheet)?;
-        let momentum = match given.transverse_inertia {
+        let oblique = is_oblique(axle.value(), precession.value());
+        let transverse = match given.transverse_inertia {
+            None if oblique => given.rotor.transverse(sheet)?,
+            transverse => transverse,
+        };
+        let momentum = match transverse {
             Some(transverse) => {
                 let along = match rotor.axial {
                     Some(axial) => rotor.momentum + (axial - transverse) * axle.dot(precession),
-                    None if is_oblique(axle.value(), precession.value()) => {
+                    None if oblique => {
                         return Err(Refusal::because(
                             "the carrier turns about an axis that is not normal to the axle, where the transverse moment of inertia counts together with that about the axle: give the rotor by its moment of inertia and speed, or leave the transverse moment of inertia out",
                         ));
@@ -279,13 +284,12 @@ impl Analysis for GyroscopicCouple {
                 BEER.at("§18.2"),
             ),
         );
-        let oblique = is_oblique(axle.value(), precession.value());
         if oblique {
             let product = || rotor.momentum * rate;
             let what = "couple taken as H times Ω, without the sine of the angle between them";
             sheet.common_error("C", what, product);
         }
-        if let (Some(transverse), Some(axial)) = (given.transverse_inertia, rotor.axial) {
+        if let (Some(transverse), Some(axial)) = (transverse, rotor.axial) {
             if oblique {
                 let of_spin = || (precession.cross(axle) * rotor.momentum).magnitude();
                 let what = "angular momentum due to the rotation of the carrier omitted";
@@ -324,15 +328,14 @@ impl Analysis for GyroscopicCouple {
             })?;
             self.bearing_reactions(bearings, given, given_bearings, mass, axle, couple, sheet)?;
         }
-        if self.transverse_inertia.is_none() && oblique {
+        if transverse.is_none() && oblique {
             sheet.warn(|| {
                 "the carrier turns about an axis that is not normal to the axle: without the transverse moment of inertia the term (I_a − I_t) Ω² sin θ cos θ of the couple is missing".into()
             });
         }
         sheet.verify(|| {
-            let axial = rotor.axial.map(Real::value);
             self.check_by_rotation(
-                axial,
+                [rotor.axial, transverse].map(|moment| moment.map(Real::value)),
                 rotor.momentum.value(),
                 axle.value(),
                 precession.value(),
@@ -447,14 +450,14 @@ impl GyroscopicCouple {
     /// the couple that is answered: that of a sphere has none. Nor has one about the axle that is not known.
     fn check_by_rotation<W: Worksheet>(
         &self,
-        axial: Option<f64>,
+        [axial, transverse]: [Option<f64>; 2],
         momentum: f64,
         axle: Vector3<f64>,
         precession: Vector3<f64>,
         couple: W::Vec,
         sheet: W,
     ) {
-        let transverse = self.transverse_inertia.or(axial).unwrap_or(0.0);
+        let transverse = transverse.or(axial).unwrap_or(0.0);
         let tensor = gyroscope::symmetric_tensor(axial.unwrap_or(transverse), transverse, axle);
         let period = TAU / precession.norm();
         let period = if period.is_finite() { period } else { 1.0 };

@@ -89,7 +89,7 @@ impl Analysis for RateOfChange {
             "Centre of mass G from the origin of the last frame, in the axes of the moving frame",
         );
         let (velocity, acceleration) =
-            joints::carried(worked.origins(&given.joints, sheet)[last], omega, alpha, arm);
+            joints::carried(worked.origins(&given.joints, true, sheet)[last], omega, alpha, arm);
         let velocity =
             sheet.step_vector("v_G", "m/s", velocity, ("Velocity of the centre of mass", BEER.at("§15.5B")));
         let acceleration = sheet.step_vector(

@@ -129,7 +129,7 @@ impl RotationChain {
         if self.points.is_empty() {
             return Vec::new();
         }
-        let origins = worked.origins(&given.joints, sheet);
+        let origins = worked.origins(&given.joints, true, sheet);
         let mut points = Vec::new();
         for (n, (point, this)) in self.points.iter().zip(&given.points).enumerate() {
             let frame = point.frame.0 + 1;

@@ -88,7 +88,7 @@ impl Analysis for RollingMotion {
 
     fn solve<W: Worksheet>(&self, given: &RollingMotionGiven<W>, sheet: W) -> Result<(), Refusal> {
         let (mass, radius, gravity, theta) = (given.mass, given.radius, given.gravity, given.inclination);
-        let [axial, transverse] = wheel::moments(&given.wheel, mass, radius, sheet);
+        let [axial, transverse] = wheel::moments(&given.wheel, mass, radius, true, sheet);
         if self.inclination <= self.flat || self.inclination >= PI - self.flat {
             return Err(Refusal::because(
                 "it lies flat from the start; give a larger angle to the floor, or a smaller angle at which it counts as flat",

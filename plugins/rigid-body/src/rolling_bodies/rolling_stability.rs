@@ -71,7 +71,9 @@ impl Analysis for RollingStability {
 
     fn solve<W: Worksheet>(&self, given: &RollingStabilityGiven<W>, sheet: W) -> Result<(), Refusal> {
         let (mass, radius, gravity) = (given.mass, given.radius, given.gravity);
-        let moments = wheel::moments(&given.wheel, mass, radius, sheet);
+        let rolls = matches!(self.motion, Upright::Rolling { .. });
+        // In the motion of a disc that spins on the spot I_a cancels.
+        let moments = wheel::moments(&given.wheel, mass, radius, rolls, sheet);
         let [axial, transverse] = moments;
         let disc = Rolling {
             mass: self.mass,
@@ -154,7 +156,6 @@ impl Analysis for RollingStability {
                 self.gravity / self.radius,
             );
         });
-        let rolls = matches!(self.motion, Upright::Rolling { .. });
         if let Some((at, k)) = judged {
             let k = sheet.step("K", "1/s^2", k, "Small tilts follow ε̈ + K ε = 0: stable when K is positive");
             sheet.answer("stiffness", "Stiffness of small tilts", k);

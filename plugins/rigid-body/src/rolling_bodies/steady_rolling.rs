@@ -103,7 +103,7 @@ impl Analysis for SteadyRolling {
 
     fn solve<W: Worksheet>(&self, given: &SteadyRollingGiven<W>, sheet: W) -> Result<(), Refusal> {
         let (mass, radius, gravity) = (given.mass, given.radius, given.gravity);
-        let moments = wheel::moments(&given.wheel, mass, radius, sheet);
+        let moments = wheel::moments(&given.wheel, mass, radius, true, sheet);
         let disc = Rolling {
             mass: self.mass,
             radius: self.radius,

@@ -91,6 +91,17 @@ pub(crate) struct SpinningRotor<N> {
 }
 
 impl<W: Worksheet> GyroRotorGiven<W> {
+    /// Moment of inertia about a transverse axis through G, kg·m², of a rotor whose shape is known.
+    ///
+    /// # Errors
+    /// As those of its shape.
+    pub(crate) fn transverse(&self, sheet: W) -> Result<Option<W::Num>, Refusal> {
+        match self {
+            GyroRotorGiven::Shape { mass, shape } => shape.transverse(*mass, "I_t", sheet).map(Some),
+            _ => Ok(None),
+        }
+    }
+
     /// Angular momentum of the spin, and what is known of the inertia.
     ///
     /// # Errors
@@ -127,10 +138,7 @@ impl<W: Worksheet> GyroRotorGiven<W> {
                 check_disc(inertia, *mass, *radius, sheet);
                 (inertia, Some(*mass))
             }
-            GyroRotorGiven::Shape { mass, shape } => {
-                let [axial, _] = shape.axial_and_transverse(*mass, "I_G", sheet)?;
-                (axial, Some(*mass))
-            }
+            GyroRotorGiven::Shape { mass, shape } => (shape.axial(*mass, sheet)?, Some(*mass)),
             GyroRotorGiven::MomentOfInertia { inertia, mass } => (*inertia, *mass),
         };
         let spin = spin.ok_or_else(|| {

@@ -301,8 +301,14 @@ impl<'a, W: Worksheet> WorkedChain<'a, W> {
         this
     }
 
-    /// Velocity and acceleration of the origin of every frame, the fixed one first; `None` where it is at rest.
-    pub(crate) fn origins(&self, given: &[JointGiven<W>], sheet: W) -> Vec<Option<[W::Vec; 2]>> {
+    /// Velocity and acceleration of the origin of every frame, the fixed one first; `None` where it is at rest. The
+    /// velocities are written down if they are asked for.
+    pub(crate) fn origins(
+        &self,
+        given: &[JointGiven<W>],
+        velocities: bool,
+        sheet: W,
+    ) -> Vec<Option<[W::Vec; 2]>> {
         let mut origins: Vec<Option<[W::Vec; 2]>> = vec![None];
         for (n, (joint, this)) in self.joints.iter().zip(given).enumerate() {
             let mut origin = origins[n];
@@ -319,20 +325,15 @@ impl<'a, W: Worksheet> WorkedChain<'a, W> {
                     sheet,
                 );
                 let (velocity, acceleration) = carried(origin, self.omega[n], self.alpha[n], arm);
-                origin = Some([
-                    sheet.step_vector(
-                        ("v_O", n + 1),
-                        "m/s",
-                        velocity,
-                        Named("Velocity of the origin of {name}", &joint.name, Some(BEER.at("§15.5B"))),
-                    ),
-                    sheet.step_vector(
-                        ("a_O", n + 1),
-                        "m/s^2",
-                        acceleration,
-                        Named("Acceleration of the origin of {name}", &joint.name, Some(BEER.at("§15.5B"))),
-                    ),
-                ]);
+                let named = |reason| Named(reason, &joint.name, Some(BEER.at("§15.5B")));
+                let velocity = if velocities {
+                    let why = named("Velocity of the origin of {name}");
+                    sheet.step_vector(("v_O", n + 1), "m/s", velocity, why)
+                } else {
+                    velocity
+                };
+                let why = named("Acceleration of the origin of {name}");
+                origin = Some([velocity, sheet.step_vector(("a_O", n + 1), "m/s^2", acceleration, why)]);
             }
             origins.push(origin);
         }

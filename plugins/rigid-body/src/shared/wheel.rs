@@ -33,11 +33,12 @@ pub enum Wheel {
     },
 }
 
-/// The moments of inertia `[I_a, I_t]` of a wheel.
+/// The moments of inertia `[I_a, I_t]` of a wheel; `I_a` is written down if the motion depends on it.
 pub(crate) fn moments<W: Worksheet>(
     wheel: &WheelGiven<W>,
     mass: W::Num,
     radius: W::Num,
+    needs_axial: bool,
     sheet: W,
 ) -> [W::Num; 2] {
     let reason = ["Moment of inertia about the axis", "Moment of inertia about a diameter"];
@@ -75,7 +76,8 @@ pub(crate) fn moments<W: Worksheet>(
         }
         WheelGiven::Moments { .. } => {}
     }
-    [sheet.step("I_a", "kg*m^2", moments[0], reason[0]), sheet.step("I_t", "kg*m^2", moments[1], reason[1])]
+    let axial = if needs_axial { sheet.step("I_a", "kg*m^2", moments[0], reason[0]) } else { moments[0] };
+    [axial, sheet.step("I_t", "kg*m^2", moments[1], reason[1])]
 }
 
 impl Wheel {

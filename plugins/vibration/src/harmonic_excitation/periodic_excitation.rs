@@ -308,6 +308,18 @@ impl<N: Real> ExcitedOscillator<N> {
             N::from(source.value() / self.source.value() - a.hypot(b)),
             1.0,
         );
+        let symbol = (self.motion.of("X", "Θ"), index);
+        // What a table does not contain moves nothing, not even in resonance; the lag of the first is an answer.
+        if (a, b) == (0.0, 0.0) && row > 0 {
+            let amplitude = match self.excited {
+                ExcitedSystem::Mass { stiffness } => source / stiffness,
+                ExcitedSystem::Base => source,
+            };
+            let why = "No response: this harmonic is absent from the wave";
+            let amplitude = sheet.step(symbol, self.motion.displacement_unit(), amplitude, why);
+            sheet.answer(("harmonic", index), "Amplitude of harmonic", amplitude);
+            return;
+        }
         let ratio = sheet.step(("r", index), "1", self.ratio * f64::from(n), "Its frequency ratio");
         let (amplitude, why) = match self.excited {
             ExcitedSystem::Mass { stiffness } => (
@@ -319,7 +331,6 @@ impl<N: Real> ExcitedOscillator<N> {
                 ("Response to this harmonic: transmitted motion of the base", RAO.at("§4.2")),
             ),
         };
-        let symbol = (self.motion.of("X", "Θ"), index);
         match self.excited {
             ExcitedSystem::Mass { stiffness } => {
                 sheet.common_error(symbol, "the transmissibility used", || {

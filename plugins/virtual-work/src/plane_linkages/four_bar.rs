@@ -301,14 +301,15 @@ impl Template for FourBar {
         works.link(FOUR, given.rocker_mass.as_ref(), given.rocker, works::fixed(), rocker);
         let mut place = None;
         if let Some(this) = &given.point {
-            let why = "From the crank pin to the point of the coupler";
             let along = works::direction::<W>(coupler.angle);
             let arm = along * this.along + works::across::<W>(along) * this.across;
-            let pin_reach = supports[0].at;
+            let why = "From the crank pin to the point of the coupler";
             let arm = sheet.step_vector(symbol("r", "P"), "mm", arm, why);
-            let moving = works::moving("P", pin, arm, coupler, moves, sheet);
-            works.force("P", this.force, moving.shift);
-            let at = pin_reach.value() + arm.value();
+            if !this.force.is_zero() {
+                let moving = works::moving("P", pin, arm, coupler, false, sheet);
+                works.force("P", this.force, moving.shift);
+            }
+            let at = supports[0].at.value() + arm.value();
             place = Some([at.x, at.y]);
         }
         let (torque, load) = match given.unknown {

@@ -270,8 +270,12 @@ impl<W: Worksheet> Works<W> {
                     || Text::new("Link {n} is a uniform bar: from its first pin to its middle").with("n", n);
                 let arm = direction::<W>(turning.angle) * (length / 2.0);
                 let arm = sheet.step_vector(symbol("r", of.centre), "mm", arm, why);
-                let why = || Text::new("Moment of inertia of the uniform bar, link {n}").with("n", n);
-                (mass, arm, sheet.step(symbol("I", n), "kg*m^2", mass * length.powi(2) / 12.0, why))
+                let mut inertia = mass * length.powi(2) / 12.0;
+                if self.moves {
+                    let why = || Text::new("Moment of inertia of the uniform bar, link {n}").with("n", n);
+                    inertia = sheet.step(symbol("I", n), "kg*m^2", inertia, why);
+                }
+                (mass, arm, inertia)
             }
             LinkMassGiven::Given { mass, distance, offset, inertia } => {
                 let angle =

@@ -27,31 +27,46 @@ impl<W: Worksheet> ShapeGiven<W> {
         }))
     }
 
-    /// Writes down the moments of inertia `[I_a, I_G]` of a body of this shape, kg·m², about its z axis, the axis of
-    /// symmetry, and about any axis through its centre of mass at right angles to it, whose step has that symbol.
+    /// Writes down the moment of inertia `I_a` of a body of this shape, kg·m², about its z axis, the axis of symmetry.
     ///
     /// # Errors
     /// As [`principal_moments`](Self::principal_moments); a shape whose moments about its x and y axes differ.
-    pub(crate) fn axial_and_transverse(
-        &self,
-        mass: W::Num,
-        transverse: &'static str,
-        sheet: W,
-    ) -> Result<[W::Num; 2], Refusal> {
+    pub(crate) fn axial(&self, mass: W::Num, sheet: W) -> Result<W::Num, Refusal> {
         let [x, y, z] = self.moments(mass)?;
         if (x.value() - y.value()).abs() > EQUAL * x.value().max(y.value()) {
             return Err(Refusal::because(
                 "the moments of inertia of this shape about its x and y axes differ, so its z axis is no axis of symmetry: use a shape of revolution about z",
             ));
         }
-        let step = |symbol: &'static str, axis, value, why: &'static str| {
-            of_moment(self.described(), axis, symbol, [mass, self.length()], sheet);
-            sheet.step(symbol, "kg*m^2", value, (why, MERIAM.at("table D/4")))
-        };
-        Ok([
-            step("I_a", 2, z, "Moment of inertia of the shape about its axis of symmetry"),
-            step(transverse, 0, x, "Moment of inertia of the shape about a transverse axis through G"),
-        ])
+        of_moment(self.described(), 2, "I_a", [mass, self.length()], sheet);
+        let why = "Moment of inertia of the shape about its axis of symmetry";
+        Ok(sheet.step("I_a", "kg*m^2", z, (why, MERIAM.at("table D/4"))))
+    }
+
+    /// Writes down the moment of inertia of a body of this shape, kg·m², about any axis through its centre of mass at right
+    /// angles to its z axis, in a step of that symbol.
+    ///
+    /// # Errors
+    /// As [`principal_moments`](Self::principal_moments).
+    pub(crate) fn transverse(&self, mass: W::Num, symbol: &'static str, sheet: W) -> Result<W::Num, Refusal> {
+        let [transverse, ..] = self.moments(mass)?;
+        of_moment(self.described(), 0, symbol, [mass, self.length()], sheet);
+        let why = "Moment of inertia of the shape about a transverse axis through G";
+        Ok(sheet.step(symbol, "kg*m^2", transverse, (why, MERIAM.at("table D/4"))))
+    }
+
+    /// Writes down both moments of inertia: [`axial`](Self::axial), and [`transverse`](Self::transverse) in a step of that
+    /// symbol.
+    ///
+    /// # Errors
+    /// As [`axial`](Self::axial).
+    pub(crate) fn axial_and_transverse(
+        &self,
+        mass: W::Num,
+        symbol: &'static str,
+        sheet: W,
+    ) -> Result<[W::Num; 2], Refusal> {
+        Ok([self.axial(mass, sheet)?, self.transverse(mass, symbol, sheet)?])
     }
 
     fn moments(&self, mass: W::Num) -> Result<[W::Num; 3], Refusal> {

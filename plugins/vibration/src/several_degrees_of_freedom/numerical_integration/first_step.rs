@@ -2,6 +2,7 @@
 
 use dalembert_core::Worksheet;
 use dalembert_mechanics::Real;
+use nalgebra::DVector;
 
 use super::{
     IntegrationMethodGiven, NumericalIntegration, NumericalIntegrationGiven,
@@ -55,14 +56,15 @@ pub(super) fn write<W: Worksheet>(
             oscillator.runge_kutta(middle, sheet)
         }
     };
-    let found = motion.displacements[1][0];
     sheet.verify(|| {
-        let start = oscillator.displacement.value().abs();
-        sheet.check_zero(
-            "the first step worked out is that of the matrices",
-            (first.value() - found).into(),
-            first.value().abs().max(start).max(f64::MIN_POSITIVE),
-        );
+        let reached = motion.displacements[..2].iter().map(DVector::amax);
+        let mut size = reached.fold(f64::MIN_POSITIVE, f64::max);
+        let found = [&motion.displacements, &motion.velocities, &motion.accelerations];
+        for (worked, found) in first.into_iter().zip(found) {
+            let what = "the first step worked out is that of the matrices";
+            sheet.check_sum(what, worked, found[1][0].into(), size);
+            size /= problem.step;
+        }
     });
 }
 
@@ -130,8 +132,9 @@ fn oscillator<W: Worksheet>(
     }
 }
 
+/// The first step of each method: displacement, velocity and acceleration after it, as far as the method has them.
 impl<N: Real> Oscillator<N> {
-    fn central_difference<W: Worksheet<Num = N>>(&self, sheet: W) -> N {
+    fn central_difference<W: Worksheet<Num = N>>(&self, sheet: W) -> Vec<N> {
         let Self { mass: m, damping: c, stiffness: k, step: h, .. } = *self;
         let two = N::from(2.0);
         let before = sheet.step(
@@ -150,10 +153,10 @@ impl<N: Real> Oscillator<N> {
         let b = sheet.step("b_p", "N/m", k - two * m / h.powi(2), "Factor of the present displacement");
         let load = self.loads[0] - a * before - b * self.displacement;
         let load = sheet.step("p_e", "N", load, "Effective load of the first step");
-        sheet.step("x_1", "m", load / effective, "Displacement after one step")
+        vec![sheet.step("x_1", "m", load / effective, "Displacement after one step")]
     }
 
-    fn newmark<W: Worksheet<Num = N>>(&self, [gamma, beta]: [N; 2], sheet: W) -> N {
+    fn newmark<W: Worksheet<Num = N>>(&self, [gamma, beta]: [N; 2], sheet: W) -> Vec<N> {
         let Self { mass: m, damping: c, stiffness: k, step: h, .. } = *self;
         let (x, v, a, one) = (self.displacement, self.velocity, self.acceleration, N::from(1.0));
         let effective = sheet.step(
@@ -178,16 +181,12 @@ impl<N: Real> Oscillator<N> {
             (next - x) / (beta * h.powi(2)) - v / (beta * h) - (one / (beta * 2.0) - one) * a,
             "Acceleration after one step",
         );
-        sheet.step(
-            "v_1",
-            "m/s",
-            v + h * ((one - gamma) * a + gamma * acceleration),
-            "Velocity after one step",
-        );
-        next
+        let velocity = v + h * ((one - gamma) * a + gamma * acceleration);
+        let velocity = sheet.step("v_1", "m/s", velocity, "Velocity after one step");
+        vec![next, velocity, acceleration]
     }
 
-    fn wilson<W: Worksheet<Num = N>>(&self, theta: N, sheet: W) -> N {
+    fn wilson<W: Worksheet<Num = N>>(&self, theta: N, sheet: W) -> Vec<N> {
         let Self { mass: m, damping: c, stiffness: k, step: h, .. } = *self;
         let (x, v, a) = (self.displacement, self.velocity, self.acceleration);
         let why = ("Extended time step", RAO.at("§11.8"));
@@ -211,16 +210,14 @@ impl<N: Real> Oscillator<N> {
                 + (N::from(1.0) - N::from(3.0) / theta) * a,
             "Acceleration after one step",
         );
-        sheet.step("v_1", "m/s", v + h / 2.0 * (a + acceleration), "Velocity after one step");
-        sheet.step(
-            "x_1",
-            "m",
-            x + h * v + h.powi(2) / 6.0 * (acceleration + a * 2.0),
-            "Displacement after one step",
-        )
+        let velocity = v + h / 2.0 * (a + acceleration);
+        let velocity = sheet.step("v_1", "m/s", velocity, "Velocity after one step");
+        let next = x + h * v + h.powi(2) / 6.0 * (acceleration + a * 2.0);
+        let next = sheet.step("x_1", "m", next, "Displacement after one step");
+        vec![next, velocity, acceleration]
     }
 
-    fn runge_kutta<W: Worksheet<Num = N>>(&self, middle: f64, sheet: W) -> N {
+    fn runge_kutta<W: Worksheet<Num = N>>(&self, middle: f64, sheet: W) -> Vec<N> {
         let Self { mass: m, damping: c, stiffness: k, step: h, .. } = *self;
         let (x, v, a) = (self.displacement, self.velocity, self.acceleration);
         let middle = sheet.numerical("p_m", "N", middle, "Load in the middle of the step");
@@ -235,8 +232,8 @@ impl<N: Real> Oscillator<N> {
         let v4 = sheet.step("v_4", "m/s", v + h * a3, "Velocity of the fourth evaluation");
         let a4 = slope("a_4", self.loads[1], [x + h * v3, v4], "Acceleration of the fourth evaluation");
         let why = ("Velocity after one step", RAO.at("§11.4"));
-        sheet.step("v_1", "m/s", v + h / 6.0 * (a + a2 * 2.0 + a3 * 2.0 + a4), why);
+        let velocity = sheet.step("v_1", "m/s", v + h / 6.0 * (a + a2 * 2.0 + a3 * 2.0 + a4), why);
         let why = "Displacement after one step";
-        sheet.step("x_1", "m", x + h / 6.0 * (v + v2 * 2.0 + v3 * 2.0 + v4), why)
+        vec![sheet.step("x_1", "m", x + h / 6.0 * (v + v2 * 2.0 + v3 * 2.0 + v4), why), velocity]
     }
 }
