@@ -692,7 +692,6 @@ unknown-is-unknown-the-best-choice-for-givens = { $unknown } é incógnita: a me
 unknown-is-unknown-the-compromise-nearest-to-the-best-of-both-on-the-pareto-front-from-from-to-to-for = { $unknown } é incógnita: o compromisso mais próximo do melhor de ambos na frente de Pareto, de { $from } a { $to }, para { $givens }
 unknown-is-unknown-the-optimum-from-from-to-to-for-givens-ended-of-points-local-searches-end-here = { $unknown } é incógnita: o ótimo de { $from } a { $to } para { $givens }; { $ended } de { $points } buscas locais terminam aqui
 unknown-lies-at-the-end-of-its-range-end-beyond-it-may-be-a-better-value = { $unknown } está no extremo de sua faixa, { $end }: além dele pode haver um valor melhor
-answer-value = { $answer } ≤ { $value }
 requirements = requisitos
 met = atendidos
 not-met = não atendidos

@@ -25,7 +25,7 @@ mod wrong;
 
 use std::f64::consts::TAU;
 
-use dalembert_units::{self as units, Dim, Kind, Quantity};
+use dalembert_units::{self as units, Dim, Kind, Quantity, ReadError};
 
 pub use self::{
     common::{common_errors, declared_errors},
@@ -119,10 +119,33 @@ pub fn value(answer: &Answer, typed: &str) -> Result<f64, Text> {
 
 /// Reads a typed answer; a number alone is in the unit that ours is shown in.
 fn read(answer: &Answer, typed: &str) -> Result<Quantity, Text> {
-    let read = units::read_quantity(typed, &answer.unit, Kind::of(&answer.unit));
-    let mut read = read.map_err(|error| reading::text(&error))?;
-    read.last_place *= ambiguous_zeros(typed);
+    let quantity = |text: &str| {
+        let mut read = units::read_quantity(text, &answer.unit, Kind::of(&answer.unit))?;
+        read.last_place *= ambiguous_zeros(text);
+        Ok(read)
+    };
+    let read = quantity(typed).or_else(|error| {
+        let read = readings(&error, typed).iter().filter_map(|text| quantity(text).ok()).collect();
+        nearest_to(answer, read).ok_or_else(|| reading::text(&error))
+    })?;
     if read.si.is_finite() { Ok(read) } else { Err(Text::new("not a finite number")) }
+}
+
+/// A typed number in both of its readings, where its mark separates thousands or decimals as the country has it: `5,397 mm`.
+fn readings(error: &ReadError, typed: &str) -> Vec<String> {
+    let (ReadError::TwoMarks { readings, span, .. } | ReadError::Ambiguous { readings, span, .. }) = error
+    else {
+        return Vec::new();
+    };
+    let is_number = |text: &String| text.chars().all(|c| c.is_ascii_digit() || c == '.');
+    let readings = readings.iter().filter(|reading| is_number(reading));
+    readings.map(|reading| format!("{}{reading}{}", &typed[..span.start], &typed[span.end..])).collect()
+}
+
+/// The reading whose order of magnitude is that of ours: what was worked out settles what the mark says.
+fn nearest_to(answer: &Answer, readings: Vec<Quantity>) -> Option<Quantity> {
+    let orders = |read: &Quantity| (read.si / answer.si().unwrap_or(1.0)).abs().ln().abs();
+    readings.into_iter().min_by(|one, other| orders(one).total_cmp(&orders(other)))
 }
 
 /// Zeros at the end of a whole number may be digits or may stand for them: what one unit of the last sure digit is.

@@ -475,7 +475,7 @@ fn leaf(text: &str, shape: &Shape, path: &str, faults: &mut Faults) -> Value {
     match shape {
         Shape::Quantity(measure) => {
             let one = measure.meant(text);
-            match units::read_quantity(text, &one.own_unit(), one.kind()) {
+            match units::read_quantity(measure.without_letter(text), &one.own_unit(), one.kind()) {
                 Ok(quantity) => {
                     match one.outside(quantity.si, text).or_else(|| fraction(text, &quantity, shape)) {
                         Some(why) => fail(why, None),

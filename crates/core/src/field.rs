@@ -89,6 +89,8 @@ pub struct Measure {
     pub others: &'static [Measure],
     /// True if books print the quantity as a number too: below one and alone it is that number, 0.05 and not 0.05 %.
     pub fraction: bool,
+    /// True of a balance quality grade, which is written with its letter too: `G 6.3`, `G6.3`.
+    pub grade: bool,
 }
 
 /// An end of the permitted range.
@@ -253,7 +255,7 @@ impl Measure {
     /// A measure in a unit, without limits.
     pub const fn in_unit(unit: &'static str) -> Self {
         let (min, max) = (FieldLimit::None, FieldLimit::None);
-        Measure { unit, kind: None, min, max, others: &[], fraction: false }
+        Measure { unit, kind: None, min, max, others: &[], fraction: false, grade: false }
     }
 
     /// The one that a text is of. A number alone is a number, where one may stand here.
@@ -273,6 +275,21 @@ impl Measure {
             return Measure { unit: "1", min: scaled(self.min), max: scaled(self.max), ..self };
         }
         self.of(&read.unit)
+    }
+
+    /// The text without the letter of a grade before a number in the unit of grades: `6.3` of `G 6.3`; any other text as
+    /// it is.
+    pub(crate) fn without_letter(self, text: &str) -> &str {
+        if !self.grade {
+            return text;
+        }
+        let is_grade = |rest: &&str| {
+            let is_own = |unit: &Unit| unit.text.is_empty() || unit.ascii() == self.unit;
+            rest.starts_with(|c: char| c.is_ascii_digit())
+                && units::quantity_of(rest).is_some_and(|read| is_own(&read.unit))
+        };
+        let behind = text.trim_start().strip_prefix(['G', 'g']).map(str::trim_start);
+        behind.filter(is_grade).unwrap_or(text)
     }
 
     /// The units of all its kinds: `µm | mm/s | 1`.

@@ -308,6 +308,29 @@ pub fn key(template: &str) -> String {
     key
 }
 
+/// Returns true if a sentence has no word of a language: symbols, with subscripts of two letters, signs, and what stands in
+/// a place. Their keys leave out the signs that tell them apart: `{a} ≤ {b}` has that of `{a} ≥ {b}`.
+pub fn is_notation(template: &str) -> bool {
+    let (mut in_place, mut letters, mut before) = (false, 0, ' ');
+    for c in template.chars() {
+        match c {
+            '{' => in_place = true,
+            '}' => in_place = false,
+            _ if in_place => {}
+            _ if c.is_ascii_alphabetic() => {
+                // The subscript of a symbol may have one letter more.
+                letters = if letters == 0 && before == '_' { 0 } else { letters + 1 };
+                if letters == 2 {
+                    return false;
+                }
+            }
+            _ => letters = 0,
+        }
+        before = c;
+    }
+    true
+}
+
 fn capital(text: String) -> String {
     match text.chars().next().filter(|first| first.is_lowercase()) {
         Some(first) => first.to_uppercase().chain(text.chars().skip(1)).collect(),
@@ -355,6 +378,9 @@ pub fn translation_faults() -> Vec<String> {
 }
 
 fn portuguese(place: &str, template: &str, args: &[(&str, String)]) -> Option<String> {
+    if is_notation(template) {
+        return None;
+    }
     let key = key(template);
     let (family, analysis) = place.split_once('/').unwrap_or_default();
     let message = message(family, &key)?;
@@ -450,6 +476,20 @@ fn messages_of(file: &'static str) -> impl Iterator<Item = (&'static str, &'stat
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn symbols_and_relations_are_the_same_in_every_language() {
+        for notation in
+            ["{answer} ≤ {value}", "{answer} ≥ {value}", "m r", "Σ m r ω²", "M_R", "ω_in", "{n}", ""]
+        {
+            assert!(is_notation(notation), "{notation}");
+            let text = Text::new(notation).with("answer", "x").with("value", "2 m").with("n", 3);
+            assert_eq!(text.render(&Locale::portuguese()), text.english());
+        }
+        for sentence in ["in", "m r of the crank", "speed {n}", "F_max"] {
+            assert!(!is_notation(sentence), "{sentence}");
+        }
+    }
 
     #[test]
     fn words_of_the_user_are_no_sentence() {

@@ -2,7 +2,9 @@
 
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
 
-use dalembert_core::{Draft, FieldError, Inputs, Record, Reference, Shape, Value, Worksheet, draft, file};
+use dalembert_core::{
+    Draft, FieldError, Inputs, Measure, Record, Reference, Shape, Value, Worksheet, draft, file,
+};
 use nalgebra::Vector3;
 
 /// A machine with everything a form can ask for.
@@ -534,4 +536,18 @@ fn a_fraction_is_written_as_a_number_or_in_per_cent() {
     assert_eq!(read(1, "5"), Ok(0.05));
     let why = read(1, "0.05").unwrap_err();
     assert!(why.contains("write `5 %` or `0.05 %`"), "{why}");
+}
+
+#[test]
+fn a_balance_quality_grade_is_written_with_its_letter_too() {
+    let grade = Shape::Quantity(Measure { grade: true, ..Measure::in_unit("mm/s") });
+    for text in ["2.5", "G2.5", "G 2.5", "G2,5", "g 2.5", "G 2.5 mm/s"] {
+        let Ok(Value::Quantity(read)) = draft::read_leaf(text, &grade, "") else { panic!("{text}") };
+        assert!((read.si - 0.0025).abs() < 1e-15, "{text}: {}", read.si);
+    }
+    for text in ["G", "G 2.5 in/s", "G-2.5", "2.5 G"] {
+        assert!(draft::read_leaf(text, &grade, "").is_err(), "{text}");
+    }
+    let speed = Shape::Quantity(Measure::in_unit("mm/s"));
+    assert!(draft::read_leaf("G2.5", &speed, "").is_err());
 }

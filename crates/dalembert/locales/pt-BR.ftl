@@ -322,3 +322,4 @@ missing-in-the-note-computed = falta no memorial: `{ $computed }`
 confirmed-count-lines-of-data-answers-and-working-are-as-computed = confirmado: { $count } linhas de dados, respostas e resolução conferem com o cálculo
 not-confirmed-found-of-count-lines-of-data-answers-and-working-are-not-as-computed = não confirmado: { $found } de { $count } linhas de dados, respostas e resolução não conferem com o cálculo
 title-is-left-out-another-analysis-has-its-id-id-give-it-one-of-its-own = { $title } fica de fora: outra análise tem o seu id { $id }; dê-lhe um id próprio
+number-has-a-decimal-mark-and-is-read-as-a-decimal-write-thousands-without-one = { $number } tem um sinal decimal e é lido como decimal; escreva milhares sem sinal

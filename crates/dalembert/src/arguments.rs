@@ -226,7 +226,7 @@ pub(crate) struct Check {
     /// Your answers, with their units; a number alone is in the unit of the answer: 'amplitude=19.5 mm'
     #[arg(value_name = "ANSWER=VALUE", required = true, add = completion::answers("="))]
     pub(crate) answers: Vec<String>,
-    /// Take the inputs of this published case, counted from 1; default: case 1
+    /// Take the inputs of this published case, counted from 1; default: case 1, unless --set sets them
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) case: Option<u32>,
     /// Change an input: mass="40 kg"

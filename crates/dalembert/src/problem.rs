@@ -14,8 +14,10 @@ use dalembert_core::{
     find, is_within,
 };
 use dalembert_report::{WorkedProblem, named_error as named, short, typed, with_file};
-use dalembert_tui::files::{self, FileError};
-
+use dalembert_tui::{
+    files::{self, FileError},
+    form::point_of_thousands,
+};
 use serde_json::{Map, Value as Json};
 
 use crate::{console::Console, failure::Failure, questions, snippet, solving::SolveOutcome, values};
@@ -249,6 +251,12 @@ fn of_analysis(
     }
 }
 
+/// The case that a question about a problem begins with, where its own options change inputs too: the first where no input
+/// is set. With inputs set and none to begin with, the others would be those of another problem.
+pub(crate) fn first_case(named: &str, case: Option<u32>, set: &[String]) -> Option<u32> {
+    case.or_else(|| find(named).filter(|_| set.is_empty()).map(|_| 1))
+}
+
 /// The published case of a number, counted from 1.
 pub(crate) fn case(entry: &'static Entry, number: u32) -> Result<Case, Failure> {
     // Another program asks for the same case again and again: they are read once.
@@ -404,6 +412,17 @@ fn change(draft: &mut Draft, shape: &Shape, asked: &ProblemSource<'_>, console: 
         };
         if let Err(error) = set(draft, shape, path.trim(), value, console) {
             errors.push(wrong(&error.path).with_text("why", error.why));
+        }
+        if let Some(number) = point_of_thousands(value, console.locale.style) {
+            let why = Text::new(
+                "{number} has a decimal mark and is read as a decimal; write thousands without one",
+            );
+            let why = why.with("number", number);
+            if asked.strict {
+                errors.push(wrong(path.trim()).with_text("why", why));
+            } else {
+                console.notify("warning: {words}", &wrong(path.trim()).with_text("why", why));
+            }
         }
     }
     for (path, value) in asked.values.into_iter().flatten() {

@@ -282,7 +282,8 @@ impl Arguments {
                     Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => found.texts.push(text.value()),
                     Expr::Path(path) if path.path.get_ident().is_some() => {
                         let word = path.path.require_ident()?.to_string();
-                        let known = ["positive", "nonnegative", "fraction", "planar", "table", "flatten"];
+                        let known =
+                            ["positive", "nonnegative", "fraction", "grade", "planar", "table", "flatten"];
                         if !known.contains(&word.as_str()) {
                             return Err(Error::new_spanned(
                                 &argument,
@@ -414,9 +415,12 @@ impl Arguments {
         };
         let min = limit("min", "above", Some(("positive", "nonnegative")));
         let max = limit("max", "below", None);
-        let fraction = self.has("fraction");
+        let (fraction, grade) = (self.has("fraction"), self.has("grade"));
         Ok(code! {
-            dalembert_core::Measure { unit: #unit, kind: #kind, min: #min, max: #max, others: &[#(#others),*], fraction: #fraction }
+            dalembert_core::Measure {
+                unit: #unit, kind: #kind, min: #min, max: #max, others: &[#(#others),*],
+                fraction: #fraction, grade: #grade
+            }
         })
     }
 }

@@ -29,8 +29,9 @@ use proc_macro::TokenStream;
 /// choices have in common is written once.
 ///
 /// Arguments of a quantity: `positive`, `nonnegative`, `fraction` (in per cent, but a number below one without a unit is
-/// a fraction, as books print it), `above = x`, `below = x`, `min = x`, `max = x` (in the unit
-/// of the field), `kind = "Amplitude"` where the unit does not tell the kind, `default = "9.81 m/s^2"`,
+/// a fraction, as books print it), `grade` (a balance quality grade: `G 6.3` is read as 6.3), `above = x`,
+/// `below = x`, `min = x`, `max = x` (in the unit of the field), `kind = "Amplitude"` where the unit does not tell the
+/// kind, `default = "9.81 m/s^2"`,
 /// `default_before = "…"` the default of files of the first format, where it was another;
 /// `formerly = "displacement|velocity"` names the alternatives that stood here in earlier files, one for each kind of the
 /// quantities in them;

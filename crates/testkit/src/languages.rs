@@ -139,22 +139,30 @@ pub fn every_sentence_of_a_case_has_a_key_of_its_own(entries: &[&'static Entry])
     }
 }
 
-/// Reads every translation file below some folders: it is well formed, and each message has the arguments that its
-/// English sentence has in the sources.
+/// Reads every translation file below some folders: it is well formed, and each message has the arguments and the relations
+/// (≤, ≥, ≠) that its English sentence has in the sources.
 pub fn the_translations_are_well_formed_and_use_the_same_arguments(
     sources: &[SourceFile],
     folders: &[impl AsRef<Path>],
 ) {
     let faults = text::translation_faults();
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+    let relations = |sentence: &str| sentence.chars().filter(|c| "≤≥≠".contains(*c)).collect::<String>();
     let mut used: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    let mut related: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     for literal in sources.iter().flat_map(|source| literals(&source.text)) {
         used.insert(text::key(&literal), arguments(&literal, "{", "}"));
+        if !text::is_notation(&literal) {
+            related.entry(text::key(&literal)).or_default().insert(relations(&literal));
+        }
     }
     for (path, key, sentence) in messages(folders).iter().filter(|(_, _, sentence)| !sentence.is_empty()) {
         if let Some(wanted) = used.get(key) {
             let have = arguments(sentence, "{ $", " }");
             assert_eq!(&have, wanted, "{}: {key} has other arguments than the English", path.display());
+            let signs =
+                related.get(key).is_none_or(|all| all.iter().all(|signs| *signs == relations(sentence)));
+            assert!(signs, "{}: {key} has other relations than the English", path.display());
         }
     }
 }
@@ -176,8 +184,8 @@ pub fn every_translation_is_in_use(
     }
     for_each_problem(entries, |problem| sentences.solution(problem.entry.family(), &problem.solution));
     let literals: Vec<String> = sources.iter().flat_map(|source| strings(&source.text)).collect();
-    let used: BTreeSet<String> =
-        sentences.0.keys().chain(&literals).map(|sentence| text::key(sentence)).collect();
+    let sentences = sentences.0.keys().chain(&literals).filter(|sentence| !text::is_notation(sentence));
+    let used: BTreeSet<String> = sentences.map(|sentence| text::key(sentence)).collect();
     let unused: Vec<String> = messages(folders)
         .iter()
         .filter(|(_, key, _)| !used.contains(key))

@@ -60,7 +60,7 @@ pub struct FieldMode {
     pub line: usize,
     /// The text in it, where it is one of text.
     pub input: TextEntry,
-    /// Reason for which the text was not taken.
+    /// Reason for which the text was not taken, or for which the job does not go on.
     pub fault: Option<Text>,
     /// The file that the job is to be saved in, while it is in none.
     pub path: Option<PathBuf>,
@@ -177,9 +177,17 @@ impl FieldMode {
         self.input = TextEntry::selected(text);
     }
 
-    /// The line after the one that was answered: the next that must be, or the way on.
+    /// The line after the one that was answered: the next that must be, or the way on. After the choice of the
+    /// requirement it is its value: that of a grade has a default, which is to be seen before it is taken.
     pub fn next_line(&self, problem: &Problem) -> usize {
         let all = self.lines(problem);
+        let is_requirement = |line: &FieldLine| {
+            matches!(line.kind, LineKind::Choice(Choice::OneOf("rotor.requirement"), _))
+                && is_answered(problem, line)
+        };
+        if all.get(self.line).is_some_and(is_requirement) {
+            return self.line + 1;
+        }
         let open = |at: &usize| all[*at].required && !is_answered(problem, &all[*at]);
         let after = (self.line + 1..all.len()).find(open);
         let way_on = all.iter().position(|line| matches!(line.kind, LineKind::Go(_)));

@@ -823,6 +823,54 @@ fn a_comma_before_three_digits_is_refused_with_both_readings() {
 }
 
 #[test]
+fn a_point_before_three_digits_is_reported_where_the_language_has_the_comma() {
+    let solve = |lang: &str, more: &[&str]| {
+        let arguments = ["solve", FAN, "--case", "1", "--lang", lang, "--set", "speed=1.200 rpm"];
+        run(&[&arguments, more].concat(), &[])
+    };
+    assert_eq!(stderr(&solve("en", &[])), "");
+    let output = solve("pt-BR", &[]);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(stderr(&output).contains("aviso: --set speed: 1.200"), "{}", stderr(&output));
+    assert_eq!(solve("pt-BR", &["--strict"]).status.code(), Some(2));
+}
+
+/// As `solve` has it: the inputs that are not set are not those of a published case.
+#[test]
+fn what_is_set_is_all_that_a_question_knows() {
+    let set = [
+        "--set",
+        "mass=100 kg",
+        "--set",
+        "unbalance=0.05 kg*m",
+        "--set",
+        "support.stiffness.stiffness=1 MN/m",
+        "--set",
+        "damping.ratio.ratio=0.05",
+        "--set",
+        "speed=900 rpm",
+    ];
+    let amplitude =
+        json(&[&["solve", FAN, "--format", "json"], &set[..]].concat())["answers"]["amplitude"].clone();
+    let typed = format!("amplitude={} m", amplitude["si"]);
+    let answers = json(&[&["check", FAN, "--json", &typed], &set[..]].concat());
+    assert_eq!(answers["answers"][0]["verdict"], "correct", "{answers}");
+    let without_mass = &set[2..];
+    for question in [
+        vec!["check", FAN, "amplitude=1 mm"],
+        vec!["sensitivity", FAN, "amplitude"],
+        vec!["find", FAN, "speed", "amplitude<=1 mm", "--from", "100 rpm", "--to", "900 rpm"],
+    ] {
+        let error = refused(&[&question[..], without_mass].concat(), 2);
+        assert!(error.contains("mass"), "{question:?}: {error}");
+    }
+    let found = printed(
+        &[&["find", FAN, "speed", &typed, "--from", "800 rpm", "--to", "1000 rpm"], &set[..8]].concat(),
+    );
+    assert!(found.contains("900 rpm"), "{found}");
+}
+
+#[test]
 fn a_problem_is_begun_filled_in_and_solved() {
     let empty = printed(&["new", FAN]);
     let (folder, path) = file(empty.as_bytes());

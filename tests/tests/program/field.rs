@@ -127,7 +127,7 @@ fn a_fan_is_balanced_in_two_planes_from_blank_to_report_in_forty_keys() {
     let mut fan = Machine::fan();
     let mut job = Technician::at("field", folder.path(), (24, 80));
     job.sees("The job").types("fan<enter>").sees("1 one").types("2").sees("1 mm/s").types("1");
-    job.types("1480<enter>180<enter>400<enter>").sees("grade G").types("1");
+    job.types("1480<enter>180<enter>400<enter>").sees("grade G").types("1<enter>");
     job.sees("Next: instrument").types("<enter>").sees("fan.toml").types("<enter>").sees("saved as");
     job.types("1112").sees("lag").types("<enter>").sees("as found");
     job.reads(&fan).sees("H1").types("<enter>").sees("Proposed");
@@ -190,7 +190,7 @@ fn a_job_goes_on_where_it_was_interrupted_and_opens_in_the_workbench() {
     let mut job = Technician::at("field fan.toml", folder.path(), (24, 80));
     job.sees("The job")
         .types("fan<enter>21")
-        .types("1480<enter>180<enter>400<enter>1<enter>")
+        .types("1480<enter>180<enter>400<enter>1<enter><enter>")
         .sees("saved as");
     job.leaves();
     let mut job = Technician::at("field fan.toml", folder.path(), (24, 80));
@@ -224,7 +224,7 @@ fn a_job_is_recorded_and_played_again() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut job = Technician::at("field --record job.replay", folder.path(), (24, 80));
     job.sees("The job").types("fan<enter>21").types("1480<enter>180<enter>400<enter>").sees("grade G");
-    job.types("1")
+    job.types("1<enter>")
         .sees("Next: instrument")
         .types("<enter>")
         .sees("fan.toml")

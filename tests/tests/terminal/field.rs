@@ -2,14 +2,14 @@
 
 use std::fs;
 
-use dalembert_core::{Language, Locale, Text};
+use dalembert_core::{Draft, Language, Locale, Text};
 use dalembert_tests::person::Person;
 use dalembert_tui::field::{FieldPage, LineKind, lines, pages, title};
 
 /// A job of two planes up to the correction, as it is typed from a blank one.
 const TO_CORRECTION: &[&str] = &[
     "fan<enter>21",
-    "1480<enter>180<enter>400<enter>1<enter><esc>",
+    "1480<enter>180<enter>400<enter>1<enter><enter><esc>",
     "1112<enter>",
     "7.57@244<enter>2.95@185<enter><enter>",
     "25@0<enter>5.17@261<enter>2.41@170<enter><enter>",
@@ -76,8 +76,34 @@ fn the_correction_is_seen_on_the_clock_face() {
     person.resizes(60, 20);
     insta::assert_snapshot!("correction_narrow", person.sees());
     let mut person = begun(Person::in_ascii(80, 24));
-    person.types(TO_CORRECTION[0]).types(TO_CORRECTION[1]).types("111");
+    person.types(TO_CORRECTION[0]).types(TO_CORRECTION[1]).types("1111<up><up><up><up>");
     insta::assert_snapshot!("conventions_ascii", person.sees());
+}
+
+/// A convention that is taken in silence puts weights at wrong angles.
+#[test]
+fn enter_does_not_choose_for_the_user() {
+    let mut person = begun(Person::at(80, 24));
+    TO_CORRECTION[..2].iter().for_each(|keys| _ = person.types(keys));
+    assert!(!person.sees().contains("rotor turns"), "{}", person.sees());
+    person.types("<enter><enter>");
+    let screen = person.sees();
+    assert!(screen.contains("choose 1 or 2") && !screen.contains("rotor turns"), "{screen}");
+    person.types("1");
+    let screen = person.sees();
+    assert!(screen.contains("rotor turns") && !screen.contains("choose 1 or 2"), "{screen}");
+}
+
+#[test]
+fn a_grade_is_typed_behind_its_choice() {
+    let mut person = begun(Person::at(80, 24));
+    person.types(TO_CORRECTION[0]).types("1480<enter>180<enter>400<enter>1G2.5<enter>");
+    let problem = &person.model.shown_bench().expect("a problem").problem;
+    let shape = problem.entry().shape();
+    let grade = problem.inputs.form.draft.at(&shape, "rotor.requirement.grade.grade");
+    assert_eq!(grade.map(|(draft, _)| draft), Ok(&Draft::Leaf("G2.5".into())));
+    person.types("<enter><esc>");
+    assert_eq!(page(&person), FieldPage::Instrument);
 }
 
 #[test]

@@ -130,7 +130,8 @@ impl Reader {
             };
         };
         let one = measure.meant(text);
-        let (formula, unit, si) = match units::read_quantity(text, &one.own_unit(), one.kind()) {
+        let grade = measure.without_letter(text);
+        let (formula, unit, si) = match units::read_quantity(grade, &one.own_unit(), one.kind()) {
             Ok(quantity) => {
                 if let Some(why) = one.outside(quantity.si, text) {
                     return fail("formula", why);

@@ -10,7 +10,7 @@ pub fn repairs(text: &str, shape: &Shape) -> Vec<String> {
     let error = match shape.present() {
         Shape::Quantity(measure) => {
             let one = measure.meant(text);
-            match units::read_quantity(text, &one.own_unit(), one.kind()) {
+            match units::read_quantity(measure.without_letter(text), &one.own_unit(), one.kind()) {
                 Ok(quantity) => return per_cent(text, &quantity, shape).map_or_else(Vec::new, Vec::from),
                 Err(error) => error,
             }

@@ -24,7 +24,7 @@ pub(crate) struct Find {
     /// The same as ANSWER=VALUE
     #[arg(long = "answer", id = "answer_option", value_name = "ANSWER=VALUE", hide = true, conflicts_with = "answer", add = completion::answers("="))]
     pub(crate) answer_option: Option<String>,
-    /// Take the other inputs of this published case, counted from 1; default: case 1
+    /// Take the other inputs of this published case, counted from 1; default: case 1, unless --set sets them
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) case: Option<u32>,
     /// Change another input: mass="40 kg"
@@ -49,7 +49,7 @@ pub(crate) struct Optimise {
     /// The id of an analysis, or a problem file; - reads the standard input
     #[arg(value_name = "ID|FILE|-", add = completion::problems())]
     pub(crate) problem: String,
-    /// Take the other inputs of this published case, counted from 1; default: case 1
+    /// Take the other inputs of this published case, counted from 1; default: case 1, unless --set sets them
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) case: Option<u32>,
     /// Change an input; with a tolerance, the worst case counts: mass='40 kg ± 5 %'
@@ -91,7 +91,7 @@ pub(crate) struct Sensitivity {
     /// The answer; default: the main one
     #[arg(value_name = "ANSWER", add = completion::answers(""))]
     pub(crate) answer: Option<String>,
-    /// Take the inputs of this published case, counted from 1; default: case 1
+    /// Take the inputs of this published case, counted from 1; default: case 1, unless --set sets them
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) case: Option<u32>,
     /// Change an input; its tolerance may stand behind it: mass='40 kg ± 5 %'

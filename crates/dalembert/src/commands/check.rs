@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use dalembert_core::{
     Solution, Stop, Text,
     check::{self, Verdict},
-    find as analysis, nearest,
+    nearest,
 };
 use dalembert_report::checked_answers;
 use serde_json::{Value as Json, json};
@@ -23,11 +23,8 @@ const FORMAT: u32 = 1;
 
 /// Compares answers with the computed ones, and prints the likeliest cause of each wrong one.
 pub(crate) fn run(check: &Check, console: &Console) -> Result<ExitCode, Failure> {
-    let asked = ProblemSource {
-        case: check.case.or_else(|| analysis(&check.problem).map(|_| 1)),
-        changes: &check.set,
-        ..ProblemSource::named(&check.problem)
-    };
+    let asked =
+        ProblemSource { case: check.case, changes: &check.set, ..ProblemSource::named(&check.problem) };
     let problem = problem::read(&asked, console)?;
     let solution = solving::solve(problem.entry, &problem.record)?.map_err(Failure::Refused)?;
     let locale = console.locale.at(problem.entry.about.id);

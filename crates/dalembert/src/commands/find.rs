@@ -36,12 +36,23 @@ struct Asked<'f> {
 pub(crate) fn run(find: &Find, console: &Console) -> Result<ExitCode, Failure> {
     let input = find.input.as_deref().or(find.input_option.as_deref()).unwrap_or_default();
     let wanted = find.answer.as_deref().or(find.answer_option.as_deref()).unwrap_or_default();
-    let case = find.case.or_else(|| analysis(&find.problem).map(|_| 1));
+    let case = problem::first_case(&find.problem, find.case, &find.set);
     let (answer, relation, value) = requirement(wanted);
     let asked = Asked { arguments: find, case, input, answer, relation, value };
     match relation {
         Relation::Equal => equal(&asked, wanted, console),
         Relation::AtMost | Relation::AtLeast => limits::run(&asked, console),
+    }
+}
+
+impl Asked<'_> {
+    /// The inputs to change for the problem without an unknown: where it begins with none, the input is set to the beginning of
+    /// its range.
+    fn changes(&self) -> Vec<String> {
+        let is_blank = self.case.is_none() && analysis(&self.arguments.problem).is_some();
+        let begin = self.arguments.from.as_ref().filter(|_| is_blank);
+        let begin = begin.map(|from| format!("{}={from}", self.input));
+        self.arguments.set.iter().cloned().chain(begin).collect()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::{ffi::OsStr, path::Path, process::ExitCode};
 
-use dalembert_core::{Determined, Goal, Text, find};
+use dalembert_core::{Determined, Goal, Text};
 
 use crate::{
     arguments::Optimise,
@@ -20,7 +20,7 @@ pub(crate) fn run(asked: &Optimise, console: &Console) -> Result<ExitCode, Failu
         output::allowed(path, Path::new(&asked.problem), asked.force)?;
     }
     let source = ProblemSource {
-        case: asked.case.or_else(|| find(&asked.problem).map(|_| 1)),
+        case: problem::first_case(&asked.problem, asked.case, &asked.set),
         changes: &changes,
         ask: &asked.ask,
         given: &given,

@@ -3,7 +3,7 @@
 use std::{process::ExitCode, thread};
 
 use dalembert_core::{
-    Answer, Locale, Record, Solution, Stop, Text, find as analysis,
+    Answer, Locale, Record, Solution, Stop, Text,
     sensitivity::{self, InputInfluence, Sensitivity},
     study::{USUAL_SAMPLES, answer as named_answer},
     vary,
@@ -41,11 +41,8 @@ struct Report<'r> {
 
 /// Prints the influence of each input on an answer, and the effect of the tolerances.
 pub(crate) fn run(asked: &Arguments, console: &Console) -> Result<ExitCode, Failure> {
-    let source = ProblemSource {
-        case: asked.case.or_else(|| analysis(&asked.problem).map(|_| 1)),
-        changes: &asked.set,
-        ..ProblemSource::named(&asked.problem)
-    };
+    let source =
+        ProblemSource { case: asked.case, changes: &asked.set, ..ProblemSource::named(&asked.problem) };
     let problem = problem::read(&source, console)?;
     let solution = solve::outcome(&problem)?.map_err(Failure::Refused)?;
     let answer = chosen(&solution, asked.answer.as_deref())?;

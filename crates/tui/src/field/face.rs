@@ -65,22 +65,25 @@ pub(crate) fn faces(
         FieldPage::Correction(trims) => {
             let all = words::mounted(problem, trims);
             if is_narrow && all.len() > 1 {
-                return vec![together(face, &all, locale)];
+                return vec![together(problem, face, &all, locale)];
             }
             all.iter().map(|mass| correction(problem, face, trims, mass, locale)).collect()
         }
     }
 }
 
-/// Rim, scale, mark and direction of rotation.
-fn rotor(face: Face, title: &Text, locale: &Locale) -> Dial {
+/// Rim, scale, mark and direction of rotation; of what is not answered yet nothing is drawn.
+fn rotor(problem: &Problem, face: Face, title: &Text, locale: &Locale) -> Dial {
+    let turns = entry::chosen(problem, "view.rotation").is_some();
+    let grows = turns && entry::chosen(problem, "angles").is_some();
     let ticks = (0..12).map(|tick| f64::from(tick) * PI / 6.0).collect();
     let scale = |quarter: i32| DialName {
         direction: face.direction(f64::from(quarter) * FRAC_PI_2),
         words: if locale.style.ascii { (90 * quarter).to_string() } else { format!("{}°", 90 * quarter) },
         ink: Ink::Faint,
     };
-    let mut names: Vec<DialName> = (0..4).map(scale).collect();
+    // 0° and 180° have their places whichever way the scale goes.
+    let mut names: Vec<DialName> = (0..4).filter(|quarter| grows || quarter % 2 == 0).map(scale).collect();
     let mark = face.direction(face.mark);
     names.push(DialName { direction: mark, words: Text::from("mark").render(locale), ink: Ink::Motion });
     let sense = if face.turns_clockwise { -1.0 } else { 1.0 };
@@ -98,7 +101,7 @@ fn rotor(face: Face, title: &Text, locale: &Locale) -> Dial {
         names,
         hands: Vec::new(),
         spots: vec![spot],
-        arrows: vec![rotation],
+        arrows: if turns { vec![rotation] } else { Vec::new() },
     }
 }
 
@@ -120,13 +123,17 @@ fn plane_seen(problem: &Problem, plane: usize) -> Text {
 
 /// The habits of instrument and technician; that of the line under the cursor is pointed out.
 fn conventions(problem: &Problem, face: Face, line: usize, locale: &Locale) -> Dial {
-    let mut dial = rotor(face, &seen_from(problem), locale);
+    let mut dial = rotor(problem, face, &seen_from(problem), locale);
     let pointed_out = match line {
-        2 => Some(("angle grows", face.grows_clockwise)),
-        3 => Some(("phase grows", face.phase_clockwise)),
+        2 => Some(("angles", "angle grows", face.grows_clockwise)),
+        3 => Some(("phase", "phase grows", face.phase_clockwise)),
         _ => None,
     };
-    if let Some((words, clockwise)) = pointed_out {
+    let is_answered = |path: &str| entry::chosen(problem, path).is_some();
+    if let Some((path, words, clockwise)) = pointed_out
+        && is_answered("view.rotation")
+        && is_answered(path)
+    {
         let sense = if clockwise { -1.0 } else { 1.0 };
         dial.arrows.push(ArcArrow {
             radius: 0.82,
@@ -159,14 +166,14 @@ fn high_spots(problem: &Problem, face: Face, locale: &Locale) -> Dial {
         Some(_) => "H: high spot, nearest to the sensor at the peak".into(),
         None => seen_from(problem),
     };
-    let mut dial = rotor(face, &title, locale);
+    let mut dial = rotor(problem, face, &title, locale);
     with_high_spots(problem, face, &mut dial);
     dial
 }
 
 /// The trial weight of a run.
 fn trial(problem: &Problem, face: Face, run: usize, locale: &Locale) -> Dial {
-    let mut dial = rotor(face, &plane_seen(problem, run), locale);
+    let mut dial = rotor(problem, face, &plane_seen(problem, run), locale);
     let row = format!("{}[{run}]", entry::RUNS);
     if let Some(angle) = entry::si_at(problem, &format!("{row}.angle")) {
         let words = entry::in_style(entry::text_at(problem, &format!("{row}.mass")), locale.style);
@@ -188,7 +195,7 @@ fn correction(
         .with("n", mass.plane)
         .with("mass", words::quantity(mass.mass, locale))
         .with("angle", words::degrees(mass.angle, locale));
-    let mut dial = rotor(face, &title, locale);
+    let mut dial = rotor(problem, face, &title, locale);
     let stays = entry::chosen(problem, "measured.influence.runs.after") == Some(1);
     let row = (1..=entry::rows(problem, entry::RUNS))
         .map(|row| format!("{}[{row}]", entry::RUNS))
@@ -203,8 +210,8 @@ fn correction(
 }
 
 /// The masses to mount in all planes.
-fn together(face: Face, all: &[words::Mounted<'_>], locale: &Locale) -> Dial {
-    let mut dial = rotor(face, &Text::from("Planes 1, 2"), locale);
+fn together(problem: &Problem, face: Face, all: &[words::Mounted<'_>], locale: &Locale) -> Dial {
+    let mut dial = rotor(problem, face, &Text::from("Planes 1, 2"), locale);
     for mass in all {
         let direction = face.direction(mass.angle.si().unwrap_or_default());
         let words = format!("{}: {}", mass.plane, words::degrees(mass.angle, locale));

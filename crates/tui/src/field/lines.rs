@@ -123,7 +123,7 @@ fn instrument(problem: &Problem) -> Vec<FieldLine> {
     let mut lines = vec![
         choice(
             "Rotor turns",
-            "As seen from the drive end: stand where motor or pulley is and look at the rotor",
+            "As seen from the drive end: stand at motor or pulley and look at the rotor",
             Choice::OneOf("view.rotation"),
             &["clockwise", "counter-clockwise"],
         ),

@@ -46,7 +46,7 @@ pub(crate) fn task(problem: &Problem, page: FieldPage, locale: &Locale) -> Text 
     match page {
         FieldPage::Job => "Answer line by line. Enter takes a line, a digit chooses an option.".into(),
         FieldPage::Instrument => {
-            "Asked once. Compare the picture with machine and instrument; with any convention the weight ends up at the same place."
+            "These must be the conventions of your instrument and your scale: a wrong one puts the weight at a mirrored angle."
                 .into()
         }
         FieldPage::Initial => {

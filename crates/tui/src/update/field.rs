@@ -87,7 +87,10 @@ fn choose(model: &mut Model, which: impl FnOnce(Option<usize>) -> Option<usize>)
     };
     let at = which(field::option(problem, choice)).filter(|at| *at < options.len());
     match at {
-        Some(at) if field::choose(problem, choice, at) => vec![Intent::Changed],
+        Some(at) if field::choose(problem, choice, at) => {
+            field.fault = None;
+            vec![Intent::Changed]
+        }
         _ => Vec::new(),
     }
 }
@@ -107,11 +110,17 @@ fn enter(model: &mut Model) -> Vec<Intent> {
     let Some(line) = field.shown(problem) else { return Vec::new() };
     match line.kind {
         LineKind::Go(to) => go(model, to),
-        LineKind::Choice(choice, _) => {
-            // What is not chosen yet is the first option, which the line shows.
-            let chosen = field::option(problem, choice).is_none() && field::choose(problem, choice, 0);
+        LineKind::Choice(choice, options) if field::option(problem, choice).is_none() => {
+            // Nothing is chosen for the user: a convention taken in silence puts weights at wrong angles.
+            field.fault = Some(match options.len() {
+                2 => "choose 1 or 2".into(),
+                last => Text::new("choose 1 to {last}").with("last", last),
+            });
+            Vec::new()
+        }
+        LineKind::Choice(..) => {
             go_on(model);
-            if chosen { vec![Intent::Changed] } else { Vec::new() }
+            Vec::new()
         }
         _ => settled(model, |model| {
             go_on(model);

@@ -68,7 +68,9 @@ pub(super) fn draw(model: &Model, bench: &Bench, area: Rect, buffer: &mut Buffer
         Rect { y: text.y + used, height: text.height - used, ..text }
     });
     draw_faces(model, &faces, picture, buffer);
-    draw_help(model, bench, field, help, buffer);
+    // The last row is that of a notice, while there is one.
+    let rows = help.height.saturating_sub(u16::from(model.notice.is_some()));
+    draw_help(model, bench, field, Rect { height: rows, ..help }, buffer);
     bars::footer(model, footer, buffer);
     page.cursor.and_then(|column| {
         let y = text.y + u16::try_from(page.focus.checked_sub(first)?).ok()?;

@@ -28,6 +28,7 @@ mod worked;
 
 use self::{
     numbers::Numbers,
+    positions::SplitMass,
     ranges::ranges,
     readings::{Influence, Job},
 };
@@ -239,8 +240,12 @@ impl Analysis for Field {
             sheet,
         )?;
         if let (Some(positions), Some(given)) = (&self.positions, &given.positions) {
-            let next = checked.map(|checked| checked.trim).or(added).unwrap_or(corrections);
-            positions::split(positions, given, &next, sheet);
+            let next = match (checked, added) {
+                (Some(checked), _) => (SplitMass::Trim, checked.trim),
+                (None, Some(added)) => (SplitMass::Added, added),
+                (None, None) => (SplitMass::Correction, corrections),
+            };
+            positions::split(positions, given, (next.0, &next.1), sheet);
         }
         let left = self.predict(&numbers, &weights, job.units.reading, sheet);
         if let Method::Limits { .. } = self.method {

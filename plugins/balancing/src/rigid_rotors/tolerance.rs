@@ -48,7 +48,7 @@ pub enum Criterion {
     Grade {
         /// Grade.
         /// Speed of the centre of mass: G 6.3 is 6.3 mm/s.
-        #[input("G", "mm/s", positive, default = "6.3 mm/s")]
+        #[input("G", "mm/s", positive, grade, default = "6.3 mm/s")]
         grade: f64,
     },
     /// Kind of machine
@@ -83,67 +83,67 @@ pub enum MachineClass {
     /// Gyroscopes, spindles and drives of high precision
     Precision {
         /// Grade.
-        #[input("G", "mm/s", positive, default = "0.4 mm/s")]
+        #[input("G", "mm/s", positive, grade, default = "0.4 mm/s")]
         grade: f64,
     },
     /// Drives of grinding machines, audio and video drives
     Grinding {
         /// Grade.
-        #[input("G", "mm/s", positive, default = "1 mm/s")]
+        #[input("G", "mm/s", positive, grade, default = "1 mm/s")]
         grade: f64,
     },
     /// Steam and gas turbines, compressors, machine-tool drives, larger motors above 950 rpm
     Turbine {
         /// Grade.
-        #[input("G", "mm/s", positive, default = "2.5 mm/s")]
+        #[input("G", "mm/s", positive, grade, default = "2.5 mm/s")]
         grade: f64,
     },
     /// Fans, pumps, gears, general machinery, small motors, water turbines, turbochargers
     General {
         /// Grade.
-        #[input("G", "mm/s", positive, default = "6.3 mm/s")]
+        #[input("G", "mm/s", positive, grade, default = "6.3 mm/s")]
         grade: f64,
     },
     /// Agricultural machines, crushers, cardan shafts, balanced and rigidly mounted crankshafts
     Agricultural {
         /// Grade.
-        #[input("G", "mm/s", positive, default = "16 mm/s")]
+        #[input("G", "mm/s", positive, grade, default = "16 mm/s")]
         grade: f64,
     },
     /// Wheels and drive shafts of cars, balanced and elastically mounted crankshafts
     Car {
         /// Grade.
-        #[input("G", "mm/s", positive, default = "40 mm/s")]
+        #[input("G", "mm/s", positive, grade, default = "40 mm/s")]
         grade: f64,
     },
     /// Complete piston engines of cars, lorries and locomotives
     Engine {
         /// Grade.
-        #[input("G", "mm/s", positive, default = "100 mm/s")]
+        #[input("G", "mm/s", positive, grade, default = "100 mm/s")]
         grade: f64,
     },
     /// Unbalanced and rigidly mounted crankshafts
     RigidCrankshaft {
         /// Grade.
-        #[input("G", "mm/s", positive, default = "250 mm/s")]
+        #[input("G", "mm/s", positive, grade, default = "250 mm/s")]
         grade: f64,
     },
     /// Unbalanced and elastically mounted crankshafts
     ElasticCrankshaft {
         /// Grade.
-        #[input("G", "mm/s", positive, default = "630 mm/s")]
+        #[input("G", "mm/s", positive, grade, default = "630 mm/s")]
         grade: f64,
     },
     /// Balanced crankshafts of large slow marine engines
     BalancedMarine {
         /// Grade.
-        #[input("G", "mm/s", positive, default = "1600 mm/s")]
+        #[input("G", "mm/s", positive, grade, default = "1600 mm/s")]
         grade: f64,
     },
     /// Unbalanced crankshafts of large slow marine engines
     UnbalancedMarine {
         /// Grade.
-        #[input("G", "mm/s", positive, default = "4000 mm/s")]
+        #[input("G", "mm/s", positive, grade, default = "4000 mm/s")]
         grade: f64,
     },
 }
@@ -271,8 +271,8 @@ impl Analysis for Tolerance {
         topic: "Rigid rotors",
         summary: "Permissible residual unbalance by the balance quality grades of ISO 21940-11, its allocation to two planes, and the conformity of a measured residual unbalance.",
         main: &["permissible", "permissible_a", "permissible_b", "grade", "trial_mass"],
-        keywords: "iso 1940 21940 grau de qualidade de balanceamento G 2.5 G 6.3 desbalanceamento residual admissível tolerância \
-                   permissible residual unbalance quality grade oz in 4W/N mil-std-167 api trial mass massa de teste",
+        keywords: "iso 1940 21940 grau de qualidade de balanceamento G 2.5 G 6.3 G2.5 G6.3 G16 desbalanceamento \
+                   residual admissível tolerância permissible residual unbalance quality grade oz in 4W/N mil-std-167 api trial mass massa de teste",
         sources: &[&ISO_TOLERANCES, &MIL_STD_167],
         cases: include_str!("../../cases/tolerance.toml"),
     };

@@ -25,8 +25,8 @@ const FORMAT: u32 = 1;
 /// Prints the permitted intervals of an input.
 pub(super) fn run(asked: &Asked<'_>, console: &Console) -> Result<ExitCode, Failure> {
     let find = asked.arguments;
-    let source =
-        ProblemSource { case: asked.case, changes: &find.set, ..ProblemSource::named(&find.problem) };
+    let changes = asked.changes();
+    let source = ProblemSource { case: asked.case, changes: &changes, ..ProblemSource::named(&find.problem) };
     let problem = problem::read(&source, console)?;
     let input = input_of(asked, &problem.record)?;
     let range = range_of(asked, &input)?;

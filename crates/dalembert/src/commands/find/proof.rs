@@ -24,9 +24,10 @@ const DIGITS: u8 = 12;
 pub(super) fn of(asked: &Asked<'_>, searched: Option<[f64; 2]>) -> Result<Option<FoundRanges>, Failure> {
     // What was said of the inputs was said when they were read with the unknown.
     let console = Console::of_program(Locale::english());
+    let changes = asked.changes();
     let source = ProblemSource {
         case: asked.case,
-        changes: &asked.arguments.set,
+        changes: &changes,
         ..ProblemSource::named(&asked.arguments.problem)
     };
     let Ok(problem) = problem::read(&source, &console) else { return Ok(None) };

@@ -84,7 +84,7 @@ impl Writer<'_> {
             self.gap();
         }
         self.lines(is_close);
-        if !behind.is_empty() {
+        if !behind.is_empty() && !is_close {
             self.gap();
         }
         self.remarks(&behind);
@@ -104,7 +104,7 @@ impl Writer<'_> {
             let (head, style) = match tone {
                 Tone::Plain => (String::new(), Style::new()),
                 Tone::Detail => ("  ".to_owned(), look.dim()),
-                Tone::Order => (format!("{} ", look.glyph(Glyph::Pointer)), look.answer()),
+                Tone::Order => (format!("{} ", look.glyph(Glyph::Bullet)), look.answer()),
                 Tone::Good => (format!("{} ", look.glyph(Glyph::Good)), look.good()),
                 Tone::Warning => (format!("{} ", look.glyph(Glyph::Warning)), look.warning()),
                 Tone::Wrong => (format!("{} ", look.glyph(Glyph::Bad)), look.error()),
@@ -207,6 +207,9 @@ impl Writer<'_> {
             let before = head.take().unwrap_or_else(|| vec![Span::raw(" ".repeat(begins))]);
             self.push(before.into_iter().chain(row).collect::<Vec<_>>());
         }
+        if is_here {
+            self.fault();
+        }
     }
 
     /// Options by their digits, as many on a row as fit.
@@ -247,6 +250,12 @@ impl Writer<'_> {
         let mut spans = self.head(line, label, true);
         spans.extend([Span::styled(shown, style), Span::styled(" ".repeat(blank), underlined)]);
         self.push(spans);
+        self.fault();
+    }
+
+    /// The reason for which the job does not go on from the line of the cursor.
+    fn fault(&mut self) {
+        let look = &self.model.look;
         let Some(fault) = &self.field.fault else { return };
         let (fault, glyph) = (fault.render(&self.model.locale), look.glyph(Glyph::Bad));
         let rows = wrapped(&filter_untrusted(&fault), self.room.saturating_sub(BELOW));

@@ -19,13 +19,51 @@ pub struct Positions {
     pub start: f64,
 }
 
+/// The masses that are split: those to be mounted next.
+#[derive(Clone, Copy)]
+pub(super) enum SplitMass {
+    /// The corrections, with every trial weight taken off.
+    Correction,
+    /// What is added to the trial weights.
+    Added,
+    /// The trim after a check run.
+    Trim,
+}
+
+impl SplitMass {
+    /// Labels of the first position and its mass, and of the second and its mass.
+    fn labels(self) -> [&'static str; 4] {
+        match self {
+            Self::Correction => [
+                "Number of the first position of the correction mass in plane",
+                "Correction mass at the first position in plane",
+                "Number of the second position of the correction mass in plane",
+                "Correction mass at the second position in plane",
+            ],
+            Self::Added => [
+                "Number of the first position of the mass to add in plane",
+                "Mass to add at the first position in plane",
+                "Number of the second position of the mass to add in plane",
+                "Mass to add at the second position in plane",
+            ],
+            Self::Trim => [
+                "Number of the first position of the trim mass in plane",
+                "Trim mass at the first position in plane",
+                "Number of the second position of the trim mass in plane",
+                "Trim mass at the second position in plane",
+            ],
+        }
+    }
+}
+
 /// Splits the masses that are to be mounted next between adjacent positions.
 pub(super) fn split<W: Worksheet>(
     positions: &Positions,
     given: &PositionsGiven<W>,
-    masses: &[Found<W::Num>],
+    (split_mass, masses): (SplitMass, &[Found<W::Num>]),
     sheet: W,
 ) {
+    let labels = split_mass.labels();
     for (n, found) in (1..).zip(masses) {
         if found.mass.value() == 0.0 {
             continue;
@@ -41,10 +79,10 @@ pub(super) fn split<W: Worksheet>(
         let how = "Components of the mass along the two positions: law of sines in the parallelogram";
         let [one, two] = [("m_a", parts[0]), ("m_b", parts[1])]
             .map(|(symbol, part)| sheet.numerical((symbol, n), "g", part, how));
-        sheet.answer(("position", n), "Number of the first position in plane", numbers[0]);
-        sheet.answer(("position_mass", n), "Mass at the first position in plane", one);
-        sheet.answer(("next_position", n), "Number of the second position in plane", numbers[1]);
-        sheet.answer(("next_position_mass", n), "Mass at the second position in plane", two);
+        sheet.answer(("position", n), labels[0], numbers[0]);
+        sheet.answer(("position_mass", n), labels[1], one);
+        sheet.answer(("next_position", n), labels[2], numbers[1]);
+        sheet.answer(("next_position_mass", n), labels[3], two);
         sheet.verify(|| {
             let vectors = [(one.value(), at[0]), (two.value(), at[1])];
             let (along, across) = vectors

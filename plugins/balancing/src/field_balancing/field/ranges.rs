@@ -46,6 +46,7 @@ pub(super) fn ranges<W: Worksheet>(
     let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let Some(ranges) = spread::ranges(&measured, weights, SAMPLES, threads) else { return };
     let between = |[low, high]: [f64; 2]| IntervalSet::interval(Bound::Included(low), Bound::Included(high));
+    let mut uncertain = Vec::new();
     for (n, (size, angle)) in (1..).zip(ranges.sizes.iter().zip(&ranges.angles)) {
         let label = "95 % interval of the correction mass in plane";
         sheet.answer_set(("correction_range", n), label, "g", &between(*size), Vec::new());
@@ -58,12 +59,7 @@ pub(super) fn ranges<W: Worksheet>(
         let weight = weights[n - 1].norm();
         let width = size[1] - size[0];
         if width > WIDE * weight && width <= weight {
-            sheet.warn(|| {
-                Text::new(
-                    "the interval of the correction in plane {n} is wide compared with the correction itself: fewer than 95 of 100 such jobs lie within their intervals (87 of simulated ones); repeat the runs, or use a larger trial weight",
-                )
-                .with("n", n)
-            });
+            uncertain.push(n);
         }
         if width > weight {
             sheet.warn(|| {
@@ -75,6 +71,17 @@ pub(super) fn ranges<W: Worksheet>(
                 .with_quantity("high", size[1], "g")
             });
         }
+    }
+    if !uncertain.is_empty() {
+        sheet.warn(|| {
+            let said = if uncertain.len() == 1 {
+                "plane {planes}: the correction is uncertain, and its 95 % interval covers only about 87 %; repeat the runs, or use a larger trial weight"
+            } else {
+                "planes {planes}: the corrections are uncertain, and their 95 % intervals cover only about 87 %; repeat the runs, or use a larger trial weight"
+            };
+            let planes = uncertain.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
+            Text::new(said).with("planes", planes)
+        });
     }
     sheet.answer_list(
         "residual_limit",

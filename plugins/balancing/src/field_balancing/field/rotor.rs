@@ -37,7 +37,7 @@ pub enum Requirement {
     Grade {
         /// Grade.
         /// Speed of the centre of mass: G 6.3 is 6.3 mm/s.
-        #[input("G", "mm/s", positive, default = "6.3 mm/s")]
+        #[input("G", "mm/s", positive, grade, default = "6.3 mm/s")]
         grade: f64,
     },
     /// Vibration limit
