@@ -49,7 +49,7 @@ unknown-unit-symbol-did-you-mean-nearest = unidade desconhecida `{ $symbol }`: s
 unknown-unit-symbol-write-a-unit-such-as-m-kg-s-n-pa-or-rpm = unidade desconhecida `{ $symbol }`: escreva uma unidade como m, kg, s, N, Pa ou rpm
 write-n-m-for-a-torque-number-n-m = escreva N·m para um torque: `{ $number } N*m`
 write-brackets-if-the-divisor-is-meant-to-have-the-unit-text = use parênteses se a unidade é do divisor: `{ $text }`
-write-the-angle-in-rad-or-deg-that-of-a-30-slope-is-16-699-deg = escreva o ângulo em rad ou deg; o de uma inclinação de 30 % é 16.699 deg
+write-the-angle-in-rad-or-deg-that-of-a-30-slope-is-16-699-deg = escreva o ângulo em rad ou deg; o de uma inclinação de 30 % é 16,699 deg
 found-components-are-written-where-expected-are-expected-write-them-as-in-example = há { $found } componentes onde se esperam { $expected }: escreva como em `{ $example }`
 left-and-right-cannot-be-added-did-you-mean-one = { $left } e { $right } não podem ser somados: seria `{ $one }`?
 left-and-right-cannot-be-added-write-first-or-second = { $left } e { $right } não podem ser somados: escreva `{ $first }` ou `{ $second }`
@@ -105,16 +105,13 @@ the-table-is-empty-write-one-row-a-line-columns = a tabela está vazia; escreva 
 line-line-and-more-more-why = linha { $line } e mais { $more }: { $why }
 have-columns-separated-by-separator-instead-of-want-columns = { $have } colunas separadas por { $separator } em vez de { $want }: { $columns }
 one-column-instead-of-want-columns-separate-them-by-semicolons-tabs-spaces-or-commas = uma coluna em vez de { $want }: { $columns }; separe-as por ponto e vírgula, tabulações, espaços ou vírgulas
-column-after = { $column }; { $after }
 semicolons = ponto e vírgula
-blanks = espaços
 spaces = espaços
 commas = vírgulas
 this-table-has-have-bytes-at-most-most-are-read = esta tabela tem { $have } bytes; são lidos no máximo { $most }
 
 ## Problem files
 key-must-be-a-text-in-quotes = `{ $key }` deve ser um texto entre aspas
-path-why = { $path }: { $why }
 the-analysis-is-not-named-write-analysis-family-name-at-the-top = a análise não foi nomeada; escreva analysis = "family/name" no início
 the-analysis-must-be-a-text-such-as-vibration-rotating-unbalance = a análise deve ser um texto como "vibration/rotating-unbalance"
 there-is-no-analysis-id-did-you-mean-near = não há análise `{ $id }`; seria `{ $near }`?
@@ -215,14 +212,10 @@ the-function-is-in-unit-the-table-asks-for-column-in-a-unit-like-own = a funçã
 outside-the-limits-of-this-input = fora dos limites desta entrada
 write-it-as-in-example = escreva como em `{ $example }`
 not-a-finite-number = não é um número finito
-all-next = { $all }, { $next }
 consistent-with-your-earlier-answer-to-answers-error-carried-forward = coerente com a sua resposta a { $answers } (erro propagado)
 this-is-the-value-of-another-answer-answer = este é o valor de outra resposta: { $answer }
-input-change = { $input }: { $change }
-first-and-second-interchanged = { $first } e { $second } trocados
+first-and-second-interchanged = troca entre { $first } e { $second }
 computing-symbol-change = no cálculo de { $symbol }: { $change }
-label-place = { $label } { $place }
-label-row = { $label }, { $row }
 sign-error = erro de sinal
 the-number-is-in-taken-not-is = o número está em { $taken }, não em { $is }
 squared-value-a-square-root-was-omitted = valor ao quadrado: uma raiz quadrada foi omitida
@@ -270,6 +263,12 @@ series-and-parallel-connection-confused = confusão entre ligação em série e 
 exponent-taken-in-place-of-right = expoente { $taken } em vez de { $right }
 taken-in-place-of-right = { $taken } em vez de { $right }
 an-angle-in-degrees-used-as-radians-or-the-other-way-round = um ângulo em graus usado como radianos, ou o contrário
+arctangent-taken-without-regard-to-the-quadrant-off-by-180 = arco tangente tomado sem observar o quadrante (diferença de 180°)
+acute-angle-taken-without-regard-to-the-quadrant = tomado o ângulo agudo, sem observar o quadrante
+calculator-in-degrees-with-angles-in-radians = calculadora em graus com ângulos em radianos
+calculator-in-radians-with-angles-in-degrees = calculadora em radianos com ângulos em graus
+peak-to-peak-value-in-place-of-the-amplitude = valor pico a pico em vez da amplitude
+rms-value-in-place-of-the-amplitude = valor eficaz (rms) em vez da amplitude
 rounded-to-digits-significant-digits = arredondado para { $digits } algarismos significativos
 decimal-point-misplaced-factor-times-too-large = vírgula decimal fora do lugar ({ $factor } vezes maior)
 decimal-point-misplaced-factor-times-too-small = vírgula decimal fora do lugar ({ $factor } vezes menor)
@@ -288,7 +287,6 @@ a-tolerance-cannot-be-negative-it-applies-to-both-sides = uma tolerância não p
 this-input-is-not-a-number-of-the-problem-with-its-present-options = este dado não é um número do problema com as opções atuais
 the-range-is-empty-enter-two-different-limits = a faixa é vazia: digite dois limites diferentes
 this-input-cannot-be-varied = esta entrada não pode ser variada
-input-value = { $input } = { $value }
 target-not-reached-in-the-range-the-answer-lies-between-least-at-at-least-and-most-at-at-most = alvo não atingido na faixa: a resposta fica entre { $least } (em { $at_least }) e { $most } (em { $at_most })
 no-answer-in-the-whole-range = nenhuma resposta em toda a faixa
 answer-against-input = { $answer } em função de { $input }
@@ -316,7 +314,6 @@ line-line-the-unit-of-column-is-known-above-and-unit-here = linha { $line }: a u
 the-heading-contains-word-but-has-not-one-cell-per-column-write-one-such-as-own = o cabeçalho contém { $word }, mas não tem uma célula por coluna: escreva um como { $own }
 the-heading-of-column-contains-word-not-recognised-as-its-unit-write-the-unit-in-brackets-such-as-own = o cabeçalho de { $column } contém { $word }, não reconhecido como unidade: escreva a unidade entre colchetes, como [{ $own }]
 the-heading-of-column-contains-word-did-you-mean-meant = o cabeçalho de { $column } contém { $word }: seria [{ $meant }]?
-column-unit = { $column } [{ $unit }]
 two-values-of-gravity-in-one-problem-first-at-path-second-at-other = dois valores da gravidade em um problema: { $first } em { $path }, { $second } em { $other }
 table-no-unit-in-the-heading-units-assumed = { $table }: sem unidade no cabeçalho; supõe-se { $units }
 path-no-unit-in-the-heading-units-assumed-as-in-files-without-format-2 = { $path }: sem unidade no cabeçalho; supõe-se { $units }, como em arquivos sem `format = 2`
@@ -461,7 +458,7 @@ rows-at-most-most = linhas, no máximo { $most }
 rows-min-to-most = linhas, de { $min } a { $most }
 len-components-what-written-form = { $len } componentes, { $what }, na forma { $form }
 a-table-as-lines-of-text-under-the-heading-heading-or-as-rows-form-with-the-columns = uma tabela, como linhas de texto sob o cabeçalho "{ $heading }" ou como linhas { $form }, com as colunas
-write-each-value-between-its-quotation-marks-with-its-unit-what-stands-behind-a-single-may-be-left = Escreva cada valor entre as aspas, com a unidade. O que está depois de um único # pode ser omitido.
+write-each-value-between-its-quotation-marks-with-its-unit-lines-after-a-single-are-optional = Escreva cada valor entre as aspas, com a unidade. As linhas depois de um único # são opcionais.
 let-has-quantities-of-your-own-for-formulas-ask-questions-of-your-own-given-known-answers-from-which = [let] tem grandezas próprias para fórmulas, [ask] perguntas próprias, [given] resultados conhecidos dos quais se obtêm os dados escritos como ?, [configuration.NOME] o mesmo problema com alguns dados alterados, [show] unidades das respostas; units = "in-lbf-s" acima de [inputs] mostra tudo em um só sistema.
 a-table-of-inputs-is-needed-here-written-form = aqui é necessária uma tabela de dados, na forma { $form }
 a-list-is-needed-here-written-form = aqui é necessária uma lista, na forma { $form }
@@ -471,7 +468,7 @@ is-in-a-list-name-a-row-as-in-row = está em uma lista; nomeie uma linha, como e
 is-a-list-name-a-row-as-in-row = é uma lista; nomeie uma linha, como em { $row }
 there-is-no-such-input-what-it-would-be-part-of-is-one-value = não há tal dado: aquilo de que faria parte é um único valor
 path-text-read-as-full = { $path } = { $text }: lido como { $full }
-default-that-of-the-problem-else-default-or-customary-among-us-customary-units = padrão: a do problema, senão { $default }, ou { $customary } entre unidades inglesas
+default-that-of-the-problem-else-default-or-customary-among-us-customary-units = padrão: a do problema, senão { $default }, ou { $customary } com unidades inglesas
 
 ## Usual questions
 peak-to-peak-displacement = Deslocamento pico a pico
@@ -535,8 +532,8 @@ centrifugal-force-of-the-correction-at-this-speed = Força centrífuga da corre�
 centrifugal-force-of-the-correction-at-1000-rpm = Força centrífuga da correção a 1000 rpm
 centrifugal-force-of-the-second-correction-at-this-speed = Força centrífuga da segunda correção nesta rotação
 centrifugal-force-of-the-second-correction-at-1000-rpm = Força centrífuga da segunda correção a 1000 rpm
-rotating-force-of-the-permissible-unbalance-at-bearing-a = Força rotativa do desbalanceamento admissível no mancal A
-rotating-force-of-the-permissible-unbalance-at-bearing-b = Força rotativa do desbalanceamento admissível no mancal B
+rotating-force-of-the-permissible-unbalance-at-bearing-a = Força centrífuga do desbalanceamento admissível no mancal A
+rotating-force-of-the-permissible-unbalance-at-bearing-b = Força centrífuga do desbalanceamento admissível no mancal B
 shaking-moment-after-over-before = Momento de agitação depois sobre antes
 secondary-force-over-primary-force = Força secundária sobre força primária
 range-of-the-wheel-load = Faixa de variação da carga na roda
@@ -603,7 +600,6 @@ the-same-problem-with-some-inputs-changed-answered-beside-it-weighted-mass-m-2-k
 configuration = Configuração
 a-name-of-your-own-weighted = Um nome à sua escolha: carregado.
 input = Dado de entrada
-file-note = { $file }: { $note }
 a-configuration-and-an-input-are-needed-as-in-weighted-mass = são necessários uma configuração e um dado, como em carregado.mass
 name-is-the-name-of-an-input-give-the-linked-problem-another-name = `{ $name }` é o nome de um dado: dê outro nome ao problema vinculado
 two-linked-problems-are-called-name-give-one-of-them-another-name = dois problemas vinculados se chamam `{ $name }`: dê outro nome a um deles
@@ -663,7 +659,6 @@ is-not-a-finite-number = não é um número finito
 unit-is-no-unit-of-input-which-is-in-own = `{ $unit }` não é unidade de `{ $input }`, que está em { $own }
 this-problem-has-no-answer-that-is-a-number = este problema não tem resultado numérico
 write-above-or-below-as-in-above-0-5-mm = escreva above ou below, como em above = "0.5 mm"
-input-why = { $input }: { $why }
 the-condition-is-not-met-answer-above-limit = a condição não é satisfeita: { $answer } acima de { $limit }
 the-condition-is-not-met-answer-below-limit = a condição não é satisfeita: { $answer } abaixo de { $limit }
 name-is-not-a-number-among-the-answers-did-you-mean-near = `{ $name }` não é um número entre os resultados; quis dizer `{ $near }`?
@@ -715,7 +710,6 @@ curve-at-value = { $curve } em { $value }
 # Curvas e estatísticas de estudos
 the-problem-has-other-answers-there = ali o problema tem outros resultados
 the-first-drawn-of-all-curves-are-drawn = são desenhadas as { $drawn } primeiras de { $all } curvas
-one-other = { $one }, { $other }
 quartiles-first-median-third = quartis { $first }, { $median }, { $third }
 skewness-skewness-excess-kurtosis-kurtosis = assimetria { $skewness }, excesso de curtose { $kurtosis }
 minimum-least-maximum-largest = mínimo { $least }, máximo { $largest }

@@ -48,7 +48,7 @@ pub fn in_words(shape: &Shape, locale: &Locale) -> String {
 pub fn takes(field: &Field, locale: &Locale) -> String {
     let values = in_words(&field.shape, locale);
     match default_of(field) {
-        Some(default) => format!("{values}, {}", default.render(locale)),
+        Some(default) => format!("{values}, {}", locale.style.decimal.written(&default.render(locale))),
         None => values,
     }
 }

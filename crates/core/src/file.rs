@@ -258,9 +258,12 @@ fn write_shown(table: &mut dyn TableLike, answer: &str, unit: &str) {
     }
 }
 
-/// The error for an id that is no analysis, with the nearest one.
+/// The error for an id that is no analysis, with the one of that name in another family, or the nearest one.
 pub fn no_such_analysis(id: &str) -> Text {
-    match path::nearest(id, registry().iter().map(|entry| entry.about.id)) {
+    let known = || registry().iter().map(|entry| entry.about.id);
+    let name = |id: &str| id.rsplit('/').next().unwrap_or_default().to_lowercase().replace('_', "-");
+    let of_name = known().find(|other| name(other) == name(id));
+    match of_name.or_else(|| path::nearest(id, known())) {
         Some(near) => {
             Text::new("there is no analysis `{id}`; did you mean `{near}`?").with("id", id).with("near", near)
         }

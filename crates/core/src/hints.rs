@@ -77,7 +77,7 @@ pub fn hint(solution: &Solution, answer: &Answer, level: HintLevel, locale: &Loc
                     continue;
                 }
                 reasons.push(reason);
-                let source = step.cite.map_or_else(String::new, |cite| cite.to_string());
+                let source = step.cite.map_or_else(String::new, |cite| cite.render(locale));
                 HintLine { symbol: String::new(), text: step.why.render(locale), source }
             }
             HintLevel::Formulas => {

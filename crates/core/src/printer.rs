@@ -84,7 +84,7 @@ pub fn step(solution: &Solution, step: &Step, locale: &Locale) -> WrittenStep {
         substitution,
         result,
         why: step.why.render(locale),
-        source: step.cite.map_or_else(String::new, |cite| cite.to_string()),
+        source: step.cite.map_or_else(String::new, |cite| cite.render(locale)),
         terms,
     }
 }

@@ -8,7 +8,7 @@ use crate::Text;
 pub(crate) fn text(error: &ReadError) -> Text {
     match error {
         ReadError::Empty { example } => {
-            Text::new("a value is needed, for example {example}").with("example", example)
+            Text::new("a value is needed, for example {example}").with_number("example", example)
         }
         ReadError::TooLong { limit } => {
             Text::new("the text is longer than {limit} characters: write a single value").with("limit", limit)
@@ -20,7 +20,7 @@ pub(crate) fn text(error: &ReadError) -> Text {
         ReadError::NotANumber { text, example, .. } => {
             Text::new("`{text}` is not a number: write digits, for example {example}")
                 .with("text", text)
-                .with("example", example)
+                .with_number("example", example)
         }
         ReadError::OutOfRange { text, large: true, .. } => {
             Text::new("`{text}` is too large: write a number below 1e300").with("text", text)
@@ -90,20 +90,20 @@ pub(crate) fn text(error: &ReadError) -> Text {
             Text::new("`{symbol}` must follow {after}: write a single value, for example {example}")
                 .with("symbol", symbol)
                 .with_text("after", *after)
-                .with("example", example)
+                .with_number("example", example)
         }
         ReadError::WrongKind(wrong) => wrong_kind(wrong),
         ReadError::Components { found, expected, example, .. } => {
             Text::new("{found} components are written where {expected} are expected: write them as in `{example}`")
                 .with("found", found)
                 .with_text("expected", *expected)
-                .with("example", example)
+                .with_number("example", example)
         }
         ReadError::MixedComponents { text, example, .. } => Text::new(
             "`{text}` has a unit with some components only: write one unit after the brackets, as in `{example}`",
         )
         .with("text", text)
-        .with("example", example),
+        .with_number("example", example),
         ReadError::NotACount { text, .. } => {
             Text::new("`{text}` is not a count: enter an integer, for example 4").with("text", text)
         }
@@ -137,7 +137,7 @@ fn wrong_kind(wrong: &WrongKind) -> Text {
         .with("text", text)
         .with_text("found", found)
         .with_text("expected", in_unit(*kind, default))
-        .with("example", example)
+        .with_number("example", example)
 }
 
 fn in_unit(kind: Kind, unit: &Unit) -> Text {

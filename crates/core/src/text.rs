@@ -37,6 +37,8 @@ pub enum Arg {
     Text(Text),
     /// A number in SI, shown in this unit.
     Quantity(f64, &'static str),
+    /// A number as it is written with a decimal point, shown with the decimal mark of the reader.
+    Number(String),
 }
 
 /// The language of sentences.
@@ -114,6 +116,13 @@ impl Text {
         self
     }
 
+    /// The same sentence with `{name}` standing for a number as it is written with a decimal point.
+    #[must_use]
+    pub fn with_number(mut self, name: &'static str, written: impl std::fmt::Display) -> Self {
+        self.args.push((name, Arg::Number(written.to_string())));
+        self
+    }
+
     /// The same sentence with `{name}` standing for another sentence.
     #[must_use]
     pub fn with_text(mut self, name: &'static str, text: impl Into<Text>) -> Self {
@@ -160,6 +169,7 @@ impl Text {
     pub fn without_numbers(&self) -> Self {
         let covered = |arg: &Arg| match arg {
             Arg::Verbatim(text) => Arg::Verbatim(text.clone()),
+            Arg::Number(written) => Arg::Number(written.clone()),
             Arg::Text(text) => Arg::Text(text.without_numbers()),
             Arg::Quantity(..) => Arg::Verbatim("?".to_owned()),
         };
@@ -171,7 +181,7 @@ impl Text {
     pub(crate) fn show_in(&mut self, system: UnitSystem) {
         for (_, arg) in &mut self.args {
             match arg {
-                Arg::Verbatim(_) => {}
+                Arg::Verbatim(_) | Arg::Number(_) => {}
                 Arg::Text(text) => text.show_in(system),
                 Arg::Quantity(_, unit) => *unit = unit_system::of_text(unit, system),
             }
@@ -188,6 +198,7 @@ impl Arg {
     fn render(&self, locale: &Locale) -> String {
         match self {
             Arg::Verbatim(text) => text.clone(),
+            Arg::Number(written) => locale.style.decimal.written(written),
             Arg::Text(text) => text.render(locale),
             Arg::Quantity(si, unit) => match units::unit(unit) {
                 Ok(unit) => units::write_quantity(*si, &unit, locale.style),
@@ -308,8 +319,9 @@ pub fn key(template: &str) -> String {
     key
 }
 
-/// Returns true if a sentence has no word of a language: symbols, with subscripts of two letters, signs, and what stands in
-/// a place. Their keys leave out the signs that tell them apart: `{a} ≤ {b}` has that of `{a} ≥ {b}`.
+/// Returns true if a sentence has neither a word of a language nor a number, whose decimal mark is of one: symbols, with
+/// subscripts of two letters, signs, and what stands in a place. Their keys leave out the signs that tell them apart:
+/// `{a} ≤ {b}` has that of `{a} ≥ {b}`.
 pub fn is_notation(template: &str) -> bool {
     let (mut in_place, mut letters, mut before) = (false, 0, ' ');
     for c in template.chars() {
@@ -317,6 +329,7 @@ pub fn is_notation(template: &str) -> bool {
             '{' => in_place = true,
             '}' => in_place = false,
             _ if in_place => {}
+            _ if c.is_ascii_digit() => return false,
             _ if c.is_ascii_alphabetic() => {
                 // The subscript of a symbol may have one letter more.
                 letters = if letters == 0 && before == '_' { 0 } else { letters + 1 };

@@ -1,7 +1,7 @@
 # What the command line says.
 
 ## Help
-a-machine-dynamics-workbench-pick-a-problem-edit-its-inputs-in-any-units-see-the-worked-solution = Uma bancada de dinâmica das máquinas: escolha um problema, edite os dados em quaisquer unidades, veja a solução resolvida passo a passo
+a-machine-dynamics-workbench-pick-a-problem-edit-its-inputs-in-any-units-see-the-worked-solution = Uma bancada de dinâmica das máquinas: escolha um problema, edite os dados em quaisquer unidades, veja a resolução passo a passo
 a-problem-file-or-the-id-of-an-analysis-to-open-in-the-workbench = Um arquivo de problema ou o id de uma análise, para abrir na bancada
 change-an-input-mass-40-kg-masses-2-radius-0-1-m-a-table-can-be-read-from-a-file-samples-data-csv = Mudar um dado: mass="40 kg", masses[2].radius="0.1 m"; uma tabela pode ser lida de um arquivo: samples=@data.csv
 parts-of-the-worked-solution-default-full = Partes da solução; padrão: full
@@ -135,7 +135,6 @@ give-an-answer-whose-value-is-known-for-an-input-that-is-to-be-found-set-mass-gi
 write-a-name-and-a-formula-as-in-ask-peak-to-peak-2-x = escreva um nome e uma fórmula, como em --ask 'peak to peak=2*X'
 write-an-answer-and-its-value-as-in-given-natural-frequency-8-2-hz = escreva um resultado e seu valor, como em --given 'natural_frequency=8.2 Hz'
 write-a-name-and-a-formula-as-in-let-nu-0-3 = escreva um nome e uma fórmula, como em --let nu=0.3
-flag-text-why = { $flag } { $text }: { $why }
 begin-a-problem-file-with-comments-on-every-input = Iniciar um arquivo de problema, com comentários sobre cada dado
 fill-in-the-inputs-of-this-published-case-counted-from-1-without-it-the-values-are-left-empty = Preencher com os dados deste caso publicado, contado a partir de 1; sem isso os valores ficam vazios
 write-to-a-new-file = Escrever em um arquivo novo
@@ -155,7 +154,7 @@ write-a-changed-input-and-its-value-as-in-configuration-weighted-mass-m-2-kg = e
 solve-the-same-problem-with-an-input-changed-beside-it-weighted-mass-m-2-kg = Resolve ao lado o mesmo problema com um dado alterado: 'carregado.mass=m + 2 kg'
 
 ## Find
-take-the-other-inputs-of-this-published-case-counted-from-1-default-case-1 = Usar os outros dados deste caso publicado, contado a partir de 1; padrão: caso 1
+take-the-other-inputs-of-this-published-case-counted-from-1-default-case-1-unless-set-sets-them = Usar os outros dados deste caso publicado, contado a partir de 1; padrão: caso 1, a menos que --set os defina
 the-input-to-find-mass-masses-2-radius = O dado a obter: mass, masses[2].radius
 least-value-of-the-range-to-search-default-1-1000-to-1000-times-the-value-of-case-1 = Menor valor do intervalo de busca; padrão: de 1/1000 a 1000 vezes o valor do caso 1
 largest-value-of-the-range-to-search = Maior valor do intervalo de busca
@@ -187,7 +186,6 @@ vary-text-write-an-input-and-its-values-as-in-vary-speed-600-1800-rpm-13-vary-ma
 limit-text-write-an-answer-and-a-value-as-in-limit-amplitude-0-2-mm = --limit { $text }: escreva um resultado e um valor, como em --limit 'amplitude > 0.2 mm'
 shard-text-write-the-number-of-the-part-and-of-all-parts-as-in-shard-3-16 = --shard { $text }: escreva o número da parte e o total de partes, como em --shard 3/16
 map-text-write-two-inputs-that-vary-as-in-map-speed-mass = --map { $text }: escreva dois dados que variam, como em --map speed,mass
-subject-path-why = { $subject }: { $path }: { $why }
 remaining = restantes
 
 ## Slurm
@@ -253,7 +251,6 @@ student-student-why = estudante { $student }: { $why }
 this-format-is-a-folder-of-files-name-the-folder-with-out = este formato é uma pasta de arquivos; indique a pasta com --out
 folder-cannot-be-made-why = { $folder } não pode ser criada: { $why }
 weights-why = --weights { $why }
-file-why = { $file }: { $why }
 
 # Check of a user's own answers.
 written-write-an-answer-and-its-value-as-in-amplitude-19-5-mm = `{ $written }`: escreva uma resposta e o seu valor, como em `amplitude=19.5 mm`
@@ -261,7 +258,7 @@ there-is-no-answer-name-the-answers-are-known = não há resposta `{ $name }`; a
 the-value-of-name-is-missing-as-in-name-example = falta o valor de `{ $name }`, como em `{ $name }={ $example }`
 check-your-own-answers-and-find-the-likeliest-cause-of-a-wrong-one = Conferir as suas respostas e encontrar a causa mais provável de uma errada
 your-answers-with-their-units-a-number-alone-is-in-the-unit-of-the-answer-amplitude-19-5-mm = As suas respostas, com unidades; um número sozinho está na unidade da resposta: 'amplitude=19.5 mm'
-take-the-inputs-of-this-published-case-counted-from-1-default-case-1 = Usar os dados deste caso publicado, contado a partir de 1; padrão: caso 1
+take-the-inputs-of-this-published-case-counted-from-1-default-case-1-unless-set-sets-them = Usar os dados deste caso publicado, contado a partir de 1; padrão: caso 1, a menos que --set os defina
 change-an-input-mass-40-kg = Mudar um dado: mass="40 kg"
 print-what-is-correct-too = Mostrar também o que está correto
 
@@ -295,8 +292,6 @@ certified-by-interval-arithmetic-for-the-formulas-of-this-solution-the-same-form
 not-certified-why-points-points-of-the-range-were-examined = não certificado: { $why }; { $points } pontos da faixa foram examinados
 undecided-from-from-to-to = não decidido: de { $from } a { $to }
 undecided-in-all-percent-of-the-range = não decidido ao todo: { $percent } % da faixa
-text-why = { $text }: { $why }
-option-text-why = { $option } { $text }: { $why }
 the-range-from-from-to-to-of-path-is-empty-write-from-and-to-in-ascending-order = a faixa de { $from } a { $to } de `{ $path }` é vazia: escreva --from e --to em ordem crescente
 a-value-is-missing-write-one-in-unit-as-in-1-5-unit = falta um valor; escreva um em { $unit }, como em 1.5 { $unit }
 unknown-for-answer-relation-value-from-from-to-to = { $unknown } para { $answer } { $relation } { $value }, de { $from } a { $to }:

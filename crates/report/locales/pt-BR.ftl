@@ -76,7 +76,6 @@ the-document-cannot-be-written-why = o documento não pode ser gravado: { $why }
 the-file-is-no-document-of-word-or-is-damaged = o arquivo não é um documento do Word ou está danificado
 
 ## Errors and verdicts
-path-value-why = { $path } = { $value }: { $why }
 likely-cause = Causa provável:
 possible-causes = Causas possíveis:
 correct-value = correto: { $value }

@@ -83,14 +83,20 @@ impl Place<'_> {
         let label = field.title().render(self.locale);
         let label = row.map_or_else(|| label.clone(), |row| format!("{label} {row}"));
         let symbol = self.rows.iter().fold(Symbol::from(field.symbol), |symbol, row| symbol.row(*row));
+        let symbol = if field.symbol.is_empty() {
+            String::new()
+        } else {
+            printer::symbol_in(&symbol, self.locale.style)
+        };
+        // What is chosen is no number: the mark of its part, as in "Mass of the rod 3", belongs to the label.
+        let (label, symbol) = match shape.present() {
+            Shape::OneOf(_) if !symbol.is_empty() => (format!("{label} {symbol}"), String::new()),
+            _ => (label, symbol),
+        };
         let mut input = ReportedInput {
             path: self.path.clone(),
             depth: self.depth,
-            symbol: if field.symbol.is_empty() {
-                String::new()
-            } else {
-                printer::symbol_in(&symbol, self.locale.style)
-            },
+            symbol,
             label,
             typed: match draft {
                 Some(Draft::Leaf(text)) => text.clone(),

@@ -102,8 +102,9 @@ fn written(worked: &WorkedProblem<'_>, parts: Parts, locale: &Locale, with_figur
     }
     if !about.sources.is_empty() && parts == Parts::Full {
         blocks.push(Block::Heading(say("Sources")));
-        let sources = about.sources.iter().map(|source| format!("{}: {}", source.short, source.full));
-        blocks.push(Block::Items(sources.collect()));
+        let named =
+            about.sources.iter().map(|one| format!("{}: {}", one.short_in(locale), one.full_in(locale)));
+        blocks.push(Block::Items(named.collect()));
     }
     let document = Document { title: say(about.title), blocks };
     if locale.style.ascii { document.map(&|text| ascii(text)) } else { document }
@@ -234,6 +235,10 @@ fn common(inputs: &[ReportedInput<'_>], worked: &WorkedProblem<'_>, locale: &Loc
             Some(value) if value != text => format!("{text} = {value}"),
             _ => text.to_owned(),
         };
+        // A comma between the arguments of a function leaves no room for one in a number.
+        let typed = |text: &str| {
+            if text.contains(',') { text.to_owned() } else { locale.style.decimal.written(text) }
+        };
         // An input is named by its path, or by its symbol.
         let changed = |input: &str| {
             let path = outside(input);
@@ -252,7 +257,7 @@ fn common(inputs: &[ReportedInput<'_>], worked: &WorkedProblem<'_>, locale: &Loc
             Some("let") => definitions.push(NamedValue {
                 label: of(Text::new("Definition")),
                 symbol: part("name").to_owned(),
-                value: with_value(part("formula"), computed(&outside(part("name")))),
+                value: with_value(&typed(part("formula")), computed(&outside(part("name")))),
                 ..NamedValue::default()
             }),
             Some("given") => {

@@ -1,5 +1,4 @@
 ## Studies in files
-file-why = { $file }: { $why }
 line-line-cell-is-not-a-number = linha { $line }: `{ $cell }` não é um número
 shards-are-missing-missing-run-each-with-shard-as-in-shard-first = faltam partes: { $missing }; execute cada uma com --shard, como em --shard { $first }
 file-is-being-written-by-another-process-wait-for-it-or-stop-it = { $file } está sendo escrito por outro processo; espere-o ou interrompa-o
@@ -14,7 +13,6 @@ sbatch-why-run-this-on-a-machine-of-the-cluster = sbatch: { $why }; execute isto
 sbatch-refuses-the-job-why = sbatch recusa o job: { $why }
 
 ## Points of arrays
-input-value-why = { $input } = { $value }: { $why }
 
 ## Planos em arquivos
 this-is-a-problem-file-not-a-study-plan-which-names-its-problem-problem-fan-toml = este é um arquivo de problema, não um plano de estudo, que nomeia o seu problema: problem = "fan.toml"
@@ -22,7 +20,7 @@ line-line-why = linha { $line }: { $why }
 
 ## Values of an input within a limit
 the-answers-of-the-scan-are-not-those-of-the-formulas-at-the-compared-points = os resultados da varredura não são os das fórmulas nos pontos comparados
-the-worked-solution-has-no-answer-where-the-plain-reading-has-one = a solução resolvida não tem resultado onde a leitura simples tem um
+the-worked-solution-has-no-answer-where-the-plain-reading-has-one = a resolução passo a passo não tem resultado onde a leitura simples tem um
 the-answer-is-not-computed-by-formulas-alone = o resultado não é calculado só por fórmulas
 the-formulas-of-the-answer-are-too-long-to-be-enclosed = as fórmulas do resultado são longas demais para a aritmética intervalar
 the-enclosure-of-the-formulas-is-not-that-of-the-answer = o intervalo das fórmulas não contém o resultado

@@ -205,7 +205,6 @@ nothing-to-redo = nada a refazer
 pasted-text-truncated-a-line-takes-at-most-most-characters = texto colado truncado: uma linha aceita no máximo { $most } caracteres
 
 # Resultados
-where-why = { $where }: { $why }
 solving = resolvendo
 solving-esc-cancels = resolvendo; Esc cancela
 solving-percentage-done-esc-cancels = resolvendo, { $percentage } % concluídos; Esc cancela
@@ -312,7 +311,6 @@ socket = socket
 device = dispositivo
 
 ## Files of tables
-file-why = { $file }: { $why }
 
 ## The worked solution as a file
 export-the-worked-solution = exportar a resolução
@@ -413,7 +411,6 @@ previous-line = linha anterior
 next = próximo
 nothing-found = nada encontrado
 and-more-more-dalembert-info-lists-all = e mais { $more }: `dalembert info` lista todos
-why-more = { $why }; { $more }
 in-file-why = em { $file }, { $why }
 ignored-all-other-settings-apply = ignorado; as demais configurações valem
 analysis-open-exercise-opened = análise aberta; exercício aberto
@@ -447,7 +444,6 @@ rows-rows-filled = { $rows } linhas preenchidas
 first-line-skipped-heading = primeira linha ignorada (cabeçalho)
 ignored-beyond-the-last-field-of-a-row-cells = ignorado, além do último campo de uma linha: { $cells }
 ignored-lines-at-the-end-lines = ignorado, linhas do fim: { $lines }
-text-more = { $text }; { $more }
 
 read-only = só leitura
 number-has-a-decimal-mark-and-is-read-as-echo-write-thousands-without-one = { $number } tem um sinal decimal e é lido como { $echo }; escreva milhares sem sinal

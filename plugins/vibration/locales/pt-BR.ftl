@@ -19,7 +19,7 @@ transmissibility-from-the-dynamic-stiffness = transmissibilidade pela rigidez di
 transmissibility = Transmissibilidade
 steady-state-amplitude-under-the-force = Amplitude em regime permanente sob a força
 amplitude-from-the-magnification-of-the-static-deflection = amplitude pela amplificação da deflexão estática
-the-motion-lags-the-force-by = O movimento está atrasado em relação à força de
+the-motion-lags-the-force-by = Ângulo de fase (atraso) do movimento em relação à força
 amplitude-of-the-force-transmitted-to-the-support = Amplitude da força transmitida ao apoio
 force-on-the-support-from-the-forces-of-springs-and-damper = força no apoio pelas forças das molas e do amortecedor
 amplitude = Amplitude
@@ -274,7 +274,7 @@ its-larger-root-lies-above-1-2-where-the-response-has-no-peak-rejected = A raiz 
 substituting-reproduces-the-given-peak-amplitude = com esse ζ recupera-se a amplitude máxima dada
 without-damping-the-amplitude-at-the-natural-frequency-grows-without-bound-there-is-no-steady-state = sem amortecimento, a amplitude na frequência natural cresce sem limite: não há regime permanente
 steady-state-amplitude-at-the-running-speed = Amplitude em regime permanente na rotação de operação
-the-motion-lags-the-unbalance-by = O movimento está atrasado em relação ao desbalanceamento de
+the-motion-lags-the-unbalance-by = Ângulo de fase (atraso) do movimento em relação ao desbalanceamento
 amplitude-of-the-force-transmitted-to-the-foundation = Amplitude da força transmitida à fundação
 amplitude-from-the-dynamic-stiffness = amplitude pela rigidez dinâmica
 transmitted-force-from-the-transmissibility-of-the-unbalance-force = força transmitida à fundação pela transmissibilidade da força de desbalanceamento
@@ -284,12 +284,14 @@ amplitude-at-this-speed = Amplitude nesta rotação
 force-transmitted-to-the-foundation = Força transmitida à fundação
 speed-of-maximum-steady-state-amplitude = Rotação de máxima amplitude em regime permanente
 peak-response-speed = Velocidade de pico (ressonância)
+    .rotating-unbalance = Rotação de pico (ressonância)
 maximum-steady-state-amplitude-at-any-speed = Amplitude máxima em regime permanente em qualquer rotação
 maximum-amplitude-from-the-dynamic-stiffness-at-its-speed = amplitude máxima pela rigidez dinâmica na sua rotação
 maximum-amplitude-at-any-speed = Amplitude máxima em qualquer rotação
 the-machine-runs-within-5-of-its-natural-frequency-with-little-damping-small-errors-of-mass-stiffness = a máquina trabalha a menos de 5 % da sua frequência natural com pouco amortecimento: pequenos erros de massa, rigidez ou rotação mudam muito a amplitude
 steady-state-amplitude-against-speed = Amplitude em regime permanente em função da rotação
 at-this-speed = nesta rotação
+    .base-excitation = nesta velocidade
 the-machine-on-its-support = A máquina sobre o seu apoio
 mass-of-the-machine = Massa da máquina
 unbalance = Desbalanceamento
@@ -462,7 +464,6 @@ share-of-the-deflection = parcela da deflexão
 amplitude-of-the-deflection = amplitude da deflexão
 force-in-each-spring = Força em cada mola
 beam = viga
-symbol-kind = { $symbol }: { $kind }
 # base-excitation
 inertia = Inércia
 may-be-omitted-if-the-natural-frequency-or-the-static-deflection-is-known-the-forces-are-then-not = Pode ser omitida quando se conhece a frequência natural ou a deflexão estática; nesse caso as forças não são calculadas.
@@ -507,9 +508,9 @@ at-its-peak-the-transmissibility-is-1-1-r = no pico a transmissibilidade vale 1/
 maximum-transmissibility-at-any-speed = Transmissibilidade máxima em qualquer velocidade
 transmissibility-motion-of-the-mass-over-motion-of-the-base = Transmissibilidade: movimento da massa sobre movimento da base
 amplitude-of-the-mass = Amplitude da massa
-the-mass-lags-the-base-by = A massa está atrasada em relação à base de
+the-mass-lags-the-base-by = Ângulo de fase (atraso) da massa em relação à base
 amplitude-of-the-motion-relative-to-the-base-travel-of-the-springs = Amplitude do movimento relativo à base: curso das molas
-the-relative-motion-lags-the-base-by = O movimento relativo está atrasado em relação à base de
+the-relative-motion-lags-the-base-by = Ângulo de fase (atraso) do movimento relativo em relação à base
 acceleration-of-the-mass = Aceleração da massa
 motion-of-the-mass-motion-of-the-base-and-relative-motion-in-phase-with-the-base = movimento da massa = movimento da base e movimento relativo, em fase com a base
 the-same-in-quadrature-90-behind = o mesmo em quadratura (90° atrás)
@@ -554,6 +555,7 @@ displacement-at-that-time = Deslocamento nesse instante
 motion-from-rest = Movimento a partir do repouso
 magnification-of-the-static-deflection = Amplificação da deflexão estática
 magnification = Amplificação
+magnification-factor = Fator de amplificação
 force-required-for-this-amplitude = Força necessária para essa amplitude
 without-damping-the-steady-state-motion-requires-no-power-write-some-damping-or-give-the-force = sem amortecimento o regime permanente não consome potência: escreva algum amortecimento ou dê a força
 amplitude-from-the-power-p-c-x-dissipated-by-the-damper = Amplitude, pela potência P = ½ c ω² X² dissipada no amortecedor
@@ -591,7 +593,7 @@ rotating-vectors-of-the-torques = Vetores girantes dos torques
 rotation-moment-of-inertia = Rotação: momento de inércia
 springs-damping-and-excitation-are-then-torsional = Molas, amortecimento e excitação são então torcionais.
 steady-state-amplitude-phase-forces-and-power-of-one-mass-under-a-harmonic-force-or-of-a-rotating = Amplitude em regime permanente, fase, forças e potência de uma massa sob uma força harmônica, ou de um corpo em rotação sob um torque harmônico, e o seu movimento a partir do repouso.
-the-motion-lags-the-torque-by = O movimento está atrasado em relação ao torque de
+the-motion-lags-the-torque-by = Ângulo de fase (atraso) do movimento em relação ao torque
 torque-given = Torque dado
 torque-in-the-damper = Torque no amortecedor
 torque-in-the-spring = Torque na mola
@@ -716,7 +718,7 @@ matrix-entries = Elementos das matrizes
 stiffness-matrix-entry-force-on-the-mass-for-its-own-unit-displacement = Elemento da matriz de rigidez: força na massa para o seu próprio deslocamento unitário
 excitation-by-uniform-motion-of-the-ground-at-all-springs-m1 = Excitação por movimento uniforme do solo em todas as molas: φᵀM1
 first = primeira
-first-entry-is-1 = Primeiro elemento igual a 1
+first-component-is-1 = Primeira componente igual a 1
 first-frequency = Primeira frequência
 first-pendulum = Primeiro pêndulo
 first-row-of-k-m-0-the-second-amplitude-over-the-first = Primeira linha de (K − λM) φ = 0: a segunda amplitude sobre a primeira
@@ -802,7 +804,7 @@ node-behind-the-centre-of-mass = Nó atrás do centro de massa
 node-the-point-behind-the-centre-of-mass-that-remains-at-rest-y-x-0 = Nó: o ponto atrás do centro de massa que fica em repouso, y + θx = 0
 nyquist-plot = Diagrama de Nyquist
 observed-coordinates = Coordenadas observadas
-one-per-line-from-the-lowest-mode-up-the-last-applies-to-all-higher-modes = Uma por linha, a partir do modo mais baixo; a última vale para todos os modos mais altos.
+one-per-line-from-the-lowest-mode-up-the-last-applies-to-all-higher-modes = Um por linha, a partir do modo mais baixo; o último vale para todos os modos mais altos.
 phase-against-frequency = Fase em função da frequência
 phase-lag-90-for-a-sine = Ângulo de fase (atraso); 90° para um seno
 phase-ahead-of-cos-t = Fase, adiantada em relação a cos ωt
@@ -931,7 +933,7 @@ asked = pedido
 requested = pedido
 without-damping-at-the-natural-frequency-the-motion-grows-with-the-time = Sem amortecimento, na frequência natural, o movimento cresce com o tempo
 the-initial-free-displacement-cancels-that-of-the-steady-state-motion = O deslocamento livre inicial compensa o do regime permanente
-and-the-initial-free-velocity-cancels-that-of-the-steady-state-motion-together-rest = e a velocidade livre inicial compensa a do regime permanente: juntas, o repouso
+and-the-initial-free-velocity-cancels-that-of-the-steady-state-motion-together-rest = Velocidade inicial da parcela transitória: cancela a do regime permanente, e a massa parte do repouso
 sine-component-of-the-free-vibration = Componente em seno da vibração livre
 displacement-steady-state-motion-and-decaying-free-vibration = Deslocamento: movimento permanente e vibração livre que decai
 displacement-steady-state-motion-and-free-vibration-which-does-not-decay-without-damping = Deslocamento: movimento permanente e vibração livre, que não decai sem amortecimento
@@ -965,7 +967,7 @@ effective-tilting-inertia-of-the-disc-in-synchronous-forward-whirl = Inércia ef
 critical-speed-of-forward-whirl = Velocidade crítica da precessão direta
 effective-tilting-inertia-of-the-disc-in-synchronous-backward-whirl = Inércia efetiva de inclinação do disco em precessão retrógrada síncrona
 critical-speed-of-backward-whirl = Velocidade crítica da precessão retrógrada
-i-p-is-not-below-i-d-gyroscopic-action-stiffens-the-tilting-of-the-disc-faster-than-the-speed-rises = I_p não é menor que I_d: o efeito giroscópico enrijece a inclinação do disco mais depressa do que a rotação sobe, de modo que não há segunda velocidade crítica direta; o desbalanceamento só excita a primeira
+i-p-i-d-gyroscopic-action-stiffens-the-tilting-of-the-disc-faster-than-the-speed-rises-so-there-is-no = I_p ≥ I_d: o efeito giroscópico enrijece a inclinação do disco mais depressa do que a rotação sobe, de modo que não há segunda velocidade crítica direta; o desbalanceamento só excita a primeira
 the-speed-is-within-10-of-the-critical-speed-critical = a rotação está a menos de 10 % da velocidade crítica { $critical }
 half-of-the-coefficient-of-in-the-frequency-equation-m-i-d-2p-0 = Metade do coeficiente de ω² na equação de frequências m I_d ω⁴ − 2p ω² + Δ = 0
 lower-natural-frequency-of-the-disc-that-does-not-spin = Menor frequência natural do disco que não gira
@@ -1005,7 +1007,7 @@ the-disc-on-its-bent-shaft = O disco no seu eixo fletido
 # periodic-excitation
 mean-of-the-motion-the-wave-lies-equally-above-and-below-zero = Média do movimento: a onda fica igualmente acima e abaixo de zero
 mean-of-the-motion-the-mean-of-the-wave-is-half-its-height = Média do movimento: a média da onda é metade da sua altura
-mean-of-the-motion-the-mean-of-one-half-sine-per-period-is-1-of-its-height = Média do movimento: a média de um meio seno por período é 1/π da sua altura
+mean-of-the-motion-the-mean-of-one-half-sine-per-period-is-1-of-its-height = Média do movimento: a média de uma meia-onda senoidal por período é 1/π da sua altura
 mean-of-the-motion-the-mean-of-a-sine-arch-is-2-of-its-height = Média do movimento: a média de um arco de seno é 2/π da sua altura
 mean-of-the-motion-the-mean-of-the-pulses-is-their-fraction-of-the-period = Média do movimento: a média dos pulsos é a sua fração do período
 table = Tabela
@@ -1128,9 +1130,12 @@ damping-coefficient-of-the-absorber-2-m-a-m = Coeficiente de amortecimento do ab
 damping-for-the-minimum-peak = Amortecimento para o pico mínimo
 damping-for-the-minimum-peak-with-this-damping-of-the-main-system-newton-s-method = Amortecimento para o pico mínimo com este amortecimento do sistema principal (método de Newton)
 damping-ratio-relative-to-the-absorber = Fator de amortecimento em relação ao próprio absorvedor
-damping-ratio-relative-to-the-absorber-c-2-m-a-a = Fator de amortecimento em relação ao próprio absorvedor, c/(2 m_a ω_a)
+damping-ratio-relative-to-the-absorber-c-2-m-a-a-fixed-points = Fator de amortecimento em relação ao próprio absorvedor, c/(2 m_a ω_a), pontos fixos
+damping-ratio-relative-to-the-absorber-c-2-m-a-a-minimum-peak = Fator de amortecimento em relação ao próprio absorvedor, c/(2 m_a ω_a), pico mínimo
 damping-ratio-relative-to-the-main-frequency = Fator de amortecimento em relação à frequência principal
 damping-ratio-relative-to-the-main-frequency-c-2-m-a-m = Fator de amortecimento em relação à frequência principal, c/(2 m_a ω_m)
+damping-ratio-relative-to-the-main-frequency-c-2-m-a-m-fixed-points = Fator de amortecimento em relação à frequência principal, c/(2 m_a ω_m), pontos fixos
+damping-ratio-relative-to-the-main-frequency-c-2-m-a-m-minimum-peak = Fator de amortecimento em relação à frequência principal, c/(2 m_a ω_m), pico mínimo
 damping-ratio-relative-to-the-main-frequency-c-2-m-a-m-f-a = Fator de amortecimento em relação à frequência principal, c/(2 m_a ω_m) = f ζ_a
 damping-ratio-of-the-main-system = Fator de amortecimento do sistema principal
 damping-mean-square-of-the-two-values-that-give-zero-slope-of-the-response-at-one-or-the-other-fixed = Amortecimento: a média dos quadrados dos dois valores que dão tangente horizontal à resposta em um ou no outro ponto fixo
@@ -1146,7 +1151,7 @@ frequency-given = Frequência dada
 frequency-over-the-natural-frequency-of-the-main-system = Frequência sobre a frequência natural do sistema principal
 frequency-ratio-of-the-fixed-point = Razão de frequências do ponto fixo
 frequency-ratio-of-the-highest-peak-the-response-has-zero-slope-there = Razão de frequências do pico mais alto: nele a resposta tem tangente horizontal
-frequency-ratio-of-the-peak = Razão de frequências do pico
+frequency-ratio-of-the-highest-peak-with-the-chosen-absorber = Razão de frequências do pico mais alto com o absorvedor escolhido
 from-the-two-resonances-with-a-trial-absorber = A partir das duas ressonâncias com um absorvedor de ensaio
 half-of-their-difference = Metade da sua diferença
 upper-limit-of-the-lower-resonance-as-a-ratio-to-the-speed = Limite superior da ressonância inferior, em relação à rotação
@@ -1168,7 +1173,6 @@ its-stiffness = A sua rigidez
 its-stiffness-tuned-like-the-trial-absorber = A sua rigidez, com a sintonia do absorvedor de ensaio
 maximum-amplitude-of-the-absorber = Amplitude máxima do absorvedor
 maximum-amplitude-of-the-main-mass = Amplitude máxima da massa principal
-maximum-magnification = Amplificação máxima
 maximum-magnification-by-the-fixed-points = Amplificação máxima pelos pontos fixos
 maximum-magnification-with-the-chosen-absorber = Amplificação máxima com o absorvedor escolhido
 maximum-magnification-with-this-tuning-and-damping-the-peaks-lie-a-little-above-the-fixed-points = Amplificação máxima com esta sintonia e este amortecimento: os picos ficam um pouco acima dos pontos fixos
@@ -1364,7 +1368,7 @@ upper-resonance-as-an-eigenvalue-of-the-two-mass-system = ressonância superior,
 with-the-absorber = com o absorvedor
 without-it = sem ele
 without-resonance = sem ressonância
-without-the-absorber-and-without-damping-the-resonance-grows-with-time-without-bound = sem o absorvedor e sem amortecimento a ressonância cresce com o tempo sem limite
+without-the-absorber-and-without-damping-the-amplitude-at-resonance-grows-without-bound = sem o absorvedor e sem amortecimento, a amplitude na ressonância cresce sem limite
 c-2-m-a-m-as-in-den-hartog = γ = c/(2 m_a ω_m), como em Den Hartog.
 # rotor-dynamics
 rotor-on-bearings-by-finite-elements = Rotor sobre mancais por elementos finitos
@@ -1387,7 +1391,7 @@ axial-tension-of-the-shaft = Tração axial do eixo
 negative-for-compression = Negativa para compressão.
 bending-of-the-shaft = Flexão do eixo
 elements-per-segment = Elementos por trecho
-between-neighbouring-steps-of-the-shaft-discs-supports-and-unbalances = Entre degraus do eixo, discos, apoios e desbalanceamentos vizinhos.
+between-neighbouring-steps-of-the-shaft-discs-supports-and-unbalances = Entre mudanças de seção do eixo, discos, apoios e desbalanceamentos vizinhos.
 length-of-the-segment = Comprimento do trecho
 outer-diameter-at-the-right-end = Diâmetro externo na extremidade direita
 only-for-a-tapered-segment = Somente para um trecho cônico.
@@ -1515,6 +1519,7 @@ phase-lead-of-the-motion-along-x-relative-to-the-mark-on-the-shaft = Avanço de 
 phase-lead-along-x-relative-to-the-mark = Avanço de fase ao longo de x, em relação à marca
 the-mesh-is-coarse-with-twice-as-many-elements-a-frequency-changes-by-change-write-more-elements = a malha é grosseira: com o dobro de elementos uma frequência muda { $change }; escreva mais elementos
 count-motions-at-this-speed-are-overdamped-they-return-almost-without-oscillating-and-are-not-listed = { $count } movimentos nesta rotação são superamortecidos: voltam quase sem oscilar e não constam entre os modos
+one-motion-at-this-speed-is-overdamped-it-returns-almost-without-oscillating-and-is-not-listed-among = um movimento nesta rotação é superamortecido: volta quase sem oscilar e não consta entre os modos
 a-mode-is-unstable-at-this-speed-the-rotor-is-unstable-there = um modo é instável nesta rotação: o rotor é instável ali
 a-disc-is-thin-i-p-greater-than-i-d-the-gyroscopic-effect-stiffens-its-forward-tilting-so-much-that = um disco é fino, I_p maior que I_d: o efeito giroscópico enrijece tanto a sua inclinação direta que ela não tem velocidade crítica síncrona; só a precessão retrógrada do disco cruza a reta
 a-bearing-has-only-one-of-k-xy-and-k-yx-is-its-partner-missing-an-elastic-support-has-both-alike-a = um mancal tem só um de k_xy e k_yx: falta o outro? um apoio elástico tem os dois iguais, um filme fluido tem os dois com sinais opostos
@@ -1557,7 +1562,6 @@ phase-ahead-of-the-mark = fase à frente da marca
 the-rotor-with-the-places-of-its-parts-from-the-left-end = O rotor, com os lugares das suas partes a partir da extremidade esquerda
 mode-n-at-frequency-it-direction = Modo { $n } em { $frequency }: { $direction }
 mode-n-at-frequency = Modo { $n } em { $frequency }
-n = { $n }
 order-speed = { $order }× rotação
 mode-n-whirl = modo { $n }, { $whirl }
 forward = direto
@@ -1626,7 +1630,7 @@ ratio-of-reading-to-true-displacement = Razão entre leitura e deslocamento verd
 ratio-of-reading-to-true-acceleration = Razão entre leitura e aceleração verdadeira
 the-same-from-the-square-of-the-frequency-ratio = o mesmo pelo quadrado da razão de frequências
 error-of-the-amplitude-where-it-is-positive-the-reading-is-too-high = Erro da amplitude; onde é positivo, a leitura é alta demais
-the-relative-motion-lags-the-motion-by = O movimento relativo está atrasado em relação ao movimento de
+the-relative-motion-lags-the-motion-by = Ângulo de fase (atraso) do movimento relativo em relação ao movimento
 time-delay-of-the-record-without-distortion-it-would-be-the-same-at-every-frequency = Atraso do registro; sem distorção, seria o mesmo em toda frequência
 reading-over-true-value = Leitura sobre valor verdadeiro
 ratio-of-reading-to-true-value = Razão entre leitura e valor verdadeiro
@@ -1799,7 +1803,7 @@ friction-stops-the-mass-before-it-decays-to-the-required-amplitude-write-one-abo
 friction-shifts-the-equilibrium-position-to-either-side-by-f-k = O atrito desloca a posição de equilíbrio de F/k para um lado ou para o outro
 from-the-decrease-of-the-amplitude = Pela diminuição da amplitude
 from-the-position-in-which-the-spring-is-unloaded = A partir da posição em que a mola está descarregada.
-half-width-of-the-dead-zone = Meia largura da zona morta
+half-width-of-the-sticking-zone = Meia largura da zona de aderência
 it-is-at-rest = Está em repouso
 already-at-rest-at-its-rest-position = Já está em repouso, na sua posição de repouso
 last-amplitude = Última amplitude
@@ -2080,7 +2084,7 @@ energy-dissipated-up-to-that-time = Energia dissipada até esse instante
 energy-dissipated-by-the-damper-up-to-that-time = Energia dissipada pelo amortecedor até esse instante
 envelope-at-that-time = Envoltória nesse instante
 envelope-at-the-requested-time = Envoltória no instante pedido
-initial-envelope = Envoltória inicial
+initial-amplitude-of-the-envelope = Amplitude inicial da envoltória
 faster-root = Raiz mais rápida
 first-displacement-to-the-opposite-side-as-a-fraction-of-the-release-displacement = Primeiro deslocamento para o outro lado, como fração do deslocamento na soltura.
 first-passage-through-the-equilibrium-position = Primeira passagem pela posição de equilíbrio
@@ -2121,14 +2125,15 @@ settling-time = Tempo de acomodação
 settling-time-from-the-envelope = Tempo de acomodação pela envoltória
 settling-time-exact-last-instant-at-which-the-displacement-equals-the-fraction-p-of-the-maximum = Tempo de acomodação exato: último instante em que o deslocamento é igual à fração p do máximo
 fraction-of-the-energy-lost-per-cycle-the-energy-is-proportional-to-the-square-of-the-amplitude = Fração da energia perdida por ciclo: a energia é proporcional ao quadrado da amplitude
-fraction-of-the-maximum-displacement-taken-as-settled = Fração do deslocamento máximo considerada acomodada
+settling-band = Faixa de acomodação
+fraction-of-the-maximum-displacement-within-which-the-envelope-counts-as-settled = Fração do deslocamento máximo dentro da qual a envoltória é considerada acomodada.
 slower-root = Raiz mais lenta
 strongly-negative-damping-1-two-real-roots-both-positive-here-the-larger = Amortecimento fortemente negativo, ζ < −1: duas raízes reais, ambas positivas; aqui a maior
 the-damping-is-critical = O amortecimento é crítico
 the-damping-is-negative-it-feeds-energy-into-the-motion-which-grows-until-something-not-in-this-model = o amortecimento é negativo: introduz energia no movimento, que cresce até que algo fora deste modelo o detenha; a posição de repouso é instável
 the-decrement-is-t-d = o decremento é ζ ωₙ T_d
 the-displacement-at-the-settling-time-by-integration-of-the-equation-of-motion = o deslocamento no tempo de acomodação, por integração da equação de movimento
-the-envelope-e-t-has-decayed-to-the-fraction-taken-as-settled = A envoltória e^(−ζωₙt) decaiu até a fração considerada acomodada
+the-envelope-e-t-has-decayed-to-the-settling-band = A envoltória e^(−ζωₙt) decaiu até a faixa de acomodação
 the-first-passage-through-rest-found-from-the-motion-itself = a primeira passagem pelo repouso obtida do próprio movimento
 the-first-turning-point-found-from-the-motion-itself = o primeiro ponto de retorno obtido do próprio movimento
 the-other-constant = A outra constante
@@ -2137,7 +2142,7 @@ the-square-of-the-damping-is-4-k-m = o quadrado do amortecimento é 4 ζ² k m
 the-sum-of-the-roots-is-2 = a soma das raízes é −2ζωₙ
 the-velocity-written-in-the-same-form-its-phase = A velocidade escrita na mesma forma; sua fase
 time-for-the-envelope-to-decay-to-the-fraction-p-of-the-maximum-displacement = Tempo em que a envoltória decai à fração p do deslocamento máximo
-time-for-the-envelope-to-decay-to-the-fraction-taken-as-settled = Tempo em que a envoltória decai à fração considerada acomodada
+time-for-the-envelope-to-decay-to-the-settling-band = Tempo em que a envoltória decai à faixa de acomodação
 time-for-the-envelope-of-the-motion-to-double = Tempo em que a envoltória do movimento dobra
 time-of-maximum-displacement = Instante do deslocamento máximo
 time-to-double = Tempo para dobrar
@@ -2343,7 +2348,7 @@ force-beyond-the-lever-over-that-of-the-load = Força além da alavanca, sobre a
 fraction-of-the-twist-in-series-the-torque-is-the-same = Fração da torção: em série o torque é o mesmo
 fraction-of-the-torque-in-parallel-the-twist-is-the-same = Fração do torque: em paralelo a torção é a mesma
 angle-beyond-the-gears-over-that-of-the-body = Ângulo além das engrenagens, sobre o do corpo
-torque-behind-the-gears-over-that-on-the-body = Torque atrás das engrenagens, sobre o do corpo
+torque-behind-the-gears-over-that-on-the-body = Torque após as engrenagens, sobre o torque no corpo
 the-twists-of-the-members-in-series-add-up = as torções dos membros em série somam-se
 the-torques-of-the-members-in-parallel-add-up = os torques dos membros em paralelo somam-se
 share-of-the-torque = parcela do torque
@@ -2491,7 +2496,7 @@ elastic-energy-over-kinetic-energy-of-the-mode-shape-is = a energia elástica so
 the-holzer-residual-vanishes-at-the-natural-frequency = o resíduo de Holzer anula-se na frequência natural
 node-of-the-shaft-from-its-first-end-the-amplitude-falls-from-one-end-to-the-other-as-the-compliance = Nó do eixo, a partir da sua primeira extremidade: a amplitude cai de uma extremidade à outra conforme a flexibilidade se acumula
 both-sides-of-the-node-are-twisted-by-the-same-torque = os dois lados do nó são torcidos pelo mesmo torque
-node-from-the-first-end-of-its-shaft = Nó a partir da primeira extremidade do seu eixo
+node-from-the-first-end-of-its-shaft-mode-node = Nó a partir da primeira extremidade do seu eixo; modo, nó
 no-disc-has-a-moment-of-inertia-write-at-least-one-that-has = nenhum disco tem momento de inércia: escreva ao menos um que tenha
 there-are-more-than-200-discs-join-some-of-them = há mais de 200 discos: una alguns deles
 the-frequency-of-the-torques-equals-a-natural-frequency-of-the-train-without-damping-the-motion-grows = a frequência dos torques é igual a uma frequência natural do trem: sem amortecimento o movimento cresce sem limite e não há regime permanente
@@ -2620,7 +2625,7 @@ maximum-permitted-force = Força máxima permitida
 maximum-permitted-stress = Tensão máxima permitida
 maximum-permitted-unbalance = Desbalanceamento máximo permitido
 maximum-permitted-whirl-amplitude = Amplitude máxima de precessão permitida
-maximum-steady-state-whirl-at-any-speed = Rodopio máximo em regime permanente em qualquer rotação
+maximum-steady-state-whirl-at-any-speed = Precessão máxima em regime permanente em qualquer rotação
 maximum-available-stiffness = Rigidez máxima disponível
 maximum-whirl-amplitude = Amplitude máxima de precessão
 maximum-whirl-amplitude-as-a-multiple-of-the-eccentricity = Amplitude máxima de precessão como múltiplo da excentricidade
@@ -2682,8 +2687,8 @@ solid-circular-shaft = Eixo circular maciço
 speed-given = Velocidade dada
 speed-of-maximum-steady-state-whirl-amplitude = Rotação de máxima precessão em regime permanente
 speed-of-maximum-whirl-amplitude = Rotação de máxima precessão
-speed-of-the-rotor = Velocidade do rotor
-speed-of-the-shaft = Velocidade do eixo
+speed-of-the-rotor = Rotação do rotor
+speed-of-the-shaft = Rotação do eixo
 speed-over-critical-speed = Velocidade sobre velocidade crítica
 spread-of-the-natural-frequency = Dispersão da frequência natural
 static-deflection-due-to-the-weight = Deflexão estática devida ao peso
@@ -2695,7 +2700,7 @@ stiffness-mass-and-damping-of-one-degree-of-freedom-from-a-measured-frequency-re
 table-of-the-complex-frequency-response = Tabela da resposta em frequência complexa
 including-that-due-to-the-weight = Inclui a devida ao peso.
 the-amplitude-at-resonance-was-read = A amplitude na ressonância foi lida
-the-deflection-lags-the-direction-of-the-centre-of-mass-by = A deflexão está atrasada em relação à direção do centro de massa de
+the-deflection-lags-the-direction-of-the-centre-of-mass-by = Ângulo de fase (atraso) da deflexão em relação à direção do centro de massa
 comparison-of-the-methods = Comparação dos métodos
 the-peak-is-e-2-1-a-quadratic-equation-in-its-smaller-root = O pico é e/(2ζ√(1 − ζ²)), uma equação do segundo grau em ζ²; a sua raiz menor
 the-corresponding-unbalance = O desbalanceamento correspondente
@@ -2995,7 +3000,7 @@ time-from-contact-until-the-body-leaves-the-pan-the-force-between-them-is-zero =
 the-force-is-zero-then = a força é nula nesse instante
 contact-duration = Duração do contato
 still-in-free-fall = Ainda em queda livre
-displacement-of-the-body-at-time = Deslocamento do corpo no tempo
+displacement-of-the-body-at-time = Deslocamento do corpo no instante
 time-since-the-contact = Tempo desde o contato
 the-body-has-already-left-the-pan-or-cushion-duration-after-the-contact-choose-an-earlier-time = o corpo já deixou o prato ou a embalagem { $duration } depois do contato: escolha um instante anterior
 displacement-of-the-body-the-fall-plus-the-deflection = Deslocamento do corpo: a queda mais a deflexão
@@ -3177,12 +3182,12 @@ highest-frequency = Frequência máxima
 the-spectrum-is-computed-at-each-of-them = O espectro é calculado em cada uma delas.
 pulse = Pulso
 form = Forma
-half-sine = Meio seno
+half-sine = Meia-onda senoidal
 triangle = Triângulo
 at-the-middle-if-omitted-the-duration-for-a-terminal-peak-sawtooth = No meio, se omitido; a duração para um dente de serra de pico final.
 the-lowest-frequency-is-not-below-the-highest-write-a-range = a menor frequência não está abaixo da maior: escreva uma faixa
 velocity-change = Variação da velocidade
-velocity-change-area-of-the-half-sine-pulse = Variação da velocidade: área do pulso meio-seno
+velocity-change-area-of-the-half-sine-pulse = Variação da velocidade: área do pulso de meia-onda senoidal
 velocity-change-area-of-the-rectangular-pulse = Variação da velocidade: área do pulso retangular
 velocity-change-area-of-the-triangular-pulse = Variação da velocidade: área do pulso triangular
 all-accelerations-in-the-table-are-zero-there-is-no-shock = todas as acelerações da tabela são nulas: não há choque
@@ -3262,13 +3267,13 @@ duration = Duração
 triangular-pulse = Pulso triangular
 time-of-the-peak = Instante do pico
 at-the-middle-if-omitted-0-for-a-blast-the-duration-for-a-sawtooth = No meio, se omitido; 0 para uma explosão, a duração para um dente de serra.
-half-sine-pulse = Pulso de meio seno
+half-sine-pulse = Pulso de meia-onda senoidal
 the-peak-of-the-triangle-comes-after-its-end-write-a-time-of-the-peak-up-to-the-duration = o pico do triângulo vem depois do seu fim: escreva um instante do pico até a duração
 the-times-of-the-table-must-begin-at-zero-or-later-and-ascend-sort-its-rows = os tempos da tabela devem começar em zero ou depois e ser crescentes: ordene as suas linhas
 the-table-has-fewer-than-two-points-write-at-least-its-start-and-its-end = a tabela tem menos de dois pontos: escreva ao menos o seu começo e o seu fim
 natural-period-without-damping = Período natural, sem amortecimento
 static-displacement = Deslocamento estático
-displacement-at-time = Deslocamento no tempo
+displacement-at-time = Deslocamento no instante
 the-load-rises-without-end-and-the-motion-with-it-there-is-no-largest-displacement = a carga cresce sem fim, e o movimento com ela: não há deslocamento máximo
 time-of-maximum-displacement-the-first-zero-of-the-velocity-at-which-it-is-reached = Instante do deslocamento máximo: o primeiro zero da velocidade em que ele é alcançado
 the-velocity-is-zero-at-the-maximum-displacement = a velocidade é nula no deslocamento máximo
@@ -3927,7 +3932,7 @@ amplitude-at-resonance-larger-by-the-dynamic-magnifier = Amplitude na ressonânc
 sum-of-the-squared-amplitudes-of-the-damped-cranks = Soma dos quadrados das amplitudes das manivelas amortecidas
 amplitude-of-the-first-mass = Amplitude da primeira massa
 work-of-the-torques-summed-over-a-cycle-equals-the-energy-dissipated-by-damping = o trabalho dos torques, somado num ciclo, é igual à energia dissipada pelo amortecimento
-maximum-vibratory-torque-in-the-crankshaft-behind-mass = Torque vibratório máximo no virabrequim, atrás de { $mass }
+maximum-vibratory-torque-in-the-crankshaft-behind-mass = Torque vibratório máximo no virabrequim, após { $mass }
 maximum-torque-in-the-crankshaft = Torque máximo no virabrequim
 shear-stress-due-to-that-torque-in-a-circular-shaft = Tensão de cisalhamento devida a esse torque num eixo circular
 shear-stress-in-the-crankshaft = Tensão de cisalhamento no virabrequim
@@ -4555,6 +4560,8 @@ at-rest-in-the-equilibrium-position = Em repouso na posição de equilíbrio
 
 # frequency_response_identification.toml
 frequency-sweep-of-a-vehicle-suspension = Varredura em frequência de uma suspensão de veículo
+lists-06-08 = Listas 06–08
+exercise-lists-06-07-and-08-course-on-mechanical-vibration = Listas de exercícios 06, 07 e 08, disciplina de vibrações mecânicas
 lists-06-08-list-06-question-1 = Listas 06–08, lista 06, questão 1
 the-static-value-and-peak-are-read-from-the-printed-curve-the-printed-solution-takes-the-peak = O valor estático e o pico são lidos da curva impressa. A solução impressa toma a frequência do pico como frequência natural, boa aproximação com este amortecimento: m sai 0,8 % e c 0,2 % acima. A amplitude na ressonância, que ela pede, fica sem resposta: 1,6 mm por newton.
 the-printed-solution-calls-the-peak-frequency-the-natural-frequency = a solução impressa chama a frequência do pico de frequência natural
@@ -5215,10 +5222,10 @@ closed-form-roots-of-the-beam-equation-by-transfer-matrices-rayleigh-s-quotient-
 in-the-first-mode-the-discs-move-in-opposite-directions-while-their-weights-act-in-the-same-direction = No primeiro modo os discos se movem em sentidos opostos, enquanto os seus pesos atuam no mesmo sentido: o quociente de Rayleigh da deflexão estática fica 47 % alto demais.
 
 # shock_response_spectrum.toml
-half-sine-pulse-on-undamped-oscillators = Pulso de meio seno em osciladores sem amortecimento
-shock-spectrum-of-a-half-sine-pulse-1-77-at-t-d-t-0-81-quoted-in-many-texts-among-them-c-m-harris-and = Espectro de choque de um pulso de meio seno, 1,77 em t_d/T = 0,81: citado em muitos textos, entre eles C. M. Harris e A. G. Piersol, Harris' Shock and Vibration Handbook, cap. 8
+half-sine-pulse-on-undamped-oscillators = Pulso de meia-onda senoidal em osciladores sem amortecimento
+shock-spectrum-of-a-half-sine-pulse-1-77-at-t-d-t-0-81-quoted-in-many-texts-among-them-c-m-harris-and = Espectro de choque de um pulso de meia-onda senoidal, 1,77 em t_d/T = 0,81: citado em muitos textos, entre eles C. M. Harris e A. G. Piersol, Harris' Shock and Vibration Handbook, cap. 8
 the-same-to-more-digits = O mesmo, com mais algarismos
-the-maximum-primary-response-to-the-half-sine-sin-2-r-1-r-1-r-with-r-t-2t-d-over-r = A resposta primária máxima ao meio-seno, sen(2π r/(1 + r))/(1 − r) com r = T/(2t_d), sobre r
+the-maximum-primary-response-to-the-half-sine-sin-2-r-1-r-1-r-with-r-t-2t-d-over-r = A resposta primária máxima à meia-onda senoidal, sen(2π r/(1 + r))/(1 − r) com r = T/(2t_d), sobre r
 at-100-hz-the-pulse-lasts-1-1-periods-the-residual-is-4n-cos-n-1-4n = A 100 Hz o pulso dura 1,1 período; o residual é 4n cos(πn)/(1 − 4n²).
 amplification-2-sin-n-up-to-n-1-2-2-from-there-on-rao-5th-ed-4-6 = Amplificação 2 sen(πn) até n = 1/2, 2 a partir daí (Rao, 5ª ed., §4.6)
 terminal-peak-sawtooth-with-a-twentieth-of-critical-damping = Dente de serra de pico final com um vigésimo do amortecimento crítico
@@ -5310,7 +5317,6 @@ j-j-a-t-t-a-t-k-t-4-j-a-t-a-t = J = J_a T²/(T_a² − T²), k_t = 4π² J_a/(T_
 a-torsion-wire-of-known-stiffness = Fio de torção de rigidez conhecida
 j-k-t-t-4 = J = k_t T²/(4π²)
 a-known-body-instead-on-the-same-wire = Um corpo conhecido no lugar, no mesmo fio
-j-j-k-t-t-k = J = J_k (T/T_k)²
 wheel-rolling-with-its-journals-on-curved-rails = Roda que rola com os munhões em trilhos curvos
 g-t-4-r-1 = κ² = ρ² (g T²/(4π² (R − ρ)) − 1)
 wheel-rolling-down-inclined-rails = Roda que rola por trilhos inclinados
@@ -5355,7 +5361,7 @@ a-section-without-area-carries-no-load = Uma seção sem área não suporta carg
 three-rotors-on-one-shaft = Três rotores num mesmo eixo
 w-r-is-printed-in-long-tons-times-ft-g-32-2-ft-s = W R² está impresso em toneladas longas vezes ft²; g = 32,2 ft/s².
 the-printed-value-follows-from-node-positions-read-to-three-figures = o valor impresso decorre de posições dos nós lidas com três algarismos
-two-rotors-on-a-shaft-of-five-steps = Dois rotores num eixo de cinco degraus
+two-rotors-on-a-shaft-of-five-steps = Dois rotores em um eixo de cinco trechos
 w-r-is-printed-in-lb-times-ft-g-32-2-ft-s = W R² está impresso em lb vezes ft²; g = 32,2 ft/s².
 the-companion-program-uses-integer-division-so-that-3-5-and-3-7-become-zero-and-the-steps-of-5-in-and = O programa complementar usa divisão inteira, de modo que (3/5)⁴ e (3/7)⁴ se tornam zero e os trechos de 5 in e 7 in desaparecem; com eles a frequência é 22,26 Hz.
 two-rotors-on-a-shaft-of-five-steps-corrected = Dois rotores em um eixo de cinco trechos, corrigido
@@ -5374,7 +5380,7 @@ the-torque-of-the-third-shaft-was-summed-without-that-of-the-first-disc-and-the-
 three-rotors-with-nodes = Três rotores com nós
 a-branched-train-with-geared-sides = Trem ramificado com lados engrenados
 three-equal-branches-on-a-hub-k-j-of-a-branch-double-root-and-k-1-j-3-j-h = Três ramos iguais num cubo: ω² = k/J de um ramo, raiz dupla, e k (1/J + 3/J_h)
-the-third-branch-is-behind-2-1-gears-with-a-quarter-of-the-stiffness-and-inertia-reduced-it-is-like = O terceiro ramo está atrás de engrenagens 2:1, com um quarto da rigidez e da inércia: reduzido, é como os outros.
+the-third-branch-is-behind-2-1-gears-with-a-quarter-of-the-stiffness-and-inertia-reduced-it-is-like = O terceiro ramo fica após engrenagens 2:1, com um quarto da rigidez e da inércia: reduzido, é como os outros.
 a-disc-between-two-walls-at-a-trial-frequency = Disco entre duas paredes, a uma frequência de tentativa
 k-k-j-at-30-rad-s-the-walls-must-supply-900-n-m-rad-less-than-their-capacity-of-2500 = ω = √((k₁ + k₂)/J); em ω = 30 rad/s as paredes devem fornecer 900 N·m/rad a menos que a sua capacidade de 2500
 torque-at-a-natural-frequency = Torque numa frequência natural
@@ -5408,8 +5414,8 @@ no-answer-is-printed-the-triangle-is-symmetric-g-386-in-s-the-value-is-the-sum-o
 the-same-impulse-applied-instantaneously = O mesmo impulso aplicado instantaneamente
 x-max-i-m-w-t-thomson-theory-of-vibration-with-applications-prob-4-20-taken-as-an-ideal-impulse = x_max = I/(m ωₙ): W. T. Thomson, Theory of Vibration with Applications, probl. 4-20, tomado como um impulso ideal
 the-triangle-lasts-most-of-a-period-treating-it-as-an-impulse-overestimates-the-motion-by-two-thirds = O triângulo dura a maior parte de um período: tomá-lo como impulso superestima o movimento em dois terços.
-half-sine-pulse-in-resonance = Pulso de meio seno em ressonância
-a-half-sine-pulse-of-half-the-natural-period-x-sin-t-t-cos-t-2-which-reaches-2-at-its-end = Um pulso meio-seno com a duração de meio período natural: x = δ(sen ωt − ωt cos ωt)/2, que chega a πδ/2 no seu fim
+half-sine-pulse-in-resonance = Pulso de meia-onda senoidal em ressonância
+a-half-sine-pulse-of-half-the-natural-period-x-sin-t-t-cos-t-2-which-reaches-2-at-its-end = Um pulso de meia-onda senoidal com a duração de meio período natural: x = δ(sen ωt − ωt cos ωt)/2, que chega a πδ/2 no seu fim
 the-usual-formula-with-1-r-in-the-denominator-fails-here = A fórmula usual, com 1 − r² no denominador, falha aqui.
 blast-a-triangle-with-its-peak-at-the-start = Explosão: triângulo com o pico no início
 t-m-2-arctan-t-d-x-1-cos-t-sin-t-t-d-t-t-d-for-a-blast-as-long-as-the-period = t_m = 2 arctan(ω t_d)/ω, x = δ(1 − cos ωt + sen ωt/(ω t_d) − t/t_d), para uma explosão com a duração do período
@@ -5422,7 +5428,7 @@ x-max-i-m-e-at-t-1 = x_max = I/(m ωₙ e) em t = 1/ωₙ
 exponential-force = Força exponencial
 x-e-t-cos-t-sin-t-1-1-its-first-peak = x = δ(e^(−t/τ) − cos ωt + sen(ωt)/(ωτ))/(1 + 1/(ωτ)²), o seu primeiro pico
 fifty-g-for-eleven-milliseconds-on-a-damped-20-hz-mount = Cinquenta g durante onze milissegundos sobre um coxim amortecido de 20 Hz
-half-sine-base-pulse-integrated-numerically-classical-runge-kutta-400-000-steps-a-second = Pulso de meio seno na base, integrado numericamente (Runge–Kutta clássico, 400 000 passos por segundo)
+half-sine-base-pulse-integrated-numerically-classical-runge-kutta-400-000-steps-a-second = Pulso de meia-onda senoidal na base, integrado numericamente (Runge–Kutta clássico, 400 000 passos por segundo)
 triangular-pulse-by-a-table = Pulso triangular por uma tabela
 the-table-of-the-symmetric-triangle-reproduces-the-triangle = A tabela do triângulo simétrico reproduz o triângulo
 same-as-the-triangle-of-prob-4-20-defined-by-three-points = Igual ao triângulo do probl. 4-20, definido por três pontos.
@@ -5651,13 +5657,12 @@ eigenvalues-of-k-j-of-five-discs-with-k-g-d-d-32-l-and-g-i-t-l-by-mpmath = autov
 throw-by-its-equivalent-length = Manivela pelo seu comprimento equivalente
 k-g-d-e-32-l-e-2-k-j-of-two-equal-cranks = k = G π D_e⁴/(32 L_e), ω = √(2 k/J) de duas manivelas iguais
 throw-by-carter = Manivela por Carter
-k-g-32-l-j-0-8-t-d-j-0-75-l-c-d-c-1-5-r-t-w = k = (π G/32)/((L_j + 0,8 t)/D_j⁴ + 0,75 L_c/D_c⁴ + 1.5 R/(t W³))
+k-g-32-l-j-0-8-t-d-j-0-75-l-c-d-c-1-5-r-t-w = k = (π G/32)/((L_j + 0,8 t)/D_j⁴ + 0,75 L_c/D_c⁴ + 1,5 R/(t W³))
 throw-by-ker-wilson = Manivela por Ker Wilson
 k-g-32-l-j-0-4-d-j-d-j-l-c-0-4-d-c-d-c-r-0-2-d-j-d-c-t-w = k = (π G/32)/((L_j + 0,4 D_j)/D_j⁴ + (L_c + 0,4 D_c)/D_c⁴ + (R − 0,2(D_j + D_c))/(t W³))
 clamped-clamped-beam-clamped-pinned-beam-and-column-in-parallel = Viga biengastada, viga engastada-apoiada e coluna em paralelo
 k-192-768-7-12-e-i-l-m-k-g = k = (192 + 768/7 + 12) E I/L³, m = k δ/g
 bars-of-four-cross-sections-in-tension = Barras de quatro seções em tração
-k-e-a-l = k = E Σ A/L
 torsion-bar-with-a-lever-beside-an-inclined-spring-springs-with-mass = Barra de torção com alavanca ao lado de uma mola inclinada, molas com massa
 k-g-i-t-l-a-k-cos-m-33-140-m-17-35-m-13-35-m-0-4-m-m-3 = k = G I_t/(L a²) + k₁ cos² α; m + 33/140 m₁ + 17/35 m₂ + 13/35 m₃ + 0,4 m₄ + m₅/3
 beams-rotated-at-their-ends-springs-at-an-arm-and-a-pendulum = Vigas giradas nas pontas, molas em um braço e um pêndulo
@@ -5817,7 +5822,7 @@ distance-travelled-by-the-exact-recurrence = distância percorrida pela recorrê
 distance-in-free-fall-the-drop-height-times-the-square-of-the-fraction-of-its-time = distância em queda livre: a altura de queda vezes o quadrado da fração de seu tempo
 total-distance-free-fall-in-its-time-plus-the-deflection-by-the-exact-recurrence = distância total: queda livre em seu tempo, mais a deflexão pela recorrência exata
 dunkerley-the-sum-of-the-squared-periods-of-all-modes-gives-the-same-value = Dunkerley: a soma dos quadrados dos períodos de todos os modos dá o mesmo valor
-half-sine-pulse-of-three-half-periods = Pulso de meio seno de três meios períodos
+half-sine-pulse-of-three-half-periods = Pulso de meia-onda senoidal de três meios períodos
 overdamped-after-an-impulse = Superamortecido após um impulso
 ramp-on-a-damped-mass = Rampa sobre uma massa amortecida
 rayleigh-the-first-step-of-matrix-iteration-from-equal-deflections = Rayleigh: o primeiro passo da iteração matricial, a partir de deflexões iguais
@@ -6445,7 +6450,7 @@ j-md-4-m-d-2-k-mgd-2-ln-1-s-ln-1-s = J = mD²/4 + m(D/2)², K = mgD/2, ζ = ln(1
 j-ml-3-k-ka-mgl-2-c-cb-the-motion-by-numerical-integration-of-its-equation = J = mL²/3, K = ka² + mgL/2, C = cb²; o movimento por integração numérica da sua equação
 mass-or-inertia-and-period = Massa ou inércia, e período
 mass-or-moment-of-inertia = Massa ou momento de inércia
-mass-that-moves = Massa que se move
+moving-mass = Massa em movimento
 mass-under-a-force-that-rises-exponentially = Massa sob uma força que sobe exponencialmente
 mass-under-a-parabolic-arch-of-known-impulse = Massa sob um arco parabólico de impulso conhecido
 mass-under-a-parabolic-force-that-falls-to-zero = Massa sob uma força parabólica que cai a zero
@@ -6454,7 +6459,7 @@ mass-with-a-known-natural-frequency = Massa com uma frequência natural conhecid
 maximum-absolute-angular-acceleration = Aceleração angular absoluta máxima
 maximum-angle-after-the-load = Ângulo máximo depois da carga
 maximum-angular-acceleration = Aceleração angular máxima
-maximum-of-the-load-the-impulse-is-the-area-of-the-half-sine-2f-t-d = Máximo da carga: o impulso é a área do meio seno, 2F₀t_d/π
+maximum-of-the-load-the-impulse-is-the-area-of-the-half-sine-2f-t-d = Máximo da carga: o impulso é a área da meia-onda senoidal, 2F₀t_d/π
 maximum-of-the-load-the-impulse-is-the-area-of-the-rectangle-f-t-d = Máximo da carga: o impulso é a área do retângulo, F₀t_d
 maximum-of-the-load-the-impulse-is-the-area-of-the-triangle-f-t-d-2 = Máximo da carga: o impulso é a área do triângulo, F₀t_d/2
 maximum-of-the-load-the-impulse-is-the-area-of-the-versed-sine-half-that-of-its-rectangle = Máximo da carga: o impulso é a área do seno verso, metade da do seu retângulo
@@ -6491,7 +6496,7 @@ rotor-on-a-base-with-a-sawtooth-rotation = Rotor numa base com rotação em dent
 n-1-2-nr-1-n-r-2-nr-mean-square-2 = Θₙ = Φ/(nπ)√((1 + (2ζnr)²)/((1 − n²r²)² + (2ζnr)²)), valor quadrático médio (Φ/2)² + ½ΣΘₙ²
 rotor-on-a-shaft-whose-end-is-suddenly-accelerated = Rotor num eixo cuja ponta é acelerada de repente
 rotor-on-a-shaft-whose-other-end-oscillates = Rotor num eixo cuja outra ponta oscila
-rotor-under-a-half-sine-torque = Rotor sob um torque em meio seno
+rotor-under-a-half-sine-torque = Rotor sob um torque em meia-onda senoidal
 rotor-under-a-square-wave-of-torque = Rotor sob uma onda quadrada de torque
 n-4t-n-k-t-1-n-r-2-nr-mean-square = Θₙ = 4T₀/(nπk_t)/√((1 − n²r²)² + (2ζnr)²), valor quadrático médio ½ΣΘₙ²
 rotor-under-a-torque-from-a-table = Rotor sob um torque dado por tabela
@@ -6505,7 +6510,7 @@ static-angle-under-the-maximum-torque = Ângulo estático sob o torque máximo
 stiffness-from-the-static-deflection-k-st-m-g = Rigidez pela deflexão estática: k δ_st = m g
 the-angular-impulse-instantaneously-gives-the-body-its-angular-momentum = O impulso angular dá instantaneamente ao corpo a sua quantidade de movimento angular
 the-area-under-the-torque = A área sob o torque.
-the-body-lags-the-base-by = O corpo atrasa-se em relação à base de
+the-body-lags-the-base-by = Ângulo de fase (atraso) do corpo em relação à base
 the-body-relative-to-the-base-rotates-as-under-the-torque-j-static-angle-under-its-maximum-value = O corpo relativo à base gira como sob o torque −J α: ângulo estático sob o seu valor máximo
 the-force-and-the-spring-act-at-the-centre = A força e a mola atuam no centro.
 the-motion-by-numerical-integration-of-its-equation-step-by-step = O movimento por integração numérica da sua equação, passo a passo
@@ -6516,10 +6521,10 @@ time-from-its-start-to-the-peak = Tempo do seu início ao pico
 torque-on-the-body = Torque sobre o corpo
 torque-on-the-body-from-a-table = Torque sobre o corpo por tabela
 torsional-stiffness-given = Rigidez torcional dada
-two-masses-on-a-base-with-a-half-sine-shock = Duas massas numa base com choque em meio seno
+two-masses-on-a-base-with-a-half-sine-shock = Duas massas numa base com choque em meia-onda senoidal
 two-masses-on-a-base-with-a-triangular-shock = Duas massas numa base com choque triangular
 two-masses-on-a-base-with-a-versed-sine-shock = Duas massas numa base com choque em seno verso
-two-masses-under-a-half-sine-pulse = Duas massas sob um pulso em meio seno
+two-masses-under-a-half-sine-pulse = Duas massas sob um pulso de meia-onda senoidal
 two-masses-under-a-triangle-and-a-versed-sine = Duas massas sob um triângulo e um seno verso
 t-2i-t-d-the-motion-by-numerical-integration-of-its-equation-step-by-step = T₀ = 2I/t_d; o movimento por integração numérica da sua equação, passo a passo
 versed-sine-pulse = Pulso em seno verso
@@ -6631,11 +6636,11 @@ velocity-of-the-third-evaluation = Velocidade da terceira avaliação
 acceleration-of-the-third-evaluation = Aceleração da terceira avaliação
 velocity-of-the-fourth-evaluation = Velocidade da quarta avaliação
 acceleration-of-the-fourth-evaluation = Aceleração da quarta avaliação
-half-sine-pulse-average-acceleration = Pulso de meio seno, aceleração média
-half-sine-pulse-linear-acceleration = Pulso de meio seno, aceleração linear
-half-sine-pulse-central-differences = Pulso de meio seno, diferenças centrais
-half-sine-pulse-in-si-exact-between-the-points-of-the-load = Pulso de meio seno no SI, exato entre os pontos da carga
-half-sine-pulse-in-si-central-differences = Pulso de meio seno no SI, diferenças centrais
+half-sine-pulse-average-acceleration = Pulso de meia-onda senoidal, aceleração média
+half-sine-pulse-linear-acceleration = Pulso de meia-onda senoidal, aceleração linear
+half-sine-pulse-central-differences = Pulso de meia-onda senoidal, diferenças centrais
+half-sine-pulse-in-si-exact-between-the-points-of-the-load = Pulso de meia-onda senoidal no SI, exato entre os pontos da carga
+half-sine-pulse-in-si-central-differences = Pulso de meia-onda senoidal no SI, diferenças centrais
 two-degrees-of-freedom-under-a-step-newmark = Dois graus de liberdade sob um degrau, Newmark
 exact-end-of-the-same-motion = Fim exato do mesmo movimento
 one-newmark-step-with-1-12 = Um passo de Newmark com β = 1/12
@@ -6892,9 +6897,9 @@ a-body-of-100-kg-sits-on-a-solid-shaft-of-60-mm-diameter-between-two-bearings-th
 two-particles-are-fixed-to-a-light-string-stretched-with-1-n-between-two-walls-2-kg-at-1-m-from-the = Duas partículas estão fixas em uma corda leve esticada com 1 N entre duas paredes: 2 kg a 1 m da parede esquerda, e 1 kg a 1 m da primeira; dela à parede direita há novamente 1 m. Determine as duas frequências naturais das pequenas vibrações transversais em rad/s.
 a-disc-of-10-kg-with-a-radius-of-gyration-of-120-mm-about-its-axis-and-a-width-of-60-mm-is-fixed-to = Um disco de 10 kg com raio de giração de 120 mm em torno do eixo e largura de 60 mm está fixo na ponta de um eixo em balanço. O eixo trabalha como viga engastada de 0,3 m com E = 196 GPa e momento de inércia da seção de 1×10⁻⁷ m⁴; sua massa é desprezada. A máquina deve girar a 10000 rpm. Determine as duas frequências naturais do disco parado, em rpm.
 a-turbine-disc-of-20-kg-sits-in-the-middle-of-a-light-solid-steel-shaft-of-2-5-cm-diameter-and-1-m = O disco de uma turbina, de 20 kg, está no meio de um eixo leve e maciço de aço de 2,5 cm de diâmetro e 1 m de comprimento entre dois mancais que deixam as extremidades girar livremente (E = 207 GPa). Seu centro de massa está a 5 mm do eixo, e o fator de amortecimento é 0,01. O eixo é horizontal (g = 9,81 m/s²) e gira a 6000 rpm. Determine a velocidade crítica em rpm e a amplitude da precessão.
-a-guitar-string-of-steel-7920-kg-m-has-a-cross-section-of-5-0671-10-m-and-is-stretched-with-84-n-over = Uma corda de violão de aço (7920 kg/m³) tem seção transversal de 5,0671×10⁻⁸ m² e está esticada com 84 N em um comprimento de 0,71 m. Determine a menor de suas 3 primeiras frequências naturais, em hertz.
+a-guitar-string-of-steel-7920-kg-m-has-a-cross-section-of-5-0671-10-m-and-is-stretched-with-84-n-over = Uma corda de violão de aço (7920 kg/m³) tem seção transversal de 5,0671×10⁻⁸ m² e está esticada com 84 N em um comprimento de 0,71 m. Determine a frequência fundamental, em hertz.
 a-solid-round-shaft-of-50-mm-diameter-and-1-m-length-is-pinned-at-both-ends-e-200-gpa-and-the-density = Um eixo redondo maciço de 50 mm de diâmetro e 1 m de comprimento é biapoiado; E = 200 GPa e a massa específica é de 8000 kg/m³. Determine a menor frequência natural de flexão (1 modo) pela teoria de Euler–Bernoulli, em hertz.
-the-skin-of-a-circular-drum-of-200-mm-radius-has-a-mass-of-0-1-kg-m-and-is-stretched-with-1-kn-m-all = A pele de um tambor circular de 200 mm de raio tem massa de 0,1 kg/m² e está esticada com 1 kN/m em toda a volta. Determine a menor de suas 6 primeiras frequências naturais, em hertz.
+the-skin-of-a-circular-drum-of-200-mm-radius-has-a-mass-of-0-1-kg-m-and-is-stretched-with-1-kn-m-all = A pele de um tambor circular de 200 mm de raio tem massa de 0,1 kg/m² e está esticada com 1 kN/m em toda a volta. Determine a frequência fundamental, em hertz.
 a-steel-rod-of-1-m-and-1-cm-moves-lengthwise-at-1-m-s-and-hits-a-rigid-wall-with-its-whole-end-face-e = Uma barra de aço de 1 m e 1 cm² move-se na direção do comprimento a 1 m/s e atinge uma parede rígida com toda a face. E = 200 GPa, a massa específica é de 8000 kg/m³ e a resistência de 250 MPa. Determine a tensão atrás da frente de onda, o maior encurtamento e o tempo de contato.
 an-instrument-on-a-mount-with-a-natural-frequency-of-50-hz-and-a-damping-ratio-of-0-05-is-shaken-at = Um instrumento em um apoio com frequência natural de 50 Hz e fator de amortecimento 0,05 é agitado em sua base por ruído branco; a densidade espectral da aceleração é de 0,04 g0²/Hz em todas as frequências. Determine o valor eficaz de sua aceleração e de seu deslocamento em relação à base.
 a-light-shaft-of-1-m-with-a-cross-section-of-4-9087385-10-m-and-a-second-moment-of-area-of-2-10-m-e = Um eixo leve de 1 m, com seção transversal de 4,9087385×10⁻⁴ m² e momento de inércia da seção de 2×10⁻⁸ m⁴ (E = 200 GPa), é biapoiado. Um disco de 10 kg, considerado partícula, está a 0,5 m da extremidade esquerda. Determine a velocidade crítica em rad/s, exatamente e pela fórmula de Dunkerley.
@@ -7292,6 +7297,7 @@ the-disc-in-the-middle-left-out = disco do meio omitido
 the-disc-in-the-middle-taken-as-fixed = disco do meio tomado como fixo
 the-shafts-taken-as-springs-in-parallel = eixos tomados como molas em paralelo
 the-moments-of-inertia-added-without-being-reduced = momentos de inércia somados sem serem reduzidos
+the-gear-ratio-not-squared-in-the-reduction = relação de transmissão não elevada ao quadrado na redução
 the-deflection-of-a-disc-at-midspan-l-48ei-used = usada a deflexão de um disco no meio do vão, L³/(48EI)
 the-deflection-of-the-tip-l-3ei-used = usada a deflexão da ponta, L³/(3EI)
 the-overhang-taken-as-clamped-at-the-bearing = trecho em balanço tomado como engastado no mancal

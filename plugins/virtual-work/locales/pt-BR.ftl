@@ -286,7 +286,7 @@ crank-angle-at-zero-piston-acceleration = Ângulo da manivela com aceleração n
 sin-n-sin-n-sin-n-0-at-the-angle-of-zero-acceleration = sin⁶θ₀ − n² sin⁴θ₀ − n⁴ sin²θ₀ + n⁴ = 0 no ângulo de aceleração nula
 zero-acceleration-there-from-the-loop-closure-of-the-slider-crank = aceleração nula ali pelo fechamento da cadeia do cursor-manivela
 the-harmonics-cancel-at-the-angle-of-zero-acceleration = os harmônicos se cancelam no ângulo de aceleração nula
-mass-of-the-rod = Massa da haste
+mass-of-the-rod = Massa da biela
 distance-of-its-centre-of-mass-from-the-crank-pin = Distância do seu centro de massa ao pino da manivela
 moment-of-inertia-of-two-masses-at-the-pins = Momento de inércia de duas massas nos pinos
 distance-of-the-rod-s-centre-of-mass-from-the-gudgeon-pin = Distância do centro de massa da biela ao pino do pistão
@@ -387,7 +387,7 @@ potential-energy = energia potencial
 equilibria-in-the-range = Posições de equilíbrio no intervalo
 second-derivative = Segunda derivada
 equilibrium = Equilíbrio
-a-load-or-stiffness-is-missing-write-it-or-write-the-angle-at-which-the-machine-is-to-be-in = uma carga ou rigidez está em branco: escreva-a, ou escreva o ângulo em que a máquina deve estar em equilíbrio
+a-load-or-stiffness-is-left-blank-write-it-0-if-there-is-none-or-write-the-angle-of-equilibrium-from = uma carga ou rigidez está em branco: escreva-a, 0 se não houver, ou escreva o ângulo de equilíbrio, do qual se obtém a que falta
 more-than-one-load-or-stiffness-is-missing-the-angle-determines-only-one-of-them = mais de uma carga ou rigidez está em branco: o ângulo determina apenas uma delas
 all-known-loads-are-zero-write-down-a-load = todas as cargas conhecidas são nulas: escreva uma carga
 at-this-angle-load-does-no-virtual-work-equilibrium-does-not-determine-it = neste ângulo { $load } não realiza trabalho virtual: o equilíbrio não a determina
@@ -398,7 +398,7 @@ equilibrant-couple-of-the-machine = Binário equilibrante da máquina
 the-holding-couple-from-the-newton-euler-equations-of-every-body = o binário de sustentação pelas equações de Newton–Euler de cada corpo
 equilibrium-load-against-the-angle = Carga de equilíbrio em função do ângulo
 if-left-blank-it-is-computed-from-the-position = Em branco, é calculada a partir da posição.
-zero-if-absent-if-omitted-it-is-calculated-from-the-position = Zero se não houver; se omitida, é calculada a partir da posição.
+enter-0-if-there-is-none-leave-it-blank-to-find-it-from-the-position = Escreva 0 se não houver; deixe em branco para obtê-la a partir da posição.
 uniform-its-weight-acts-in-the-middle = Uniforme: o peso atua no meio.
 weight-of-the-bar = Peso da barra
 weight-of-each-bar = Peso de cada barra
@@ -486,7 +486,7 @@ the-table-needs-at-least-two-rows-in-ascending-order-of-crank-angle-within-one-c
 mean-turning-moment-from-the-trapezia-between-the-rows = torque médio pelos trapézios entre as linhas
 crank-angles-at-which-the-turning-moment-crosses-its-mean = Ângulos da manivela em que o torque cruza a média
 minimum-of-the-same-work-the-speed-is-minimum-there = Mínimo do mesmo trabalho: ali a rotação é mínima
-coefficient-of-fluctuation-of-energy-ratio-to-the-work-per-cycle = Coeficiente de flutuação de energia: razão ao trabalho por ciclo
+coefficient-of-fluctuation-of-energy-ratio-to-the-work-per-cycle = Coeficiente de flutuação de energia: razão entre a flutuação e o trabalho por ciclo
 coefficient-of-fluctuation-of-energy = Coeficiente de flutuação de energia
 one-area-alone-cannot-close-a-cycle-write-all-areas-in-order-with-their-signs = uma só área não fecha um ciclo: escreva todas as áreas em ordem, com os seus sinais
 energy-of-a-square-millimetre-of-the-diagram = Energia de um milímetro quadrado do diagrama
@@ -917,7 +917,7 @@ scissor-lift = Plataforma pantográfica
 force-of-the-cylinder-of-a-scissor-lift-of-any-number-of-stages-or-the-load-that-it-lifts-with = Força do cilindro de uma plataforma pantográfica de qualquer número de estágios, ou a carga que ela levanta, com a velocidade de subida e as forças nos pinos.
 stages = Estágios
 angle-of-the-bars-from-the-horizontal = Ângulo das barras com a horizontal
-number-of-frames-side-by-side-each-with-a-cylinder = Número de quadros lado a lado, cada um com um cilindro
+number-of-frames-side-by-side-each-with-a-cylinder = Número de armações lado a lado, cada uma com um cilindro
 they-share-the-load-evenly = Dividem a carga igualmente.
 lower-end-of-the-cylinder = Extremidade inferior do cilindro
 upper-end-of-the-cylinder = Extremidade superior do cilindro
@@ -1237,8 +1237,7 @@ the-driving-force-is-perpendicular-to-the-velocity-of-its-point-it-has-no-power-
 
 # Table of powers
 powers-of-the-loads = Potências das ações
-load = Ação
-    .geared-drive = Carga
+load = Carga
 power = Potência
 share-of-the-power-input = Parcela da potência fornecida
 total = Total
@@ -1656,8 +1655,8 @@ torques-over-one-revolution-of-the-first-crank = Torques ao longo de uma volta d
 virtual-rotation-of-the-second-crank-for-2-1-by-the-gears = Rotação virtual da segunda manivela para δθ_2 = 1, pelas engrenagens
 
 # epicyclic-train
-a-ring-of-ring-teeth-leaves-no-room-for-the-planets-around-a-sun-of-sun-teeth-give-the-ring-more = uma coroa de { $ring } dentes não deixa espaço para os satélites em torno de um sol de { $sun } dentes: dê mais dentes à coroa
-both-suns-have-the-same-speed-relative-to-the-arm-so-the-arm-cannot-move-while-one-is-fixed-change-a = os dois sóis têm a mesma velocidade em relação ao braço, e o braço não se move com um deles fixo: mude um número de dentes
+a-ring-of-ring-teeth-leaves-no-room-for-the-planets-around-a-sun-of-sun-teeth-give-the-ring-more = uma coroa de { $ring } dentes não deixa espaço para os satélites em torno de um solar de { $sun } dentes: dê mais dentes à coroa
+both-suns-have-the-same-speed-relative-to-the-arm-so-the-arm-cannot-move-while-one-is-fixed-change-a = os dois solares têm a mesma velocidade em relação ao braço, e o braço não se move com um deles fixo: mude um número de dentes
 driving-member = Membro motor
 epicyclic-gear-train = Trem epicicloidal
 fixed-member = Membro fixo
@@ -1669,48 +1668,48 @@ external-teeth-of-the-driving-member = Dentes externos do membro motor
 pinion-that-drives-the-driving-member = Pinhão que aciona o membro motor
 power-of-the-driving-shaft = Potência do eixo motor
 ratio-of-the-speeds-from-the-meshes-of-the-gears = razão das velocidades pelos engrenamentos
-ratio-with-the-arm-fixed-ring-or-second-sun-over-sun-each-external-mesh-reverses-the-sense = Razão com o braço fixo: coroa (ou segundo sol) sobre sol; cada engrenamento externo inverte o sentido
-ring-or-second-sun = Coroa, ou segundo sol
+ratio-with-the-arm-fixed-ring-or-second-sun-over-sun-each-external-mesh-reverses-the-sense = Razão com o braço fixo: coroa (ou segundo solar) sobre solar; cada engrenamento externo inverte o sentido
+ring-or-second-sun = Coroa, ou segundo solar
 speed-of-the-driven-member = Velocidade do membro movido
 speed-of-the-driven-member-over-that-of-the-driving-shaft = Velocidade do membro movido sobre a do eixo motor
 speed-of-the-driven-member-over-that-of-the-pinion = Velocidade do membro movido sobre a do pinhão
-speed-of-the-driving-shaft = Velocidade do eixo motor
+speed-of-the-driving-shaft = Rotação do eixo motor
 speed-of-the-planet-relative-to-the-arm = Velocidade do satélite em relação ao braço
-speed-of-the-planet-relative-to-the-arm-it-meshes-with-the-sun = Velocidade do satélite em relação ao braço: engrena com o sol
-speed-of-the-planet-relative-to-the-arm-it-rolls-on-the-fixed-sun = Velocidade do satélite em relação ao braço: rola sobre o sol fixo
+speed-of-the-planet-relative-to-the-arm-it-meshes-with-the-sun = Velocidade do satélite em relação ao braço: engrena com o solar
+speed-of-the-planet-relative-to-the-arm-it-rolls-on-the-fixed-sun = Velocidade do satélite em relação ao braço: rola sobre o solar fixo
 speeds-of-all-members-of-an-epicyclic-train-by-willis-s-formula-and-driving-load-and-holding-torques = Velocidades de todos os membros de um trem epicicloidal pela fórmula de Willis, e torques motor, de carga e de retenção por potência virtual.
-ring-and-sun-differ-by-an-odd-number-planets-of-planet-teeth-cannot-be-cut-compound-planets-or = coroa e sol diferem de um número ímpar: satélites de { $planet } dentes não podem ser cortados; são necessários satélites compostos ou perfis deslocados
-sun = Sol
-sun-compound-planets-ring-with-internal-teeth = Sol, satélites compostos, coroa de dentes internos
-sun-planets-ring-with-internal-teeth = Sol, satélites, coroa de dentes internos
+ring-and-sun-differ-by-an-odd-number-planets-of-planet-teeth-cannot-be-cut-compound-planets-or = coroa e solar diferem de um número ímpar: satélites de { $planet } dentes não podem ser cortados; são necessários satélites compostos ou perfis deslocados
+sun = Solar
+sun-compound-planets-ring-with-internal-teeth = Solar, satélites compostos, coroa de dentes internos
+sun-planets-ring-with-internal-teeth = Solar, satélites, coroa de dentes internos
 teeth-as-given-or-as-required-by-the-centre-distance = Dentes, como dados ou como exigidos pela distância entre eixos
-teeth-of-the-first-sun = Dentes do primeiro sol
+teeth-of-the-first-sun = Dentes do primeiro solar
 teeth-of-the-pinion = Dentes do pinhão
-teeth-of-the-planet-on-the-first-sun = Dentes do satélite no primeiro sol
+teeth-of-the-planet-on-the-first-sun = Dentes do satélite no primeiro solar
 teeth-of-the-planet-on-the-ring = Dentes do satélite na coroa
-teeth-of-the-planet-on-the-second-sun = Dentes do satélite no segundo sol
-teeth-of-the-planet-on-the-sun = Dentes do satélite no sol
+teeth-of-the-planet-on-the-second-sun = Dentes do satélite no segundo solar
+teeth-of-the-planet-on-the-sun = Dentes do satélite no solar
 teeth-of-the-ring = Dentes da coroa
-teeth-of-the-second-sun = Dentes do segundo sol
-teeth-of-the-sun = Dentes do sol
+teeth-of-the-second-sun = Dentes do segundo solar
+teeth-of-the-sun = Dentes do solar
 speed-of-the-pinion-if-present = Velocidade do pinhão, se houver.
 the-epicyclic-train = O trem epicicloidal
-the-fixed-member-cannot-drive-choose-two-different-members-of-sun-ring-and-arm = o membro fixo não pode ser motor: escolha dois membros diferentes entre sol, coroa e braço
+the-fixed-member-cannot-drive-choose-two-different-members-of-sun-ring-and-arm = o membro fixo não pode ser motor: escolha dois membros diferentes entre solar, coroa e braço
 the-load-from-the-newton-euler-equations-of-every-gear = a carga pelas equações de Newton–Euler de cada engrenagem
 the-pinion-turns-the-driving-member-in-the-opposite-sense = O pinhão gira o membro motor no sentido oposto
-the-second-sun-with-external-teeth-takes-the-place-of-the-ring = O segundo sol, de dentes externos, ocupa o lugar da coroa.
-equilibrium-of-the-three-torques-on-sun-ring-and-arm-holding-torque-of-the-fixed-member = Equilíbrio dos três torques em sol, coroa e braço: torque de retenção do membro fixo
+the-second-sun-with-external-teeth-takes-the-place-of-the-ring = O segundo solar, de dentes externos, ocupa o lugar da coroa.
+equilibrium-of-the-three-torques-on-sun-ring-and-arm-holding-torque-of-the-fixed-member = Equilíbrio dos três torques em solar, coroa e braço: torque de retenção do membro fixo
 torque-of-the-load-on-the-driven-member = Torque da carga no membro movido
 torque-of-the-pinion-on-the-driving-member-the-same-virtual-power = Torque do pinhão no membro motor: a mesma potência virtual
 torque-on-the-driving-member = Torque no membro motor
 torque-on-the-driving-shaft = Torque no eixo motor
 holding-torque-of-the-fixed-member = Torque de retenção do membro fixo
-two-suns-compound-planets = Dois sóis, satélites compostos
+two-suns-compound-planets = Dois solares, satélites compostos
 virtual-power-t-in-in-t-out-out-0-torque-of-the-load-on-the-driven-member = Potência virtual, T_in ω_in + T_out ω_out = 0: torque da carga no membro movido
 virtual-power-t-in-in-t-out-out-0-torque-on-the-driving-shaft = Potência virtual, T_in ω_in + T_out ω_out = 0: torque no eixo motor
 willis-r-a-e-s-a-with-the-arm-fixed-driven-over-driver = Willis, ω_R − ω_A = e (ω_S − ω_A), com o braço fixo: movido sobre motor
 willis-r-a-e-s-a-with-the-ring-fixed-driven-over-driver = Willis, ω_R − ω_A = e (ω_S − ω_A), com a coroa fixa: movido sobre motor
-willis-r-a-e-s-a-with-the-sun-fixed-driven-over-driver = Willis, ω_R − ω_A = e (ω_S − ω_A), com o sol fixo: movido sobre motor
+willis-r-a-e-s-a-with-the-sun-fixed-driven-over-driver = Willis, ω_R − ω_A = e (ω_S − ω_A), com o solar fixo: movido sobre motor
 # virtual-work/equilibrium
 equilibrium-of-a-mechanism = Equilíbrio de um mecanismo
 all-equilibrium-positions-of-an-arbitrary-plane-mechanism-from-its-potential-energy-with-their = Todas as posições de equilíbrio de um mecanismo plano qualquer, pela energia potencial, com a sua estabilidade.
@@ -1752,7 +1751,7 @@ force-in-the-fixed-pin-of-the-cylinder = Força no pino fixo do cilindro
 force-of-the-cylinder-pressure-times-area-of-the-bore = Força do cilindro: pressão vezes área do diâmetro interno
 force-of-the-cylinder-from-the-principle-of-virtual-work-f-c-u-s-w-0 = Força do cilindro, pelo princípio dos trabalhos virtuais, F_c u_s + ΣδW = 0
 from-the-fixed-pin-of-the-cylinder-to-the-crank-pin = Do pino fixo do cilindro ao pino da manivela
-inverted-slider-crank = Cursor-manivela invertido
+inverted-slider-crank = Biela-manivela invertido
 length-of-the-cylinder-from-pin-to-pin = Comprimento do cilindro de pino a pino
 piston-with-its-rod = Pistão com a sua haste
 positive-when-it-pushes-the-crank-pin-away-from-the-fixed-pin-of-the-cylinder = Positiva quando afasta o pino da manivela do pino fixo do cilindro.
@@ -1817,7 +1816,6 @@ abc-drives-defg-with-125-mm-on-375-mm-so-that-defg-rotates-one-third-as-much-g-i
 couple-on-one-lever-force-on-another-couple-on-defg = Binário em uma alavanca, força em outra: binário em DEFG
 beer-johnston-vector-mechanics-for-engineers-statics-8th-ed-problem-10-3-of-two-levers-abc-and-defg = Beer & Johnston, Vector Mechanics for Engineers: Statics, 8ª ed., problema 10.3 com duas alavancas ABC e DEFG
 single-lever = Uma só alavanca
-f-a-p-b = F a = P b
 load-on-a-lever-that-does-not-exist = Carga em uma alavanca que não existe
 one-link-two-levers = Uma ligação, duas alavancas
 
@@ -1923,21 +1921,21 @@ the-motion-of-the-rod-is-not-known = o movimento da biela não é conhecido
 
 # epicyclic_train.toml
 ring-with-external-teeth-driven-by-a-pinion = Coroa com dentes externos movida por um pinhão
-sun-of-31-teeth-fixed-ring-of-83-internal-and-90-external-teeth-driven-by-a-pinion-of-25-the-arm-is = Sol de 31 dentes, fixo; coroa de 83 dentes internos e 90 externos, movida por um pinhão de 25; o braço é movido. 10 lbf·ft no pinhão; a carga atua no braço no mesmo sentido em que gira o pinhão, pois braço e coroa giram no sentido contrário.
+sun-of-31-teeth-fixed-ring-of-83-internal-and-90-external-teeth-driven-by-a-pinion-of-25-the-arm-is = Solar de 31 dentes, fixo; coroa de 83 dentes internos e 90 externos, movida por um pinhão de 25; o braço é movido. 10 lbf·ft no pinhão; a carga atua no braço no mesmo sentido em que gira o pinhão, pois braço e coroa giram no sentido contrário.
 the-same-train-to-more-digits = O mesmo trem com mais algarismos
 n-10-90-25-83-31-83 = 10·(90/25)·(83 + 31)/83
-fixed-ring-driving-sun = Coroa fixa, sol motor
+fixed-ring-driving-sun = Coroa fixa, solar motor
 a-s-z-s-z-s-z-r-1-4-with-24-and-72-teeth-t-a-4-t-s-t-r-3-t-s = ω_A/ω_S = z_S/(z_S + z_R) = 1/4 com 24 e 72 dentes; T_A = −4 T_S, T_R = 3 T_S
-high-reduction-with-two-suns = Alta redução com dois sóis
-e-101-99-100-100-0-9999-with-the-first-sun-fixed-the-second-turns-by-1-e-1-10000-of-the-arm = e = (101·99)/(100·100) = 0,9999: com o primeiro sol fixo, o segundo gira 1 − e = 1/10000 do braço
+high-reduction-with-two-suns = Alta redução com dois solares
+e-101-99-100-100-0-9999-with-the-first-sun-fixed-the-second-turns-by-1-e-1-10000-of-the-arm = e = (101·99)/(100·100) = 0,9999: com o primeiro solar fixo, o segundo gira 1 − e = 1/10000 do braço
 star-gear-the-arm-is-fixed = Trem estrela: o braço é fixo
 r-s-z-s-z-2-z-1-z-r-20-30-40-90 = ω_R/ω_S = −z_S z_2/(z_1 z_R) = −20·30/(40·90)
 a-fixed-member-cannot-drive = Um membro fixo não pode ser motor
 two-different-members-are-needed = são necessários dois membros diferentes
-suns-that-lock-each-other = Sóis que se travam
-e-1-both-suns-have-the-same-speed = e = 1: os dois sóis têm a mesma velocidade
-fixed-sun-driving-arm = Sol fixo, braço motor
-r-a-1-z-s-z-r-1-40-80-t-r-t-a-1-5-the-sun-is-held-by-the-rest = ω_R/ω_A = 1 + z_S/z_R = 1 + 40/80; T_R = −T_A/1,5, e o sol é retido pelo restante
+suns-that-lock-each-other = Solares que se travam
+e-1-both-suns-have-the-same-speed = e = 1: os dois solares têm a mesma velocidade
+fixed-sun-driving-arm = Solar fixo, braço motor
+r-a-1-z-s-z-r-1-40-80-t-r-t-a-1-5-the-sun-is-held-by-the-rest = ω_R/ω_A = 1 + z_S/z_R = 1 + 40/80; T_R = −T_A/1,5, e o solar é retido pelo restante
 
 # equilibrium.toml
 bar-with-a-cord-over-a-pulley = Barra com um cabo sobre uma polia
@@ -1994,7 +1992,6 @@ areas-of-a-petrol-engine-s-diagram = Áreas do diagrama de um motor a gasolina
 n-295-685-40-340-960-270-mm-after-khurmi-gupta-theory-of-machines-ch-16 = 295 − 685 + 40 − 340 + 960 − 270 mm², segundo Khurmi & Gupta, Theory of Machines, cap. 16
 the-sums-run-from-295-to-690-mm-985-mm-5-n-m-mm-1-mm = As somas vão de 295 a −690 mm²; 985 mm² × 5 N·m/mm × 1°/mm.
 speeds-of-a-heavy-flywheel = Rotações de um volante pesado
-e-i = ΔE = ½ I (ω₁² − ω₂²)
 inertia-for-one-per-cent = Inércia para um por cento
 t-20-000-9500-sin-2-5700-cos-2-n-m-e-9500-5700-n-m-i-c-s-after-khurmi-gupta-theory-of-machines-ch-16 = T = 20 000 + 9500 sen 2θ − 5700 cos 2θ N·m: ΔE = √(9500² + 5700²) N·m = I ω² C_s; segundo Khurmi & Gupta, Theory of Machines, cap. 16
 triangular-moment-on-the-power-stroke-of-a-four-stroke-engine = Torque triangular no tempo motor de um motor de quatro tempos
@@ -2169,7 +2166,6 @@ the-end-of-the-lever-is-60-mm-below-the-line-the-link-is-50-mm-long = a ponta da
 
 # rack_press.toml
 arbor-press = Prensa manual de cremalheira
-q-f-r-r = Q = F R/r
 geared-press-with-losses = Prensa com engrenagens e perdas
 f-q-r-r-i-with-r-m-z-2 = F = Q r/(R i η) com r = m z/2
 pinion-with-half-a-tooth = Pinhão com meio dente
@@ -2191,7 +2187,6 @@ the-pans-only-translate-equal-masses-balance-wherever-they-are-placed = Os prato
 the-tilted-balance = A balança inclinada
 the-pans-only-translate-equal-masses-balance-at-every-inclination = Os pratos só transladam: massas iguais se equilibram em toda inclinação
 unequal-arms = Braços desiguais
-m-l-m-l = m₁ l₁ = m₂ l₂
 a-heavier-right-pan = Prato direito mais pesado
 t-m-l-m-l-g-cos = T = (m₂ l₂ − m₁ l₁) g cos φ
 vertical-beams = Barras verticais
@@ -2212,7 +2207,7 @@ crank-and-rod-collinear-x-0 = manivela e biela alinhadas: δx = 0
 # scissor_lift.toml
 lift-table-with-a-crate-of-1000-kg = Plataforma pantográfica com um caixote de 1000 kg
 beer-johnston-vector-mechanics-for-engineers-9th-and-10th-ed-sample-problem-10-3 = Beer & Johnston, Vector Mechanics for Engineers, 9ª e 10ª ed., problema resolvido 10.3
-two-frames-each-with-a-cylinder-from-the-ground-at-3-2-m-from-the-fixed-foot-to-the-middle-of-a-bar = Dois quadros, cada um com um cilindro do solo, a 3,2 m do pé fixo, ao meio de uma barra de 1,4 m. F = ½ W √(a² + L² − 2 a L cos θ)/L · 2 cot θ/2. O livro arredonda para 5,15 kN; a sua transcrição publicada dá 5,16 kN.
+two-frames-each-with-a-cylinder-from-the-ground-at-3-2-m-from-the-fixed-foot-to-the-middle-of-a-bar = Duas armações, cada uma com um cilindro do solo, a 3,2 m do pé fixo, ao meio de uma barra de 1,4 m. F = ½ W √(a² + L² − 2 a L cos θ)/L · 2 cot θ/2. O livro arredonda para 5,15 kN; a sua transcrição publicada dá 5,16 kN.
 the-lift-table-more-digits = A plataforma pantográfica, mais algarismos
 beer-johnston-sample-problem-10-3-f-w-a-l-2-a-l-cos-cot-l-for-both-cylinders-together = Beer & Johnston, problema resolvido 10.3: F = W √(a² + L² − 2 a L cos θ) cot θ/L para os dois cilindros juntos
 load-lifted-by-the-cylinders = Carga levantada pelos cilindros
@@ -3040,8 +3035,8 @@ cam-angle-at-which-contact-is-lost-first-as-the-speed-rises-by-search = Ângulo 
 cam-angle-at-which-s-s-is-least-by-search = Ângulo do came em que s + s″ é mínimo, por busca
 cam-angle-at-which-the-segment-begins = Ângulo do came em que o trecho começa
 cam-angle-of-least-radius-of-curvature = Ângulo do came do menor raio de curvatura
-cam-angle-of-that-on-the-return = Ângulo do came correspondente, no retorno
-cam-angle-of-that-on-the-rise = Ângulo do came correspondente, na subida
+cam-angle-of-the-maximum-pressure-angle-on-the-return = Ângulo do came do ângulo de pressão máximo no retorno
+cam-angle-of-the-maximum-pressure-angle-on-the-rise = Ângulo do came do ângulo de pressão máximo na subida
 cam-angle-of-the-largest-force = Ângulo do came da força máxima
 cam-angle-of-the-largest-force-by-search = Ângulo do came da força máxima, por busca
 cam-angle-of-the-largest-pressure-angle-on-a-return-by-search = Ângulo do came do maior ângulo de pressão em um retorno, por busca

@@ -333,6 +333,19 @@ fn no_cause_is_listed_twice() {
 }
 
 #[test]
+fn an_angle_without_its_quadrant_is_named_before_another_axis() {
+    for (typed, words) in [
+        ("-10.73 deg", "arctangent taken without regard to the quadrant"),
+        ("10.73 deg", "acute angle taken, without regard to the quadrant"),
+    ] {
+        let found = readings(FAN, 6, "phase", typed);
+        assert!(found.first().is_some_and(|first| first[0].contains(words)), "{typed}: {found:#?}");
+        let is_vague = |words: &String| words.contains("measured from another axis");
+        assert!(!found.iter().flatten().any(is_vague), "{typed}: {found:#?}");
+    }
+}
+
+#[test]
 fn a_set_is_read_with_the_symbol_of_its_quantity() {
     let (entry, record) = published(TURBINE, 3);
     let solution = solved(entry, &record);

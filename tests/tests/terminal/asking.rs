@@ -101,7 +101,7 @@ fn few_digits_and_early_rounding_are_no_praise() {
         ("1.9456e4 um", Verdict::Right),
         // A mark before three digits is that of the country whose reading is ours.
         ("19,456 mm", Verdict::Right),
-        ("19.456,0 um", Verdict::Right),
+        ("19.456,0 um", Verdict::RoundedEarly(0.0)),
         ("19,546 mm", Verdict::RoundedEarly(0.0)),
         ("25,456 mm", Verdict::Wrong),
         ("2 cm", Verdict::TooFewDigits),
@@ -202,7 +202,7 @@ fn a_unit_a_sign_and_a_factor_of_the_answer_are_found() {
         (
             "amplitude",
             "38.91 mm",
-            "computing X (Steady-state amplitude at the running speed): 2 times too large",
+            "computing X (Steady-state amplitude at the running speed): peak-to-peak value in place of the amplitude",
         ),
         ("amplitude", "-19.46 mm", "computing X (Steady-state amplitude at the running speed): sign error"),
         ("stiffness", "451.4 N/m", "the number is in kN/m, not N/m"),

@@ -2,16 +2,18 @@
 // program, in search-index.js; the queries of tests/data/queries.toml are asked of both by `cargo xtask handbook --check`.
 "use strict";
 
-const NAMES = 8, KEYWORD_ALONE = 7, CASE = 4, DESCRIPTION = 3, INPUTS = 1, TOGETHER = 8, WHOLE = 4, ENOUGH = 3;
+const NAMES = 8, KEYWORD_ALONE = 7, CASE = 4, DESCRIPTION = 3, INPUTS = 1, TOGETHER = 9, WHOLE = 4, ENOUGH = 3;
 
 const LETTERS = { á: "a", à: "a", â: "a", ã: "a", ä: "a", å: "a", ç: "c", é: "e", è: "e", ê: "e", ë: "e", í: "i", ì: "i",
   î: "i", ï: "i", ñ: "n", ó: "o", ò: "o", ô: "o", õ: "o", ö: "o", ú: "u", ù: "u", û: "u", ü: "u" };
 
-const folded = (text) => Array.from(text.toLowerCase(), (letter) => LETTERS[letter] ?? letter).join("");
 const bytes = (text) => new TextEncoder().encode(text).length;
 const isAlphanumeric = (letter) => /^[\p{Alphabetic}\p{N}]$/u.test(letter);
 const sum = (numbers) => numbers.reduce((all, number) => all + number, 0);
-const spaced = (text) => text.replaceAll("-", " ");
+
+/** Lower case without accents; a hyphen within a word is a space. */
+const folded = (text) => Array.from(text.toLowerCase(), (letter) => LETTERS[letter] ?? letter).join("")
+  .replace(/(?<=[\p{Alphabetic}\p{N}])-(?=[\p{Alphabetic}\p{N}])/gu, " ");
 
 /** The last character before, or the first at a place of a text; empty at its ends. */
 const before = (text, at) => Array.from(text.slice(Math.max(0, at - 2), at)).pop() ?? "";
@@ -22,8 +24,15 @@ function* places(text, word) {
   for (let at = text.indexOf(word); at >= 0 && word; at = text.indexOf(word, at + word.length)) yield at;
 }
 
-/** Score of a word in a text: 4 as a whole word, 3 as the beginning of one, 2 with its stem alone, 1 within one. */
-function place(index, text, { whole, stem }) {
+/** Score of a word in a text, in the better of its spellings; the name of a standard counts as a whole alone. */
+function place(index, text, { whole, parted, stem, isExact }) {
+  const written = placeOf(index, text, whole, isExact ? "" : stem);
+  if (isExact) return written === WHOLE ? WHOLE : 0;
+  return written < WHOLE && parted && placeOf(index, text, parted, "") === WHOLE ? WHOLE : written;
+}
+
+/** Score of letters in a text: 4 as a whole word, 3 as the beginning of one, 2 with its stem alone, 1 within one. */
+function placeOf(index, text, whole, stem) {
   const begins = (at) => !isAlphanumeric(before(text, at));
   let best = 0;
   for (const at of places(text, whole)) {
@@ -34,16 +43,58 @@ function place(index, text, { whole, stem }) {
   return best < 2 && stem && [...places(text, stem)].some(begins) ? 2 : best;
 }
 
-/** A filter: the words as they were typed, and those that count, each with the beginning of its other forms. */
+/** True if an analysis has these words together, whole. */
+function isKnown(index, words) {
+  const has = (text) => placeOf(index, text, words, "") === WHOLE;
+  return index.analyses.some((analysis) => texts(analysis).some(([text]) => has(text)) || analysis.cases.some(has));
+}
+
+/** The words as they were typed; one with hyphens that none has is its parts, unless one is a letter or a number. */
+function* typedWords(index, typed) {
+  for (const word of typed.split(/\s+/u).filter(Boolean)) {
+    const bare = word.replace(/[,:;?!]+$/u, "") || word;
+    const whole = folded(bare).replace(/['’]s$/u, "") || folded(bare);
+    const parts = whole.split(" ");
+    const isParted = parts.every((part) => /^\p{Alphabetic}{2,}$/u.test(part)) && !isKnown(index, whole);
+    yield* isParted ? parts : [whole];
+  }
+}
+
+/** Two words for one that no analysis has: `run out` for `runout`, `g 2.5` for `g2.5`; empty where none has these. */
+function partedOf(index, whole) {
+  if (isKnown(index, whole)) return "";
+  const letters = Array.from(whole);
+  const isLetter = (letter) => /\p{Alphabetic}/u.test(letter);
+  const isJoined = letters.length >= index.joined && letters.every(isLetter);
+  const isPlace = (at) => isJoined && at > 1 && at + 1 < letters.length
+    || isLetter(letters[at - 1]) && /[0-9]/.test(letters[at]);
+  const parted = (at) => `${letters.slice(0, at).join("")} ${letters.slice(at).join("")}`;
+  const at = letters.findIndex((_, at) => at > 0 && isPlace(at) && isKnown(index, parted(at)));
+  return at > 0 ? parted(at) : "";
+}
+
+/** A filter: the phrase, and the words that count, each with its other forms and whether it must be found. */
 function filterOf(index, typed) {
   const phrase = folded(typed.trim());
-  const words = phrase.split(/\s+/u).filter(Boolean).map((word) => word.replace(/[,:;?!]+$/u, "") || word);
+  const words = [...typedWords(index, typed)];
   const counting = words.filter((word) => !index.small_words.includes(word));
+  const kept = counting.length ? counting : words;
+  const isStandard = (word) => index.standards.includes(word);
+  const isNumber = (word) => /^[0-9]/.test(word);
+  const hasStandard = kept.some(isStandard) && kept.some(isNumber);
+  const isOptional = (word) => index.optional_words.includes(word) || (hasStandard && isNumber(word));
   const stem = (word) => index.endings.filter((ending) => word.endsWith(ending))
     .map((ending) => word.slice(0, word.length - ending.length))
     .filter((rest) => bytes(rest) >= index.stem)
     .reduce((best, rest) => (best && best.length <= rest.length ? best : rest), "");
-  return { phrase, words: (counting.length ? counting : words).map((whole) => ({ whole, stem: stem(whole) })) };
+  const made = kept.map((whole) => ({
+    whole,
+    parted: partedOf(index, whole),
+    stem: stem(whole),
+    isNeeded: !isOptional(whole) || kept.every(isOptional),
+    isExact: hasStandard && isStandard(whole),
+  }));
+  return { phrase, words: made, needed: made.filter(({ isNeeded }) => isNeeded).length };
 }
 
 const texts = (analysis) => [[analysis.names, NAMES], [analysis.keywords, DESCRIPTION], [analysis.words, DESCRIPTION],
@@ -56,12 +107,13 @@ const mentions = (analysis, phrase) =>
 /** Score of the match and the case that matches best; null where fewer than `least` words are found together. */
 function rank(index, analysis, { phrase, words }, least) {
   const together = (text, weight) =>
-    words.length > 1 && place(index, text, { whole: phrase, stem: "" }) > 0 ? TOGETHER * weight : 0;
+    words.length > 1 && placeOf(index, text, phrase, "") > 0 ? TOGETHER * weight : 0;
   const most = (of) => Math.max(0, ...texts(analysis).map(([text, weight]) => of(text, weight)));
   const ofAnalysis = words.map((word) => most((text, weight) => weight * place(index, text, word)));
+  const spaced = (text) => text.replaceAll("-", " ");
   const isPhrase = (name) => spaced(name.split("/").pop()) === spaced(phrase);
   const bonus = most(together) + (analysis.names.split("\n").some(isPhrase) ? TOGETHER * NAMES : 0);
-  const hasEnough = (scores) => scores.filter((score) => score > 0).length >= least;
+  const hasEnough = (scores) => scores.filter((score, at) => score > 0 && words[at].isNeeded).length >= least;
   let best = hasEnough(ofAnalysis) ? { score: sum(ofAnalysis) + bonus, found: null } : null;
   analysis.cases.forEach((text, n) => {
     const scores = words.map((word, at) => {
@@ -91,9 +143,9 @@ function withWords(index, filter, least) {
 function find(index, typed) {
   const filter = filterOf(index, typed);
   if (!filter.words.length) return [];
-  const found = withWords(index, filter, filter.words.length);
-  if (found.length >= ENOUGH || filter.words.length <= 2) return found;
-  const others = withWords(index, filter, Math.floor(filter.words.length / 2) + 1);
+  const found = withWords(index, filter, filter.needed);
+  if (found.length >= ENOUGH || filter.needed <= 2) return found;
+  const others = withWords(index, filter, Math.floor(filter.needed / 2) + 1);
   return [...found, ...others.filter(({ id }) => found.every((known) => known.id !== id))];
 }
 

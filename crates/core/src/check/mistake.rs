@@ -87,6 +87,10 @@ pub enum Change {
     Inverted,
     /// An angle from another axis or in the other direction.
     Direction,
+    /// The arctangent of a quotient alone: half a turn off.
+    Quadrant,
+    /// The acute angle whose tangent is the size of a quotient.
+    AcuteAngle,
     /// A share measured from the other end: its complement to 1.
     Complement,
     /// The other angle of the same sine or cosine.
@@ -121,6 +125,9 @@ pub enum Change {
     DividedForMultiplied,
     /// An angle in degrees went into a function that takes radians, or a number in radians was read as degrees.
     Degrees,
+    /// Every trigonometric function of a step by a calculator in degrees (true) or in radians, of angles in the other
+    /// unit.
+    Calculator(bool),
     /// One of several parts of a set, or one of its ends.
     Branch,
     /// Rounded to so many significant digits on the way.
@@ -184,10 +191,10 @@ impl Mistake {
             | Change::AddedDirectly
             | Change::AddedAsVectors
             | Change::SeriesForParallel => "model",
-            Change::Direction => "direction",
+            Change::Direction | Change::Quadrant | Change::AcuteAngle => "direction",
             Change::TermTwice => "twice",
             Change::Trigonometric(..) => "sine-cosine",
-            Change::Degrees => "degrees",
+            Change::Degrees | Change::Calculator(_) => "degrees",
             Change::Branch | Change::OtherAngle => "branch",
             Change::Rounded(_) => "rounded",
         }

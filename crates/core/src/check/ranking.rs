@@ -2,8 +2,10 @@
 
 use std::{cmp::Ordering, collections::BTreeSet};
 
+use dalembert_units::Dim;
+
 use super::{
-    Cause, Change, Mistake, Place,
+    Cause, Change, Mistake, Place, difference,
     steps::node_of,
     wrong::{Wrong, is_near},
 };
@@ -106,6 +108,41 @@ fn is_of_last_step(answer: &Hit, step: &Hit, node: Option<Id>, solution: &Soluti
     }
 }
 
+/// True for a mistake in a step that says why an angle is another one.
+fn says_which_angle(mistake: &Mistake) -> bool {
+    let says = matches!(mistake.change, Change::Common(_) | Change::Quadrant | Change::AcuteAngle);
+    says && matches!(mistake.place, Place::Step(..))
+}
+
+/// True if a mistake is only that an angle is another one, by whole turns that of a mistake that says why.
+fn is_only_another_angle(only: &Hit, said: &Hit, one: &Wrong<'_>, solution: &Solution) -> bool {
+    let ([only_one], [said_one]) = (&only.cause.mistakes[..], &said.cause.mistakes[..]) else { return false };
+    let is_last =
+        matches!(said_one.place, Place::Step(at, _) if Some(solution.steps[at].result) == node_of(one));
+    let says_less = match &only_one.change {
+        Change::Direction => only_one.place == Place::Answer || only_one.place == said_one.place,
+        Change::OtherAnswer(_) => is_last && matches!(said_one.change, Change::Common(_)),
+        _ => false,
+    };
+    says_less
+        && one.answer.dim() == Dim::ANGLE
+        && says_which_angle(said_one)
+        && difference(only.value, said.value, Dim::ANGLE) <= 1e-9
+}
+
+/// True for an error that is declared of a step, and one of its result alone, which says less.
+fn is_said_by(said: &Cause, other: &Cause) -> bool {
+    match (&said.mistakes[..], &other.mistakes[..]) {
+        ([said], [other]) => {
+            matches!(said.change, Change::Common(_))
+                && !matches!(other.change, Change::Common(_))
+                && said.place == other.place
+                && other.of.is_none()
+        }
+        _ => false,
+    }
+}
+
 /// True if two mistakes were made in one step: that is as well one that we do not know.
 fn is_in_one_step(cause: &Cause) -> bool {
     matches!(&cause.mistakes[..], [one, other] if one.place == other.place)
@@ -125,6 +162,14 @@ pub(super) fn causes_of(one: &Wrong<'_>, mut hits: Vec<Hit>, solution: &Solution
             hits.remove(at);
         }
     }
+    // So does the reason why an angle is another one.
+    for at in (0..hits.len()).rev() {
+        let said = hits.iter().position(|said| is_only_another_angle(&hits[at], said, one, solution));
+        if let Some(said) = said {
+            hits[said].prior += hits[at].prior;
+            hits.remove(at);
+        }
+    }
     hits.sort_by(Hit::rank);
     let mut found: Vec<(Hit, Vec<String>)> = Vec::new();
     for hit in hits {
@@ -138,7 +183,9 @@ pub(super) fn causes_of(one: &Wrong<'_>, mut hits: Vec<Hit>, solution: &Solution
         match alike {
             Some((known, sentences)) => {
                 sentences.push(sentence);
-                if known.cause.equivalents.len() < EQUIVALENTS
+                if is_said_by(&known.cause, &hit.cause) {
+                    known.prior += hit.prior;
+                } else if known.cause.equivalents.len() < EQUIVALENTS
                     && !are_signs_of_steps(&known.cause, &hit.cause)
                 {
                     known.prior += hit.prior;

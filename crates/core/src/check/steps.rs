@@ -66,17 +66,66 @@ pub(super) fn steps(all: &mut Tries<'_, '_>, solution: &Solution, stop: &Stop) -
             let values = numbers.into_iter().map(scalar).collect();
             all.edit(prior, mistake.by(edit), values);
         }
+        for (change, edits) in of_calculator(solution, place) {
+            stop.check()?;
+            let all_edits: Vec<&Edit> = edits.iter().collect();
+            let values = again.with(&all_edits, &wanted).into_iter().map(scalar).collect();
+            all.push(2.0, Mistake::new(Place::Step(place, step.symbol), change), values, true, edits);
+        }
     }
     Ok(())
+}
+
+/// Every trigonometric function of a step at once, where there are several, by a calculator in the wrong mode.
+fn of_calculator(solution: &Solution, place: usize) -> Vec<(Change, Vec<Edit>)> {
+    let mut open: Vec<Id> = solution.steps[place].formula.into_iter().collect();
+    let mut seen: HashSet<Id> = HashSet::new();
+    let mut calls: Vec<(Id, Function, Id)> = Vec::new();
+    while let Some(id) = open.pop() {
+        if !seen.insert(id) {
+            continue;
+        }
+        if let Op::Call(function @ (Function::Sin | Function::Cos | Function::Tan), argument) =
+            solution.trace.node(id).op
+        {
+            calls.push((id, function, argument));
+        }
+        open.extend(solution.trace.operands(id));
+    }
+    // One argument that they share is changed where it is computed.
+    let is_shared = |argument: Id| {
+        let is_named = matches!(solution.trace.node(argument).op, Op::Step(_) | Op::Given { .. });
+        !is_named && calls.iter().all(|(.., other)| *other == argument)
+    };
+    if calls.len() < 2 || is_shared(calls[0].2) {
+        return Vec::new();
+    }
+    let first = Edit::first_new(solution);
+    let with = |factor: f64| -> Vec<Edit> {
+        let edit = |&(at, function, argument): &(Id, Function, Id)| {
+            let ops = vec![
+                (Op::Literal, Number::Scalar(factor)),
+                (Op::Mul(first, argument), UNKNOWN),
+                (Op::Call(function, first + 1), UNKNOWN),
+            ];
+            Edit { at, ops }
+        };
+        calls.iter().map(edit).collect()
+    };
+    vec![(Change::Calculator(true), with(PI / 180.0)), (Change::Calculator(false), with(180.0 / PI))]
 }
 
 /// Edits of a step: of its result and of its formula.
 pub(super) fn of_step(solution: &Solution, place: usize) -> Vec<Slip> {
     let mut edits = of_result(solution, place);
-    edits.extend(of_common_errors(solution, place));
+    let declared = of_common_errors(solution, place);
+    let is_declared = declared.iter().any(|slip| is_arctangent(solution, &slip.edit));
+    edits.extend(declared);
     if let Some(formula) = solution.steps[place].formula {
         of_formula(solution, formula, &mut edits);
     }
+    // The analysis has its own words for it.
+    edits.retain(|slip| slip.change != Change::Quadrant || !is_declared);
     edits.extend(copied(solution, place));
     edits
 }
@@ -163,6 +212,18 @@ pub(super) fn of_common_errors(solution: &Solution, place: usize) -> Vec<Slip> {
         Slip::new(10.0, Change::Common(error.what.clone()), Edit::op(at, alone(error.formula)))
     };
     of_step.map(slip).collect()
+}
+
+/// True for a declared error that is the arctangent of a quotient alone.
+fn is_arctangent(solution: &Solution, declared: &Edit) -> bool {
+    let of = |id: Id| &solution.trace.node(id).op;
+    let Some((Op::Sum(all), _)) = declared.ops.last() else { return false };
+    match &all[..] {
+        [formula] => {
+            matches!(of(*formula), Op::Atan2(y, x) if matches!((of(*y), of(*x)), (Op::Div(..), Op::Literal)))
+        }
+        _ => false,
+    }
 }
 
 /// Edits of the operations of a formula.
@@ -338,6 +399,7 @@ fn of_operation(solution: &Solution, id: Id, found: &mut Vec<Slip>) {
                 let change = Change::Trigonometric("arctan", crate::printer::function(function));
                 found.push(Slip::new(4.0, change, Edit { at: id, ops }));
             }
+            found.extend(without_quadrant(solution, id, *y, *x));
         }
         Op::Cross(a, b) => may(2.0, Change::TermSign, Op::Cross(*b, *a), id),
         Op::Compose(parts) => {
@@ -417,6 +479,29 @@ fn of_function(solution: &Solution, id: Id, function: Function, argument: Id, fo
     if let Some((turn, op)) = other {
         found.push(Slip::new(3.0, Change::OtherAngle, Edit::with_literal(solution, id, turn, op)));
     }
+}
+
+/// The arctangent of the quotient in place of the angle of a direction on the left, and the acute angle of its size.
+fn without_quadrant(solution: &Solution, id: Id, y: Id, x: Id) -> Vec<Slip> {
+    let [up, along] = [y, x].map(|id| scalar(solution.trace.node(id).number));
+    let first = Edit::first_new(solution);
+    let one = (Op::Literal, Number::Scalar(1.0));
+    let mut found = Vec::new();
+    if along < 0.0 {
+        let ops = vec![(Op::Div(y, x), UNKNOWN), one.clone(), (Op::Atan2(first, first + 1), UNKNOWN)];
+        found.push(Slip::new(6.0, Change::Quadrant, Edit { at: id, ops }));
+    }
+    // Below the axis the arctangent is acute itself.
+    if along < 0.0 && up > 0.0 {
+        let ops = vec![
+            (Op::Div(y, x), UNKNOWN),
+            (Op::Call(Function::Abs, first), UNKNOWN),
+            one,
+            (Op::Atan2(first + 1, first + 2), UNKNOWN),
+        ];
+        found.push(Slip::new(6.0, Change::AcuteAngle, Edit { at: id, ops }));
+    }
+    found
 }
 
 /// Two components added as numbers in place of the root of the sum of their squares: with their signs, with the sum of

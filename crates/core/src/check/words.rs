@@ -1,8 +1,12 @@
 //! Words for mistakes.
 
+use std::f64::consts::FRAC_1_SQRT_2;
+
+use dalembert_units::Dim;
+
 use super::{Change, Mistake, Place};
 use crate::{
-    Locale, Solution, Text, printer,
+    Answer, AnswerValue, Locale, Solution, Text, printer,
     reevaluate::Edit,
     trace::{Number, Op, TraceNode},
 };
@@ -57,11 +61,34 @@ pub(super) fn mistake(mistake: &Mistake, solution: &Solution) -> Text {
                 Some(why) => Text::new("computing {symbol} ({why}): {change}").with_text("why", why),
                 None => Text::new("computing {symbol}: {change}"),
             };
-            text.with("symbol", printer::symbol(symbol))
-                .with_text("change", of_step(change, part(mistake, solution).as_deref()))
+            let change = as_amplitude(mistake, *at, solution)
+                .unwrap_or_else(|| of_step(change, part(mistake, solution).as_deref()));
+            text.with("symbol", printer::symbol(symbol)).with_text("change", change)
         }
         (Place::Problem, change) => of_step(change, None),
     }
+}
+
+/// The value that is read in place of an amplitude, where a step is one that is asked for.
+fn as_amplitude(mistake: &Mistake, at: usize, solution: &Solution) -> Option<Text> {
+    let Change::Times(factor, _) = &mistake.change else { return None };
+    let taken = if *factor == 2.0 {
+        Text::new("peak-to-peak value in place of the amplitude")
+    } else if *factor == FRAC_1_SQRT_2 {
+        Text::new("rms value in place of the amplitude")
+    } else {
+        return None;
+    };
+    let result = solution.steps.get(at)?.result;
+    if mistake.edit.as_ref().is_none_or(|edit| edit.at != result) {
+        return None;
+    }
+    let is_amplitude = |answer: &Answer| {
+        let base = answer.name.base;
+        let is_it = matches!(answer.value, AnswerValue::Number(_, id) if id == result);
+        is_it && answer.dim() != Dim::NONE && (base == "amplitude" || base.ends_with("_amplitude"))
+    };
+    solution.answers.iter().any(is_amplitude).then_some(taken)
 }
 
 fn of_answer(change: &Change) -> Text {
@@ -117,8 +144,8 @@ fn of_step(change: &Change, part: Option<&str>) -> Text {
             "a factor on the wrong side of the fraction",
         ),
         Change::Coefficient(right, taken) => Text::new("coefficient {taken} in place of {right}")
-            .with("taken", fraction(*taken))
-            .with("right", fraction(*right)),
+            .with_number("taken", fraction(*taken))
+            .with_number("right", fraction(*right)),
         Change::AddedDirectly => Text::new("components added as numbers, not as vectors"),
         Change::AddedAsVectors => Text::new("root of the sum of the squares in place of the sum"),
         Change::SeriesForParallel => Text::new("series and parallel connection confused"),
@@ -132,6 +159,10 @@ fn of_step(change: &Change, part: Option<&str>) -> Text {
         }
         Change::DividedForMultiplied => Text::new("division and multiplication interchanged"),
         Change::Degrees => Text::new("an angle in degrees used as radians, or the other way round"),
+        Change::Quadrant => Text::new("arctangent taken without regard to the quadrant (off by 180°)"),
+        Change::AcuteAngle => Text::new("acute angle taken, without regard to the quadrant"),
+        Change::Calculator(true) => Text::new("calculator in degrees with angles in radians"),
+        Change::Calculator(false) => Text::new("calculator in radians with angles in degrees"),
         Change::Rounded(digits) => Text::new("rounded to {digits} significant digits").with("digits", digits),
         other => common(other),
     }
@@ -170,7 +201,7 @@ fn common(change: &Change) -> Text {
         Change::Complement => Text::new("measured from the other end: the complement to 1"),
         Change::OtherAngle => Text::new("the other angle with the same sine or cosine"),
         Change::Digit(right, taken) | Change::Swapped(right, taken) => {
-            Text::new("{right} copied as {taken}").with("right", right).with("taken", taken)
+            Text::new("{right} copied as {taken}").with_number("right", right).with_number("taken", taken)
         }
         Change::Alternative(right, taken) => Text::new("{taken} in place of {right}")
             .with_text("taken", taken.clone())

@@ -32,7 +32,7 @@ pub fn template(entry: &'static Entry, case: Option<&Case>, locale: &Locale) -> 
         }
         None => {
             let how = Text::new(
-                "Write each value between its quotation marks, with its unit. What stands behind a single # may be left out.",
+                "Write each value between its quotation marks, with its unit. Lines after a single # are optional.",
             );
             writer.comment(&how.render(locale), false);
             Draft::blank(&shape).with_first_alternatives(&shape)

@@ -63,9 +63,12 @@ pub(crate) fn index() -> Json {
     json!({
         "analyses": catalogue().iter().map(of).collect::<Vec<_>>(),
         "small_words": search::SMALL_WORDS,
+        "optional_words": search::OPTIONAL_WORDS,
+        "standards": search::STANDARDS,
         "endings": search::ENDINGS,
         "stem": search::STEM,
         "within": search::WITHIN,
+        "joined": search::JOINED,
     })
 }
 

@@ -137,7 +137,11 @@ fn document(
         Block::Items(cases.iter().enumerate().map(case).collect()),
         Block::Heading(say("Sources")),
         Block::Items(
-            about.sources.iter().map(|source| format!("{}: {}", source.short, source.full)).collect(),
+            about
+                .sources
+                .iter()
+                .map(|source| format!("{}: {}", source.short_in(locale), source.full_in(locale)))
+                .collect(),
         ),
     ]);
     Document { title: say(about.title), blocks }

@@ -124,7 +124,7 @@ pub fn lines(
     heading("Books and notes", look, locale, width, &mut page.lines);
     for source in entry.about.sources {
         let head = vec![Span::styled(look.glyph(Glyph::Bullet), look.dim()), Span::raw(" ")];
-        page.lines.extend(wrap::hanging(head, &look.words(source.full), Style::new(), width));
+        page.lines.extend(wrap::hanging(head, &look.words(&source.full_in(locale)), Style::new(), width));
     }
     page
 }

@@ -173,10 +173,11 @@ impl Analysis for Field {
             "trial_mass",
             "largest_residual",
         ],
-        keywords: "balanceamento em campo balanceamento no local coeficientes de influência peso de prova massa de teste \
-                   influence coefficients trial weight single plane two plane least squares min-max trim vector fase \
-                   balancear ventilador exaustor ventoinha rebolo turbina fan balancing blower in situ on site \
-                   check run residual unbalance corrida de verificação desbalanceamento residual",
+        keywords: "balanceamento em campo balanceamento no local coeficientes de influência peso de prova massa \
+                   de teste influence coefficients trial weight single plane two plane least squares min-max \
+                   trim vector fase balancear ventilador exaustor ventoinha rebolo turbina fan balancing blower \
+                   in situ on site check run residual unbalance corrida de verificação desbalanceamento residual \
+                   heavy spot ponto pesado massa de prova runout batimento",
         sources: &[&RAO, &GOODMAN, &DARLOW, &BOYD, &ISO_TOLERANCES, &WOWK, &BRUEL_KJAER],
         cases: include_str!("../../cases/field.toml"),
     };

@@ -93,8 +93,9 @@ impl Analysis for WithoutPhase {
         topic: "Field balancing",
         summary: "Correction masses from amplitudes alone, with a trial weight at three or more angles in each plane, and the consistency of the amplitudes.",
         main: &["correction", "correction_angle"],
-        keywords: "balanceamento sem fase quatro corridas quatro medições sete corridas método dos círculos four run method \
-                   three circles seven run amplitude only no phase",
+        keywords: "balanceamento sem fase quatro corridas quatro medições sete corridas método dos círculos four \
+                   run method three circles seven run amplitude only no phase 4-run heavy spot ponto pesado \
+                   massa de prova",
         sources: &[&RAO],
         cases: include_str!("../../cases/without_phase.toml"),
     };
@@ -321,10 +322,20 @@ fn sinusoid<N: Real>(job: &Job<N>) -> N {
     balance::magnitude(part(N::cos), part(N::sin))
 }
 
+/// Mean of the readings of the first sensor with the trial weight.
+fn mean_reading<N: Real>(job: &Job<N>) -> N {
+    N::sum(job.runs.iter().map(|run| run.sizes[0])) / job.runs.len() as f64
+}
+
 /// The effect of the trial weight that the mean amplitude has.
 fn by_mean<N: Real>(job: &Job<N>, first: N) -> N {
-    let mean = N::sum(job.runs.iter().map(|run| run.sizes[0])) / job.runs.len() as f64;
-    (mean.powi(2) - first.powi(2)).sqrt()
+    (mean_reading(job).powi(2) - first.powi(2)).sqrt()
+}
+
+/// The effect of the trial weight by the mean square of the amplitudes.
+fn by_squares<N: Real>(job: &Job<N>, first: N) -> N {
+    let mean = N::sum(job.runs.iter().map(|run| run.sizes[0].powi(2))) / job.runs.len() as f64;
+    (mean - first.powi(2)).sqrt()
 }
 
 /// The largest reading of the first sensor with the trial weight.
@@ -375,6 +386,10 @@ fn correct<W: Worksheet>(
             sheet.common_error(("m_c", n), what, || of(largest_reading(job) - *first));
             let what = "the trial weight scaled by the initial reading over the largest one";
             sheet.common_error(("m_c", n), what, || of(largest_reading(job)));
+            let what = "the effect taken as the mean of the readings less the initial one";
+            sheet.common_error(("m_c", n), what, || of(mean_reading(job) - *first));
+            let what = "the trial weight scaled by its effect over the initial reading";
+            sheet.common_error(("m_c", n), what, || trial * by_squares(job, *first) / *first);
         }
         let mass = sheet.step(("m_c", n), "g", ratio * trial, "Correction mass");
         let angle = sheet.numerical(

@@ -271,8 +271,9 @@ impl Analysis for Tolerance {
         topic: "Rigid rotors",
         summary: "Permissible residual unbalance by the balance quality grades of ISO 21940-11, its allocation to two planes, and the conformity of a measured residual unbalance.",
         main: &["permissible", "permissible_a", "permissible_b", "grade", "trial_mass"],
-        keywords: "iso 1940 21940 grau de qualidade de balanceamento G 2.5 G 6.3 G2.5 G6.3 G16 desbalanceamento \
-                   residual admissível tolerância permissible residual unbalance quality grade oz in 4W/N mil-std-167 api trial mass massa de teste",
+        keywords: "iso 1940 21940 grau de qualidade de balanceamento G 2.5 G 6.3 G16 desbalanceamento residual \
+                   admissível tolerância permissible residual unbalance quality grade oz in 4W/N mil-std-167 api \
+                   trial mass massa de teste NBR 8008 API 610 617",
         sources: &[&ISO_TOLERANCES, &MIL_STD_167],
         cases: include_str!("../../cases/tolerance.toml"),
     };

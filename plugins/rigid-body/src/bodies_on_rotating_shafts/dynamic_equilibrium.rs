@@ -94,8 +94,9 @@ impl Analysis for DynamicEquilibrium {
         topic: "Bodies on rotating shafts",
         summary: "Equilibrium angle of a rod, plate or particle hinged to a rotating shaft, or the speed for a given angle; its stability and the hinge forces.",
         main: &["angle", "critical_speed", "speed"],
-        keywords: "dynamic equilibrium conical pendulum hinged rod governor rotating frame equilíbrio dinâmico relativo pêndulo cônico haste \
-                   articulada eixo vertical regulador velocidade crítica ângulo",
+        keywords: "dynamic equilibrium conical pendulum hinged rod governor rotating frame equilíbrio dinâmico \
+                   relativo pêndulo cônico haste articulada eixo vertical regulador velocidade crítica ângulo \
+                   centrifugal governor regulador centrífugo",
         sources: &[&RIUL, &BEER],
         cases: include_str!("../../cases/dynamic_equilibrium.toml"),
     };

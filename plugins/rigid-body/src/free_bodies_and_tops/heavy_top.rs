@@ -72,7 +72,8 @@ impl Analysis for HeavyTop {
         topic: "Free bodies and tops",
         summary: "Slow and fast precession of a top under its weight, the required spin, the sleeping threshold, and the fast-top formula compared with the exact one.",
         main: &["slow_precession", "fast_precession", "first_order_precession", "spin"],
-        keywords: "gyroscope spinning top precession sleeping pião giroscópio precessão rotação própria",
+        keywords: "gyroscope spinning top precession sleeping pião giroscópio precessão rotação própria steady \
+                   precession precessão regular Lagrange top",
         sources: &[&BEER, &GOLDSTEIN],
         cases: include_str!("../../cases/heavy_top.toml"),
     };

@@ -232,7 +232,9 @@ impl Analysis for GyroscopicCouple {
         topic: "Gyroscopes and vehicles",
         summary: "Couple on a spinning rotor whose carrier or gimbal turns, pitches or rolls, its reaction on the carrier with the effect in words, and the bearing reactions.",
         main: &["couple", "reaction", "bearing_a", "bearing_b"],
-        keywords: "gyroscope gyroscopic ship aeroplane turbine propeller precession pitching rolling loop pull-out dive control-moment gyro CMG gimbal giroscópio giroscópico navio avião precessão arfagem balanço proa popa mancais looping mergulho cardã",
+        keywords: "gyroscope gyroscopic ship aeroplane turbine propeller precession pitching rolling loop \
+                   pull-out dive control-moment gyro CMG gimbal giroscópio giroscópico navio avião precessão \
+                   arfagem balanço proa popa mancais looping mergulho cardã conjugado giroscópico",
         sources: &[&KHURMI, &BEER, &MERIAM, &IRODOV],
         cases: include_str!("../../cases/gyroscopic_couple.toml"),
     };

@@ -53,9 +53,11 @@ impl Analysis for Attitude {
         topic: "Motion in space",
         summary: "Direction cosine matrix, Euler angles of any sequence, principal axis and angle, Euler parameters and Rodrigues parameters of an attitude, each from any other; their rates and the angular velocity.",
         main: &["principal_angle", "principal_axis", "angular_velocity", "angular_acceleration"],
-        keywords: "attitude orientation rotation matrix direction cosine DCM quaternion Euler angles parameters yaw pitch roll 3-2-1 3-1-3 principal axis angle \
-                   Rodrigues Gibbs Cayley MRP CRP shadow set TRIAD Wahba Davenport gimbal lock \
-                   atitude orientação matriz de rotação cossenos diretores quatérnio ângulos de Euler guinada arfagem rolamento eixo principal",
+        keywords: "attitude orientation rotation matrix direction cosine DCM quaternion Euler angles parameters \
+                   yaw pitch roll 3-2-1 3-1-3 principal axis angle Rodrigues Gibbs Cayley MRP CRP shadow set \
+                   TRIAD Wahba Davenport gimbal lock atitude orientação matriz de rotação cossenos diretores \
+                   quatérnio ângulos de Euler guinada arfagem rolamento eixo principal Tait-Bryan Cardan angles \
+                   ângulos de Cardan",
         sources: &[&SCHAUB, &SHUSTER, &BEER],
         cases: include_str!("../../cases/attitude.toml"),
     };

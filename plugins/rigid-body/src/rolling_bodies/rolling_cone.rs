@@ -30,7 +30,7 @@ pub struct RollingCone {
     /// Half the angle at the apex.
     #[input("α", "deg", above = 0, below = 90)]
     pub half_angle: f64,
-    /// It is.
+    /// Cone.
     pub cone: Cone,
     /// Given.
     pub known: ConeMotionInput,
@@ -46,7 +46,7 @@ pub enum Cone {
     Solid,
     /// A thin shell without a base
     Shell,
-    /// Given
+    /// Properties given
     Given {
         /// Centre of mass from the apex, on the axis.
         #[input("l", "m", positive)]

@@ -25,7 +25,8 @@ pub struct FreeVibration {
     /// Time at which the motion is required.
     #[input("t", "s", nonnegative)]
     pub time: Option<f64>,
-    /// Fraction of the maximum displacement taken as settled.
+    /// Settling band.
+    /// Fraction of the maximum displacement within which the envelope counts as settled.
     #[input("p", "%", positive, fraction, below = 100, default = "2 %")]
     pub settled: f64,
 }
@@ -41,8 +42,10 @@ impl Analysis for FreeVibration {
         main: &["displacement", "natural_frequency", "damping_ratio", "maximum"],
         keywords: "transient decay underdamped overdamped critically damped undamped initial conditions envelope \
                    overshoot settling phase plane vibração livre subamortecido superamortecido crítico \
-                   sobressinal acomodação \
-                   critically damped system free vibration of a damped system sistema criticamente amortecido vibração livre amortecida",
+                   sobressinal acomodação critically damped system free vibration of a damped system sistema \
+                   criticamente amortecido vibração livre amortecida self-excited vibration negative damping \
+                   galloping single degree of freedom vibração autoexcitada amortecimento negativo um grau de \
+                   liberdade",
         sources: &[&RAO],
         cases: include_str!("../../cases/free_vibration.toml"),
     };

@@ -101,9 +101,10 @@ impl Analysis for BaseExcitation {
         topic: "Harmonic excitation",
         summary: "Absolute and relative motion, acceleration and force of a mass under harmonic base excitation, including a wavy road.",
         main: &["amplitude", "transmissibility", "acceleration", "growth"],
-        keywords: "support motion transmissibility quarter car vehicle road ground seismic excitação de base movimento do suporte \
-                   transmissibilidade veículo estrada velocidade crítica \
-                   motion of the base response of a damped system to base motion movimento da base excitação pela base",
+        keywords: "support motion transmissibility quarter car vehicle road ground seismic excitação de base \
+                   movimento do suporte transmissibilidade veículo estrada velocidade crítica motion of the base \
+                   response of a damped system to base motion movimento da base excitação pela base quarto de \
+                   carro um quarto de veículo",
         sources: &[&RAO, &THOMSON],
         cases: include_str!("../../cases/base_excitation.toml"),
     };

@@ -93,9 +93,9 @@ impl Analysis for HarmonicForce {
         topic: "Harmonic excitation",
         summary: "Steady-state amplitude, phase, forces and power of one mass under a harmonic force, or of a rotating body under a harmonic torque, and its motion from rest.",
         main: &["amplitude", "phase", "transmitted_force", "growth"],
-        keywords: "forced resonance magnification power hysteretic build-up phasor torsional oscillation dashpot torque \
-                   força harmônica ressonância amplificação potência regime permanente transitório torque harmônico \
-                   oscilação torcional",
+        keywords: "forced resonance magnification power hysteretic build-up phasor torsional oscillation dashpot \
+                   torque força harmônica ressonância amplificação potência regime permanente transitório torque \
+                   harmônico oscilação torcional single degree of freedom um grau de liberdade",
         sources: &[&RAO, &THOMSON, &GROVER],
         cases: include_str!("../../cases/harmonic_force.toml"),
     };
@@ -251,7 +251,7 @@ fn strength<W: Worksheet>(
         sdof::magnification(at.ratio, at.damping_ratio),
         ("Magnification of the static deflection", RAO.at("§3.4")),
     );
-    sheet.answer("magnification", "Magnification", magnification);
+    sheet.answer("magnification", "Magnification factor", magnification);
     let sought = |amplitude: W::Num| {
         let why = motion.of("Force required for this amplitude", "Torque required for this amplitude");
         let force = amplitude * k / magnification;

@@ -83,7 +83,8 @@ impl Analysis for RotatingUnbalance {
         topic: "Harmonic excitation",
         summary: "Steady-state amplitude, phase and transmitted force of an unbalanced machine on an elastic, damped support.",
         main: &["amplitude", "transmitted_force", "largest_amplitude"],
-        keywords: "fan ventilador desbalanceamento desbalanceado cantilever amplitude resonance 07/2",
+        keywords: "fan ventilador desbalanceamento desbalanceado cantilever amplitude resonance 07/2 rotating \
+                   imbalance",
         sources: &[&RAO, &KELLY, &LISTS],
         cases: include_str!("../../cases/rotating_unbalance.toml"),
     };

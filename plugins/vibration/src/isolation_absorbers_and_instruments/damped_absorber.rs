@@ -174,7 +174,7 @@ impl Analysis for DampedAbsorber {
         title: "Damped vibration absorber",
         topic: "Isolation, absorbers and instruments",
         summary: "Optimum tuning and damping of an absorber by the fixed points and for the minimum peak, of a viscous absorber without spring, and the response before and after.",
-        main: &["best_tuning", "best_damping_ratio_absorber", "best_peak", "peak"],
+        main: &["peak", "magnification", "absorber_stiffness", "absorber_damping"],
         keywords: "tuned mass damper TMD Den Hartog Houdaille Lanchester optimum fixed points invariant points minimax \
                    absorvedor dinâmico amortecido amortecedor de massa sintonizado ótimo pontos fixos invariantes",
         sources: &[&DEN_HARTOG, &BROCK, &NISHIHARA, &RAO],
@@ -190,8 +190,9 @@ impl Analysis for DampedAbsorber {
                 classic
             }
             AbsorberGiven::LeastPeak {} => {
+                let best = optimum::least_peak(&system, sheet).ok_or_else(no_peaks)?;
                 optimum::fixed_points(&system, sheet);
-                optimum::least_peak(&system, sheet).ok_or_else(no_peaks)?
+                best
             }
             AbsorberGiven::Houdaille {} => optimum::viscous(&system, sheet)?,
             AbsorberGiven::Given { tuning, damping } => {
@@ -440,8 +441,8 @@ fn peak<W: Worksheet>(system: &AbsorberSystem<W::Num>, kernel: &Kernel, full: Op
             height,
         );
     });
-    sheet.answer("peak", "Maximum magnification", height);
-    sheet.answer("peak_ratio", "Frequency ratio of the peak", ratio);
+    sheet.answer("peak", "Maximum magnification with the chosen absorber", height);
+    sheet.answer("peak_ratio", "Frequency ratio of the highest peak with the chosen absorber", ratio);
     sheet.verify(|| {
         if let Some([off, error]) = off_level(|g| kernel.magnification(g), ratio.value()) {
             sheet.check_residual("the slope of the response is zero at the peak", off.into(), 1.0, error);
@@ -459,7 +460,9 @@ fn peak<W: Worksheet>(system: &AbsorberSystem<W::Num>, kernel: &Kernel, full: Op
         );
     } else if before == 0.0 {
         sheet.warn(|| {
-            Text::new("without the absorber and without damping the resonance grows with time without bound")
+            Text::new(
+                "without the absorber and without damping, the amplitude at resonance grows without bound",
+            )
         });
     }
     let relative = kernel.largest_relative_motion();

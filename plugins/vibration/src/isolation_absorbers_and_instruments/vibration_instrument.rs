@@ -122,9 +122,10 @@ impl Analysis for VibrationInstrument {
         topic: "Isolation, absorbers and instruments",
         summary: "Usable frequencies of a seismic instrument for an allowed error, its amplitude and phase error at a frequency, and the true motion for a given reading.",
         main: &["amplitude", "factor", "error", "usable_frequencies", "distortion"],
-        keywords: "seismometer seismograph pickup transducer usable range phase distortion torsiograph vibrômetro \
-                   acelerômetro sismógrafo torsiógrafo sensor faixa de uso erro de fase \
-                   measuring instrument measurement device vibration measurement instrumento de medição medidor",
+        keywords: "seismometer seismograph pickup transducer usable range phase distortion torsiograph \
+                   vibrômetro acelerômetro sismógrafo torsiógrafo sensor faixa de uso erro de fase measuring \
+                   instrument measurement device vibration measurement instrumento de medição medidor seismic \
+                   mass massa sísmica",
         sources: &[&RAO, &THOMSON],
         cases: include_str!("../../cases/vibration_instrument.toml"),
     };

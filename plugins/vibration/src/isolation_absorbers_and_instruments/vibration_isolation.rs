@@ -149,9 +149,10 @@ impl Analysis for VibrationIsolation {
         topic: "Isolation, absorbers and instruments",
         summary: "Stiffness and static deflection of mounts for a required isolation over a speed range, the isolation of given mounts, and mounts for a shock.",
         main: &["stiffness", "stiffness_each", "transmissibility", "static_deflection"],
-        keywords: "isolator mount transmissibility inertia block static deflection drop packaging isolamento isolador \
-                   coxim calço transmissibilidade bloco de inércia deflexão estática choque \
-                   vibration isolation isolation of vibrations isolamento de vibrações",
+        keywords: "isolator mount transmissibility inertia block static deflection drop packaging isolamento \
+                   isolador coxim calço transmissibilidade bloco de inércia deflexão estática choque vibration \
+                   isolation isolation of vibrations isolamento de vibrações machine foundation block foundation \
+                   fundação de máquina",
         sources: &[&RAO, &THOMSON],
         cases: include_str!("../../cases/vibration_isolation.toml"),
     };

@@ -40,7 +40,8 @@ impl Analysis for LargePendulum {
         topic: "Nonlinear vibration",
         summary: "Exact period and motion of a pendulum at any amplitude, compared with the small-angle value and the series.",
         main: &["period", "angle"],
-        keywords: "nonlinear elliptic integral pêndulo grandes amplitudes não linear período",
+        keywords: "nonlinear elliptic integral pêndulo grandes amplitudes não linear período simple pendulum \
+                   large amplitudes pêndulo simples",
         sources: &[&NAYFEH, &RAO, &ABRAMOWITZ],
         cases: include_str!("../../cases/large_pendulum.toml"),
     };

@@ -112,7 +112,7 @@ impl Analysis for DoublePendulum {
         summary: "Natural frequencies and modes of two pendulums, one hanging from the other: small masses, rods or bodies of any form.",
         main: &["frequency"],
         keywords: "pendulum two degrees compound crane hook load small oscillations pêndulo duplo composto dois \
-                   graus de liberdade guindaste pequenas oscilações",
+                   graus de liberdade guindaste pequenas oscilações overhead crane ponte rolante",
         sources: &[&RAO, &MERIAM],
         cases: include_str!("../../cases/double_pendulum.toml"),
     };

@@ -64,7 +64,8 @@ impl Analysis for HalfCar {
         summary: "Bounce, pitch and wheel hop of a vehicle seen from the side: natural frequencies, modes and damping ratios of four degrees of freedom.",
         main: &["frequency"],
         keywords: "vehicle suspension wheel hop bounce pitch tyre ride four degrees veículo suspensão meio carro \
-                   arfagem pneu roda salto quatro graus de liberdade",
+                   arfagem pneu roda salto quatro graus de liberdade unsprung mass sprung mass massa não \
+                   suspensa suspensão veicular",
         sources: &[&RAO],
         cases: include_str!("../../cases/half_car.toml"),
     };

@@ -40,7 +40,7 @@ pub struct ModalAnalysis {
 pub enum Normalisation {
     /// Largest component is 1
     Largest,
-    /// First entry is 1
+    /// First component is 1
     First,
     /// Last component is 1
     Last,
@@ -61,10 +61,12 @@ impl Analysis for ModalAnalysis {
         topic: "Several degrees of freedom",
         summary: "Natural frequencies, mode shapes, modal masses, participation and damping ratios of a chain, of masses on a string, or of given matrices.",
         main: &["frequency"],
-        keywords: "mdof eigenvalue eigenvector natural frequencies modes chain string matrices complex modes Rayleigh \
-                   proportional damping autovalor autovetor frequências naturais modos de vibração cadeia massas \
-                   molas corda matrizes amortecimento vários graus de liberdade \
-                   systems with two degrees of freedom principal coordinates modal coordinates normal modes sistemas com dois graus de liberdade coordenadas principais coordenadas modais",
+        keywords: "mdof eigenvalue eigenvector natural frequencies modes chain string matrices complex modes \
+                   Rayleigh proportional damping autovalor autovetor frequências naturais modos de vibração \
+                   cadeia massas molas corda matrizes amortecimento vários graus de liberdade systems with two \
+                   degrees of freedom principal coordinates modal coordinates normal modes sistemas com dois \
+                   graus de liberdade coordenadas principais coordenadas modais semi-definite system \
+                   unrestrained semidefinido orthogonality of modes ortogonalidade",
         sources: &[&RAO, &EWINS],
         cases: include_str!("../../cases/modal_analysis.toml"),
     };

@@ -159,7 +159,7 @@ impl Analysis for OverhungDisc {
         if forward[1].is_none() {
             sheet.warn(|| {
                 Text::new(
-                    "I_p is not below I_d: gyroscopic action stiffens the tilting of the disc faster than the speed \
+                    "I_p ≥ I_d: gyroscopic action stiffens the tilting of the disc faster than the speed \
                      rises, so there is no second forward critical speed; unbalance excites only the first",
                 )
             });

@@ -97,10 +97,11 @@ impl Analysis for RotorDynamics {
         topic: "Shafts and rotors",
         summary: "Natural frequencies with direction of whirl and damping, critical speeds, unbalance response and threshold of stability of a stepped shaft with discs on bearings.",
         main: &["critical_speed", "frequency", "stability_threshold"],
-        keywords: "rotor rotordynamics whirl campbell critical speed gyroscopic bearing unbalance finite element log \
-                   decrement instability dinâmica de rotores velocidade crítica mancal giroscópico desbalanceamento \
-                   diagrama elementos finitos \
-                   out-of-balance response unbalance response forward backward whirl resposta ao desbalanceamento",
+        keywords: "rotor rotordynamics whirl campbell critical speed gyroscopic bearing unbalance finite element \
+                   log decrement instability dinâmica de rotores velocidade crítica mancal giroscópico \
+                   desbalanceamento diagrama elementos finitos out-of-balance response unbalance response \
+                   forward backward whirl resposta ao desbalanceamento response to out-of-balance forces \
+                   self-excited",
         sources: &[&FRISWELL, &NELSON, &ZORZI],
         cases: include_str!("../../cases/rotor_dynamics.toml"),
     };
@@ -757,7 +758,11 @@ fn warn_of_mesh<W: Worksheet>(spectrum: &Spectrum, finer: Option<&Spectrum>, she
 }
 
 fn warn_of_modes<W: Worksheet>(spectrum: &Spectrum, grows: bool, sheet: W) {
-    if !spectrum.overdamped.is_empty() {
+    if spectrum.overdamped.len() == 1 {
+        sheet.warn(|| {
+            Text::new("one motion at this speed is overdamped: it returns almost without oscillating and is not listed among the modes")
+        });
+    } else if !spectrum.overdamped.is_empty() {
         sheet.warn(|| {
             Text::new("{count} motions at this speed are overdamped: they return almost without oscillating and are not listed among the modes")
                 .with("count", spectrum.overdamped.len())

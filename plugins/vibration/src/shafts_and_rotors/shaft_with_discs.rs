@@ -82,9 +82,10 @@ impl Analysis for ShaftWithDiscs {
         topic: "Shafts and rotors",
         summary: "Critical speeds and mode shapes of a shaft with several discs; the lowest also by Dunkerley, Rayleigh and matrix iteration, with the exact value and the bound each method gives.",
         main: &["critical_speed", "rayleigh", "dunkerley"],
-        keywords: "critical speeds whirling stodola influence coefficients two masses cantilever mode shapes higher \
-                   critical speed eixo discos duas massas em balanço velocidades críticas dunkerley rayleigh iteração \
-                   matricial coeficientes de influência modos",
+        keywords: "critical speeds whirling stodola influence coefficients two masses cantilever mode shapes \
+                   higher critical speed eixo discos duas massas em balanço velocidades críticas dunkerley \
+                   rayleigh iteração matricial coeficientes de influência modos flexibility matrix matriz de \
+                   flexibilidade",
         sources: &[&RAO, &BEER, &SHIGLEY, &BLEVINS],
         cases: include_str!("../../cases/shaft_with_discs.toml"),
     };

@@ -505,7 +505,11 @@ fn answer_nodes<W: Worksheet>(nodes: &[Node], sheet: W) {
             W::Num::from(first * after + second * before),
             (first.abs() + second.abs()) * (before + after),
         );
-        sheet.answer(("node", node.mode, of_mode.1), "Node from the first end of its shaft", distance);
+        sheet.answer(
+            ("node", node.mode, of_mode.1),
+            "Node from the first end of its shaft; mode, node",
+            distance,
+        );
     }
 }
 

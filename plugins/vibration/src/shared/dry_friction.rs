@@ -190,7 +190,7 @@ impl<N: Real> FrictionOscillator<N> {
             offset
         };
         sheet.answer("friction", motion.of("Friction force", "Friction torque"), force);
-        sheet.answer("offset", "Half-width of the dead zone", hold);
+        sheet.answer("offset", "Half-width of the sticking zone", hold);
         let zeta = (damping.value() > 0.0).then(|| {
             sheet.step(
                 "ζ",

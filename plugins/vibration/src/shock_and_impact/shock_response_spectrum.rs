@@ -106,8 +106,8 @@ impl Analysis for ShockResponseSpectrum {
         topic: "Shock and impact",
         summary: "Primary, residual and maximax spectrum of a pulse or a recorded shock, at given frequencies and over a range.",
         main: &["maximax", "largest", "largest_amplification"],
-        keywords: "srs shock spectrum primary residual maximax half sine sawtooth pulse drop test espectro de resposta \
-                   ao choque meio seno dente de serra pulso primário residual",
+        keywords: "srs shock spectrum primary residual maximax half sine sawtooth pulse drop test espectro de \
+                   resposta ao choque meio seno dente de serra pulso primário residual semi-senoidal",
         sources: &[&RAO, &HARRIS, &CHOPRA],
         cases: include_str!("../../cases/shock_response_spectrum.toml"),
     };

@@ -217,9 +217,9 @@ impl Analysis for TransientResponse {
         topic: "Shock and impact",
         summary: "Displacement time history, its maximum and the residual response, of one degree of freedom under a step, ramp, pulse, table, impulse or base acceleration.",
         main: &["maximum", "time_of_maximum", "displacement"],
-        keywords: "step ramp pulse impulse half-sine triangular rectangular shock Duhamel convolution dynamic load \
-                   factor overshoot degrau rampa pulso impulso choque transitório resposta transiente convolução \
-                   fator de amplificação dinâmica sobressinal",
+        keywords: "step ramp pulse impulse half-sine triangular rectangular shock Duhamel convolution dynamic \
+                   load factor overshoot degrau rampa pulso impulso choque transitório resposta transiente \
+                   convolução fator de amplificação dinâmica sobressinal semi-senoidal meia-onda senoidal",
         sources: &[&RAO, &THOMSON, &CHOPRA],
         cases: include_str!("../../cases/transient_response.toml"),
     };

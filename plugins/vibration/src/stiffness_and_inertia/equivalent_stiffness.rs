@@ -158,8 +158,10 @@ impl Analysis for EquivalentStiffness {
         topic: "Stiffness and inertia",
         summary: "Equivalent spring of a network of springs, beams or shafts, the load on each of them, and the natural frequency of the mass on them.",
         main: &["stiffness", "torsional_stiffness", "natural_frequency", "frequency"],
-        keywords: "series parallel spring network natural frequency static deflection effective mass torsional pendulum \
-                   rigidez equivalente molas série paralelo frequência natural deflexão estática pêndulo de torção",
+        keywords: "series parallel spring network natural frequency static deflection effective mass torsional \
+                   pendulum rigidez equivalente molas série paralelo frequência natural deflexão estática \
+                   pêndulo de torção buoyancy floating body U-tube manometer empuxo corpo flutuante manômetro \
+                   tubo em U",
         sources: &[&RAO],
         cases: include_str!("../../cases/equivalent_stiffness.toml"),
     };

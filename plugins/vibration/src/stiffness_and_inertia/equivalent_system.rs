@@ -257,9 +257,10 @@ impl Analysis for EquivalentSystem {
         topic: "Stiffness and inertia",
         summary: "Equivalent inertia, stiffness and damping of a lever, a rolling body or a pulley with masses, springs and dampers; natural frequency, damping ratio, stability, amplitude under a harmonic load.",
         main: &["natural_frequency", "damping_ratio", "amplitude"],
-        keywords: "equivalent system lever bar hinged pivot dashpot inverted pendulum rolling cylinder disc sphere trough pulley \
-                   cord block generalized coordinate energy method critical damping stability sistema equivalente alavanca \
-                   barra articulada pêndulo invertido cilindro rolando polia cabo amortecedor estabilidade",
+        keywords: "equivalent system lever bar hinged pivot dashpot inverted pendulum rolling cylinder disc \
+                   sphere trough pulley cord block generalized coordinate energy method critical damping \
+                   stability sistema equivalente alavanca barra articulada pêndulo invertido cilindro rolando \
+                   polia cabo amortecedor estabilidade single degree of freedom um grau de liberdade",
         sources: &[&RAO, &KELLY],
         cases: include_str!("../../cases/equivalent_system.toml"),
     };

@@ -211,8 +211,9 @@ impl Analysis for SwingTest {
         topic: "Stiffness and inertia",
         summary: "Moment of inertia from the period on a knife edge, about two points, on wires, on a torsion wire, or rolling on rails.",
         main: &["inertia", "centre"],
-        keywords: "compound pendulum bifilar trifilar suspension torsion pendulum connecting rod radius of gyration \
-                   momento de inércia ensaio de oscilação pêndulo composto bifilar trifilar pêndulo de torção biela",
+        keywords: "compound pendulum bifilar trifilar suspension torsion pendulum connecting rod radius of \
+                   gyration momento de inércia ensaio de oscilação pêndulo composto bifilar trifilar pêndulo de \
+                   torção biela physical pendulum pêndulo físico",
         sources: &[&RAO, &THOMSON, &ABRAMOWITZ],
         cases: include_str!("../../cases/swing_test.toml"),
     };

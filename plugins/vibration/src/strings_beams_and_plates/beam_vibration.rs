@@ -148,9 +148,10 @@ impl Analysis for BeamVibration {
         topic: "Strings, beams and plates",
         summary: "Frequencies, mode shapes, nodes and buckling load of a uniform beam (Euler–Bernoulli or Timoshenko) on any supports, with masses, springs, masses on springs, axial force and elastic foundation.",
         main: &["frequency"],
-        keywords: "continuous beam natural frequencies mode shapes cantilever tip mass sprung mass oscillator spring-mass buckling viga frequências \
-                   naturais modos engastada biapoiada flambagem contínuo fundação elástica \
-                   lateral vibration of beams transverse vibration bending vibration vibração lateral de vigas transversal flexão",
+        keywords: "continuous beam natural frequencies mode shapes cantilever tip mass sprung mass oscillator \
+                   spring-mass buckling viga frequências naturais modos engastada biapoiada flambagem contínuo \
+                   fundação elástica lateral vibration of beams transverse vibration bending vibration vibração \
+                   lateral de vigas transversal flexão engastada-livre bi-engastada biengastada",
         sources: &[&RAO, &BLEVINS, &TIMOSHENKO, &COWPER, &WITTRICK],
         cases: include_str!("../../cases/beam_vibration.toml"),
     };

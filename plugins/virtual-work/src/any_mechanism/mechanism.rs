@@ -108,9 +108,11 @@ impl Analysis for Mechanism {
         topic: "Any mechanism",
         summary: "Motion, driving forces and torques by virtual power, and reactions of an arbitrary plane mechanism: bodies, joints, drivers and loads.",
         main: &["effort", "angular_velocity", "velocity", "angle", "position"],
-        keywords: "cam gears rack came engrenagens cremalheira mecanismo plano barras manivela articulação virtual power potência virtual newton euler multibody linkage joints reactions \
-                   six-bar gears cord slot spring geral build your own centro instantâneo instant centre kennedy diagrama polar \
-                   hodógrafo hodograph shaking force trepidação ângulo de transmissão transmission angle",
+        keywords: "cam gears rack came engrenagens cremalheira mecanismo plano barras manivela articulação \
+                   virtual power potência virtual newton euler multibody linkage joints reactions six-bar gears \
+                   cord slot spring geral build your own centro instantâneo instant centre kennedy diagrama \
+                   polar hodógrafo hodograph shaking force trepidação ângulo de transmissão transmission angle \
+                   instantaneous center of velocity kinetostatics cinetostática Geneva wheel cruz de malta",
         sources: &[&RIUL, &NIKRAVESH, &HAUG],
         cases: include_str!("../../cases/mechanism.toml"),
     };

@@ -35,11 +35,11 @@ pub struct GuidedBar {
     #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
     pub gravity: f64,
     /// Vertical force at A, downwards.
-    /// Zero if absent; if omitted, it is calculated from the position.
+    /// Enter 0 if there is none; leave it blank to find it from the position.
     #[input("P", "N")]
     pub force_a: Option<f64>,
     /// Horizontal force at B, towards the vertical guide.
-    /// Zero if absent; if omitted, it is calculated from the position.
+    /// Enter 0 if there is none; leave it blank to find it from the position.
     #[input("F", "N")]
     pub force_b: Option<f64>,
     /// Spring.
@@ -100,8 +100,8 @@ impl Analysis for GuidedBar {
         topic: "Bars and levers",
         summary: "Equilibria and stability of a bar whose ends slide in guides at right angles, or the force or stiffness for a given angle.",
         main: &["force_b", "stable_angle", "unstable_angle", "stiffness"],
-        keywords: "ladder sliding rod collars spring potential energy stability escada barra guias cursores mola energia \
-                   potencial estabilidade",
+        keywords: "ladder sliding rod collars spring potential energy stability escada barra guias cursores mola \
+                   energia potencial estabilidade elliptic trammel double slider elipsógrafo",
         sources: &[&HIBBELER, &BEER, &RIUL],
         cases: include_str!("../../cases/guided_bar.toml"),
     };

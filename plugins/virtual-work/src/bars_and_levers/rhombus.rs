@@ -34,7 +34,7 @@ pub struct Rhombus {
     #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
     pub gravity: f64,
     /// Load at the lower corner.
-    /// Zero if absent; if omitted, it is calculated from the position.
+    /// Enter 0 if there is none; leave it blank to find it from the position.
     #[input("Q", "N")]
     pub load: Option<f64>,
     /// Direction of the spring.

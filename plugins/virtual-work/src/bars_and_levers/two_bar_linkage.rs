@@ -33,11 +33,11 @@ pub struct TwoBarLinkage {
     #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
     pub gravity: f64,
     /// Vertical force at the joint B, downwards.
-    /// Zero if absent; if omitted, it is calculated from the position.
+    /// Enter 0 if there is none; leave it blank to find it from the position.
     #[input("Q", "N")]
     pub force_b: Option<f64>,
     /// Horizontal force at C, away from A.
-    /// Zero if absent; if omitted, it is calculated from the position.
+    /// Enter 0 if there is none; leave it blank to find it from the position.
     #[input("F", "N")]
     pub force_c: Option<f64>,
     /// Spring between A and C.

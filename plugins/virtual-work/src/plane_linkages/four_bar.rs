@@ -133,9 +133,10 @@ impl Analysis for FourBar {
         topic: "Plane linkages",
         summary: "Torque on crank or rocker of a four-bar linkage, at rest or in motion with masses, by virtual work; coupler curve, instant centres, transmission angle, reactions.",
         main: &["torque", "rocker_speed", "coupler_angle", "rocker_angle"],
-        keywords: "quadrilátero articulado quatro barras mecanismo manivela balancim acoplador curva do acoplador grashof \
-                   ângulo de transmissão centro instantâneo vantagem mecânica torque four bar linkage crank rocker coupler curve \
-                   fourbar force analysis kinematic analysis análise cinemática análise de forças",
+        keywords: "quadrilátero articulado quatro barras mecanismo manivela balancim acoplador curva do \
+                   acoplador grashof ângulo de transmissão centro instantâneo vantagem mecânica torque four bar \
+                   linkage crank rocker coupler curve fourbar force analysis kinematic analysis análise \
+                   cinemática análise de forças instantaneous center of velocity",
         sources: &[&RIUL, &NORTON, &SHIGLEY],
         cases: include_str!("../../cases/four_bar.toml"),
     };

@@ -146,7 +146,7 @@ impl Analysis for OscillatingCylinder {
         topic: "Plane linkages",
         summary: "Torque of a crank or lever moved by an oscillating cylinder, or the force of the cylinder, at rest or in motion with masses, by virtual work; reactions.",
         main: &["force", "torque", "rod_velocity"],
-        keywords: "rotary engine Gnome cilindro oscilante cilindro hidráulico atuador cursor-manivela invertido pistão alavanca caçamba \
+        keywords: "rotary engine Gnome cilindro oscilante cilindro hidráulico atuador biela-manivela invertido pistão alavanca caçamba \
                    oscillating cylinder hydraulic actuator inverted slider-crank lever dump boom",
         sources: &[&RIUL, &SHIGLEY, &BEER, &NORTON],
         cases: include_str!("../../cases/oscillating_cylinder.toml"),

@@ -121,7 +121,7 @@ impl<S: Shapes, N: Real> SingleDofMachine<'_, S, N> {
             PositionGiven::Sought { from, to } => {
                 let Some(loads) = self.parts.iter().map(|part| part.load).collect::<Option<Vec<N>>>() else {
                     return Err(Refusal::because(
-                        "a load or stiffness is missing: write it, or write the angle at which the machine is to be in equilibrium",
+                        "a load or stiffness is left blank: write it, 0 if there is none, or write the angle of equilibrium, from which the blank one is found",
                     ));
                 };
                 self.equilibria(&loads, [from.value(), to.value()], sheet, built)

@@ -24,7 +24,7 @@ pub struct Positions {
 pub(super) enum SplitMass {
     /// The corrections, with every trial weight taken off.
     Correction,
-    /// What is added to the trial weights.
+    /// The masses that are added to the trial weights.
     Added,
     /// The trim after a check run.
     Trim,

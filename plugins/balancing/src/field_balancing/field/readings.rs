@@ -157,6 +157,8 @@ pub(super) enum Influence<N> {
 pub(super) struct Job<N> {
     pub(super) units: Units,
     pub(super) first: Vec<WorkedReading<N>>,
+    /// The initial run with the run-out in it, where that is subtracted.
+    pub(super) raw: Option<Vec<WorkedReading<N>>>,
     pub(super) influence: Influence<N>,
     pub(super) checks: Vec<Vec<WorkedReading<N>>>,
 }
@@ -208,6 +210,7 @@ impl Measurements {
         let mut first = readings(&self.first, &given.first);
         let check = |(own, given): (&CheckRun, &CheckRunGiven<W>)| readings(&own.readings, &given.readings);
         let mut checks: Vec<_> = self.checks.iter().zip(&given.checks).map(check).collect();
+        let raw = run_out.is_some().then(|| first.clone());
         if let Some(run_out) = run_out {
             for (n, found) in (1..).zip(run_out.taken_from(&mut first, None, reading, sheet)) {
                 sheet.answer(("compensated", n), "Reading without run-out", found.amplitude);
@@ -224,7 +227,7 @@ impl Measurements {
                 run_out.taken_from(readings, Some(run), reading, sheet);
             }
         }
-        Ok(Job { units: Units { reading, coefficient }, first, influence, checks })
+        Ok(Job { units: Units { reading, coefficient }, first, raw, influence, checks })
     }
 }
 

@@ -13,6 +13,13 @@ use super::{
 };
 use crate::{shared::rotor, sources::RAO};
 
+/// The error of readings with the run-out in them.
+const RUN_OUT_LEFT: &str = "the run-out not subtracted";
+/// The error of a correction computed from a trial run.
+const AFTER_TRIAL: &str = "the reading of the trial run used, although the trial weight was taken off";
+/// The error of a correction on the side of the unbalance.
+const AT_HEAVY_SPOT: &str = "the correction mass placed at the heavy spot";
+
 /// The corrections, worked; `None` where the job is not one of the textbooks'.
 pub(super) fn solve<W: Worksheet>(job: &Job<W::Num>, opposed: bool, sheet: W) -> Option<Vec<Found<W::Num>>> {
     let Influence::Runs { stay, runs } = &job.influence else { return None };
@@ -21,7 +28,7 @@ pub(super) fn solve<W: Worksheet>(job: &Job<W::Num>, opposed: bool, sheet: W) ->
         return None;
     }
     match runs.as_slice() {
-        [run] => Some(vec![triangle(&job.first[0], run, opposed, job.units, sheet)]),
+        [run] => Some(vec![triangle(job, run, *stay, opposed, sheet)]),
         [_, _] => Some(two_planes(job, runs, *stay, opposed, sheet)),
         _ => None,
     }
@@ -48,12 +55,13 @@ fn components<W: Worksheet>(
 
 /// The vector triangle of one plane and one sensor.
 fn triangle<W: Worksheet>(
-    first: &WorkedReading<W::Num>,
+    job: &Job<W::Num>,
     run: &WorkedRun<W::Num>,
+    stay: bool,
     opposed: bool,
-    units: Units,
     sheet: W,
 ) -> Found<W::Num> {
+    let (first, units) = (&job.first[0], job.units);
     let trial = &run.readings[0];
     let before = components(["V_x".into(), "V_y".into()], first, opposed, units.reading, sheet);
     let after = components(["R_x".into(), "R_y".into()], trial, opposed, units.reading, sheet);
@@ -88,6 +96,15 @@ fn triangle<W: Worksheet>(
         effect / run.mass,
         ("Influence coefficient: vibration per unit mass", RAO.at("§9.4.2")),
     );
+    // The run-out is in both readings, so that it does not change the effect.
+    let raw = job.raw.as_ref().map(|raw| (raw[0], RUN_OUT_LEFT));
+    let instead = raw.into_iter().chain((!stay).then_some((*trial, AFTER_TRIAL)));
+    for (reading, what) in instead {
+        sheet.common_error("m_c", what, || reading.amplitude / alpha);
+        sheet.common_error("θ_c", what, || {
+            balance::marked_angle(run.angle + (phase(&reading, opposed) - direction) + PI)
+        });
+    }
     let mass = sheet.step(
         "m_c",
         "g",
@@ -102,6 +119,9 @@ fn triangle<W: Worksheet>(
     let what = "the angle from the effect to the initial reading laid off in the opposite sense";
     sheet.common_error("θ_c", what, || {
         balance::marked_angle(run.angle - (phase(first, opposed) - direction) + PI)
+    });
+    sheet.common_error("θ_c", AT_HEAVY_SPOT, || {
+        balance::marked_angle(run.angle + (phase(first, opposed) - direction))
     });
     sheet.common_error("θ_c", "the correction placed opposite to the initial reading itself", || {
         balance::marked_angle(phase(first, opposed) + PI)
@@ -161,6 +181,18 @@ fn two_planes<W: Worksheet>(
         }
     }
     let [a11, a21, a12, a22] = [alpha[0][0], alpha[0][1], alpha[1][0], alpha[1][1]];
+    let raw = job.raw.as_deref().map(|raw| (raw, RUN_OUT_LEFT));
+    let instead = raw.into_iter().chain((!stay).then_some((runs[1].readings.as_slice(), AFTER_TRIAL)));
+    for (readings, what) in instead {
+        let found = |n: usize| {
+            let vector = |at: usize| Phasor::polar(readings[at].amplitude, phase(&readings[at], opposed));
+            two_plane_weights([[a11, a12], [a21, a22]], [vector(0), vector(1)])[n]
+        };
+        for n in 0..2 {
+            sheet.common_error(("m_c", n + 1), what, || found(n).size());
+            sheet.common_error(("θ_c", n + 1), what, || found(n).marked_angle());
+        }
+    }
     (1..)
         .zip(two_plane_weights([[a11, a12], [a21, a22]], [first[0], first[1]]))
         .map(|(n, weight)| {
@@ -178,6 +210,8 @@ fn two_planes<W: Worksheet>(
                 balance::marked_direction(-x, -y)
             });
             let mass = sheet.step(("m_c", n), "g", weight.size(), "Magnitude of the correction mass");
+            let heavy_spot = || balance::marked_direction(-weight.x, -weight.y);
+            sheet.common_error(("θ_c", n), AT_HEAVY_SPOT, heavy_spot);
             rotor::quadrant_ignored(sheet, ("θ_c", n), (weight.x, weight.y));
             let angle = weight.marked_angle();
             Found { mass, angle: sheet.step(("θ_c", n), "deg", angle, "Its angle from the mark") }

@@ -202,9 +202,9 @@ impl<N: Real> FreeResponse<N> {
             "X",
             units.displacement,
             (x0.powi(2) + b.powi(2)).sqrt(),
-            ("Initial envelope", RAO.at("§2.6")),
+            ("Initial amplitude of the envelope", RAO.at("§2.6")),
         );
-        sheet.answer("amplitude", "Initial envelope", size);
+        sheet.answer("amplitude", "Initial amplitude of the envelope", size);
         FreeResponse::Oscillating { natural, zeta, damped, x0, v0, b, size }
     }
 

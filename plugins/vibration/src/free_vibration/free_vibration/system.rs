@@ -120,7 +120,7 @@ pub enum DampingData {
     },
     /// From the settling time of the envelope
     Settling {
-        /// Time for the envelope to decay to the fraction taken as settled.
+        /// Time for the envelope to decay to the settling band.
         #[input("tₛ", "s", positive)]
         time: f64,
     },
@@ -181,7 +181,7 @@ pub(super) fn system<W: Worksheet>(
     if let Some((mass, stiffness)) = elastic {
         let is_rotation = units == Units::ROTATION;
         let (name, label) =
-            if is_rotation { ("inertia", "Moment of inertia") } else { ("mass", "Mass that moves") };
+            if is_rotation { ("inertia", "Moment of inertia") } else { ("mass", "Moving mass") };
         sheet.answer(name, label, mass);
         sheet.answer("stiffness", if is_rotation { "Torsional stiffness" } else { "Stiffness" }, stiffness);
         let what = "at the natural frequency stiffness and inertia have one impedance, k/ωₙ = mωₙ";
@@ -243,7 +243,7 @@ fn damping_ratio<W: Worksheet>(
             sheet.common_error("ζ", "the rule of thumb for the settling time used, 4/(ζωₙ)", rule);
             let decimal = || (one / settled).log10() / (natural * *time);
             sheet.common_error("ζ", "the logarithm to base 10 used in place of the natural one", decimal);
-            let why = "The envelope e^(−ζωₙt) has decayed to the fraction taken as settled";
+            let why = "The envelope e^(−ζωₙt) has decayed to the settling band";
             sheet.step("ζ", "1", (one / settled).ln() / (natural * *time), why)
         }
         DampingDataGiven::Decay { amplitudes } => decrement(amplitudes, sheet).damping_ratio,

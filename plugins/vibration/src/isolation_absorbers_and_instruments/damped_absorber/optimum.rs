@@ -11,6 +11,18 @@ use nalgebra::{Complex, DMatrix};
 use super::{AbsorberSystem, Chosen, no_peaks};
 use crate::sources::{BROCK, DEN_HARTOG, NISHIHARA};
 
+/// Names and labels of the damping by the fixed points: relative to the absorber, and to the main frequency.
+const FIXED_POINTS: [(&str, &str); 2] = [
+    ("damping_ratio_absorber", "Damping ratio relative to the absorber, c/(2 m_a ω_a), fixed points"),
+    ("damping_ratio_main", "Damping ratio relative to the main frequency, c/(2 m_a ω_m), fixed points"),
+];
+
+/// Names and labels of the damping for the minimum peak.
+const LEAST_PEAK: [(&str, &str); 2] = [
+    ("best_damping_ratio_absorber", "Damping ratio relative to the absorber, c/(2 m_a ω_a), minimum peak"),
+    ("best_damping_ratio_main", "Damping ratio relative to the main frequency, c/(2 m_a ω_m), minimum peak"),
+];
+
 /// Den Hartog's tuning and Brock's damping.
 pub(super) fn fixed_points<W: Worksheet>(system: &AbsorberSystem<W::Num>, sheet: W) -> Chosen<W::Num> {
     let ratio = system.ratio;
@@ -56,8 +68,7 @@ pub(super) fn fixed_points<W: Worksheet>(system: &AbsorberSystem<W::Num>, sheet:
     sheet.common_error("ζ_opt", "the damping for a random force used", random);
     let own = sheet.step("ζ_opt", "1", absorber::den_hartog_damping(ratio), why);
     sheet.answer("tuning", "Tuning by the fixed points", tuning);
-    let damping =
-        answer_dampings(tuning, own, ["damping_ratio_absorber", "damping_ratio_main"], "γ_opt", sheet);
+    let damping = answer_dampings(tuning, own, FIXED_POINTS, "γ_opt", sheet);
     sheet.verify(|| {
         let square = |point: W::Num| {
             absorber::level_damping_squared(ratio.value(), tuning.value(), point.value().powi(2))
@@ -89,7 +100,6 @@ pub(super) fn fixed_points<W: Worksheet>(system: &AbsorberSystem<W::Num>, sheet:
 /// Tuning and damping of the least possible peak; `None` where the main system is too damped for one.
 pub(super) fn least_peak<W: Worksheet>(system: &AbsorberSystem<W::Num>, sheet: W) -> Option<Chosen<W::Num>> {
     let (ratio, zeta) = (system.ratio, system.zeta.value());
-    let names = ["best_damping_ratio_absorber", "best_damping_ratio_main"];
     let found = absorber::least_peak(ratio.value(), zeta).ok();
     let (chosen, height) = if zeta == 0.0 {
         let s =
@@ -99,7 +109,7 @@ pub(super) fn least_peak<W: Worksheet>(system: &AbsorberSystem<W::Num>, sheet: W
         let why = ("Damping for the minimum peak", NISHIHARA.at(""));
         let own = sheet.step("ζ_a*", "1", absorber::least_peak_damping(ratio, s), why);
         sheet.answer("best_tuning", "Optimum tuning, minimum peak", tuning);
-        let damping = answer_dampings(tuning, own, names, "γ*", sheet);
+        let damping = answer_dampings(tuning, own, LEAST_PEAK, "γ*", sheet);
         let why = ("The minimum peak", NISHIHARA.at(""));
         let height = sheet.step("H*", "1", absorber::least_peak_height(ratio, s), why);
         (Chosen { tuning: Some(tuning), damping }, height)
@@ -115,7 +125,7 @@ pub(super) fn least_peak<W: Worksheet>(system: &AbsorberSystem<W::Num>, sheet: W
         let how = "Its damping ratio, relative to the absorber alone";
         let own = sheet.numerical("ζ_a*", "1", found.absorber.damping / found.absorber.tuning, how);
         sheet.answer("best_tuning", "Optimum tuning, minimum peak", tuning);
-        let damping = answer_dampings(tuning, own, names, "γ*", sheet);
+        let damping = answer_dampings(tuning, own, LEAST_PEAK, "γ*", sheet);
         let height = sheet.numerical("H*", "1", found.height, "The minimum peak");
         (Chosen { tuning: Some(tuning), damping }, height)
     };
@@ -137,14 +147,15 @@ pub(super) fn least_peak<W: Worksheet>(system: &AbsorberSystem<W::Num>, sheet: W
 fn answer_dampings<W: Worksheet>(
     tuning: W::Num,
     by_absorber: W::Num,
-    names: [&'static str; 2],
+    answers: [(&'static str, &'static str); 2],
     symbol: &'static str,
     sheet: W,
 ) -> W::Num {
     let why = ("The same damping relative to the main frequency, c/(2 m_a ω_m)", DEN_HARTOG.at("§3.3"));
     let by_main = sheet.step(symbol, "1", tuning * by_absorber, why);
-    sheet.answer(names[0], "Damping ratio relative to the absorber, c/(2 m_a ω_a)", by_absorber);
-    sheet.answer(names[1], "Damping ratio relative to the main frequency, c/(2 m_a ω_m)", by_main);
+    for ((name, label), damping) in answers.into_iter().zip([by_absorber, by_main]) {
+        sheet.answer(name, label, damping);
+    }
     by_main
 }
 
@@ -170,11 +181,8 @@ pub(super) fn viscous<W: Worksheet>(
         absorber::magnification_as_one(ratio, point),
         height,
     );
-    sheet.answer(
-        "damping_ratio_main",
-        "Damping ratio relative to the main frequency, c/(2 m_a ω_m)",
-        damping,
-    );
+    let [_, (name, label)] = FIXED_POINTS;
+    sheet.answer(name, label, damping);
     sheet.answer("fixed_point", "Fixed point", point);
     sheet.answer("fixed_point_height", "Magnification at the fixed point", height);
     let found = absorber::least_peak_viscous(ratio.value(), zeta).map_err(|_| no_peaks());
@@ -205,11 +213,8 @@ pub(super) fn viscous<W: Worksheet>(
             sheet.check("the highest of all peaks", W::Num::from(peak.height), least);
         }
     });
-    sheet.answer(
-        "best_damping_ratio_main",
-        "Damping ratio relative to the main frequency, c/(2 m_a ω_m)",
-        best,
-    );
+    let [_, (name, label)] = LEAST_PEAK;
+    sheet.answer(name, label, best);
     sheet.answer("best_peak", "Minimum possible peak magnification", least);
     Ok(Chosen { tuning: None, damping: best })
 }

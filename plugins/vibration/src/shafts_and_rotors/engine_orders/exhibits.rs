@@ -174,7 +174,7 @@ impl<N: Real> View<'_, N> {
             .iter()
             .map(|order| {
                 let last = end.min(top / order);
-                let label = Text::new("order {order}").with("order", order);
+                let label = Text::new("order {order}").with_quantity("order", *order, "1");
                 Series::line(label, vec![(0.0, 0.0), (last, order * last)])
             })
             .collect();
@@ -244,7 +244,7 @@ impl<N: Real> View<'_, N> {
                 }
                 (speed, re.hypot(im))
             };
-            let label = Text::new("order {order}").with("order", order.order);
+            let label = Text::new("order {order}").with_quantity("order", order.order, "1");
             series.push(Series::line(label, (0..=POINTS).map(at).collect()));
         }
         Plot::new(
@@ -276,7 +276,7 @@ impl<N: Real> View<'_, N> {
             let point = |x: f64, y: f64| (centre.0 + x, centre.1 + y);
             sketch
                 .circle(centre, 1.0, Ink::Faint)
-                .caption(Text::new("order {order}").with("order", order), point(0.0, -1.4));
+                .caption(Text::new("order {order}").with_quantity("order", *order, "1"), point(0.0, -1.4));
             for (k, one) in self.cylinders.each.iter().enumerate() {
                 let (length, turn) = (beta(one.mass) / largest, (order * one.angle.value()) % TAU);
                 // The first cylinder points upwards, the others are turned on clockwise.

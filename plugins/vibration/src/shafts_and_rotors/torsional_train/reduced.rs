@@ -100,6 +100,9 @@ pub(super) fn reduce<W: Worksheet>(
         };
         if let Some((up, speed)) = geared {
             let why = "Speed of the geared shaft over that of the first disc";
+            // The square of the root is the ratio itself, in every inertia and stiffness that it reduces.
+            let what = "the gear ratio not squared in the reduction";
+            sheet.common_error(("n", disc + 1), what, || speed.sqrt());
             speeds[disc] = Some(sheet.step(("n", disc + 1), "1", speed, why));
             station_of[disc] = station_of[up];
         } else {
