@@ -149,7 +149,7 @@ impl Analysis for LogarithmicDecrement {
         topic: "Free vibration",
         summary: "Decrement, damping ratio and damping of a decay from its amplitudes, and the cycles and time to decay to a given amplitude.",
         main: &["damping_ratio", "decrement", "damping"],
-        keywords: "decay damping ratio successive amplitudes peaks torsional pendulum cycles least squares \
+        keywords: "log decrement decay damping ratio successive amplitudes peaks torsional pendulum cycles least squares \
                    decremento logarítmico decaimento amplitude picos pêndulo de torção",
         sources: &[&RAO, &GROVER],
         cases: include_str!("../../cases/logarithmic_decrement.toml"),
