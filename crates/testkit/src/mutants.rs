@@ -27,7 +27,7 @@ use dalembert_core::{
 use dalembert_numerics::random::uniform_bits;
 
 use crate::{
-    problems::{cases_of, numbers, on_all_cores},
+    problems::{SolvedCase, cases_of, numbers, on_all_cores, solved_cases},
     some,
 };
 
@@ -61,6 +61,9 @@ struct Place {
     path: Vec<usize>,
     mutation: &'static str,
 }
+
+/// A case with its solution.
+type Solved = (Case, &'static SolvedCase);
 
 /// Occurrences of a mutant: the number of each case, and the mutant there.
 type Occurrences = Vec<(usize, Mutant)>;
@@ -98,7 +101,7 @@ pub fn verdicts(entries: &[&'static Entry], times: u64, seed: u64) -> Verdicts {
         scope.spawn(|| watch.run());
         on_all_cores(&drawn, |_, at| {
             let (entry, cases, place, occurrences) = &found[*at];
-            let verdict = verdict(entry, cases, occurrences, &watch);
+            let verdict = verdict(cases, occurrences, &watch);
             let mut verdicts = verdicts.lock().expect("no mutant panics with the list");
             match verdict {
                 Verdict::ByAnswer => verdicts.by_answers += 1,
@@ -119,16 +122,11 @@ pub fn verdicts(entries: &[&'static Entry], times: u64, seed: u64) -> Verdicts {
 }
 
 /// The cases of an analysis that have a solution, and its mutants.
-fn mutants_of(entry: &'static Entry) -> (Vec<(Case, Solution)>, BTreeMap<Place, Occurrences>) {
+fn mutants_of(entry: &'static Entry) -> (Vec<Solved>, BTreeMap<Place, Occurrences>) {
     let cases = cases_of(entry).into_iter().filter(|case| case.refused.is_none());
-    let solved: Vec<(Case, Solution)> = cases
-        .filter_map(|case| {
-            let solution = entry.solve(&case.record(entry).ok()?, &Stop::new()).ok()?;
-            Some((case, solution))
-        })
-        .collect();
+    let solved: Vec<Solved> = cases.zip(solved_cases(entry)).collect();
     let mut mutants: BTreeMap<Place, Occurrences> = BTreeMap::new();
-    for (case, (_, solution)) in solved.iter().enumerate() {
+    for (case, (_, SolvedCase { solution, .. })) in solved.iter().enumerate() {
         // A formula that a case itself gives for an input is data.
         let is_of_analysis = |step: &&Step| solution.computed.iter().all(|(_, id)| *id != step.result);
         for step in solution.steps.iter().filter(is_of_analysis) {
@@ -194,16 +192,10 @@ fn shape(solution: &Solution, id: Id) -> String {
 }
 
 /// The strongest verdict of all cases in which a mutant occurs.
-fn verdict(
-    entry: &'static Entry,
-    cases: &[(Case, Solution)],
-    occurrences: &Occurrences,
-    watch: &Watch,
-) -> Verdict {
+fn verdict(cases: &[Solved], occurrences: &Occurrences, watch: &Watch) -> Verdict {
     let mut strongest = Verdict::WithoutEffect;
     for (case, mutant) in occurrences {
-        let (case, right) = &cases[*case];
-        strongest = strongest.max(in_case(entry, case, right, *mutant, watch));
+        strongest = strongest.max(in_case(&cases[*case], *mutant, watch));
         if strongest == Verdict::ByAnswer {
             break;
         }
@@ -211,10 +203,9 @@ fn verdict(
     strongest
 }
 
-fn in_case(entry: &'static Entry, case: &Case, right: &Solution, mutant: Mutant, watch: &Watch) -> Verdict {
-    let Ok(record) = case.record(entry) else { return Verdict::WithoutEffect };
+fn in_case((case, right): &Solved, mutant: Mutant, watch: &Watch) -> Verdict {
     let stop = watch.begin();
-    let solved = catch_unwind(AssertUnwindSafe(|| entry.solve_mutated(&record, mutant, &stop)));
+    let solved = catch_unwind(AssertUnwindSafe(|| right.entry.solve_mutated(&right.record, mutant, &stop)));
     let wrong = match solved {
         _ if stop.check().is_err() => return Verdict::ByFailure,
         Err(_) => return Verdict::ByFailure,
@@ -227,7 +218,7 @@ fn in_case(entry: &'static Entry, case: &Case, right: &Solution, mutant: Mutant,
         Verdict::ByAnswer
     } else if !verdicts.is_empty() {
         Verdict::ByCheck
-    } else if are_alike(right, &wrong) {
+    } else if are_alike(&right.solution, &wrong) {
         Verdict::WithoutEffect
     } else {
         Verdict::Unnoticed
@@ -246,9 +237,9 @@ fn are_alike(right: &Solution, wrong: &Solution) -> bool {
 }
 
 /// A survivor in words, by its first case.
-fn words(entry: &Entry, cases: &[(Case, Solution)], place: &Place, occurrences: &Occurrences) -> String {
+fn words(entry: &Entry, cases: &[Solved], place: &Place, occurrences: &Occurrences) -> String {
     let (case, mutant) = occurrences[0];
-    let (case, solution) = &cases[case];
+    let (case, SolvedCase { solution, .. }) = &cases[case];
     let at = match solution.trace.node(mutant.at).op {
         Op::Step(step) => solution.steps[step].formula.unwrap_or(mutant.at),
         _ => mutant.at,

@@ -52,7 +52,7 @@ pub fn for_each_problem(entries: &[&'static Entry], visit: impl FnMut(&'static S
 }
 
 /// The cases of an analysis that are not refused, solved when they are first asked for.
-fn solved_cases(entry: &'static Entry) -> &'static [SolvedCase] {
+pub(crate) fn solved_cases(entry: &'static Entry) -> &'static [SolvedCase] {
     type Solved = OnceLock<Vec<SolvedCase>>;
     static SOLVED: LazyLock<Mutex<BTreeMap<usize, &'static Solved>>> = LazyLock::new(Mutex::default);
     let place = ptr::from_ref(entry).addr();
