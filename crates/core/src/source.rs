@@ -27,6 +27,16 @@ impl Source {
     pub const fn at(&'static self, place: &'static str) -> Cite {
         Cite { source: self, place }
     }
+
+    /// Short citation in the language.
+    pub fn short_in(&self, locale: &Locale) -> String {
+        Text::from(self.short).render(locale)
+    }
+
+    /// Authors, title, edition, publisher and year in the language.
+    pub fn full_in(&self, locale: &Locale) -> String {
+        Text::from(self.full).render(locale)
+    }
 }
 
 /// Words of a place in English and in Portuguese.
@@ -38,18 +48,6 @@ const PLACES: [(&str, &str); 6] = [
     ("problem", "problema"),
     ("example", "exemplo"),
 ];
-
-impl Source {
-    /// Short citation in the language.
-    pub fn short_in(&self, locale: &Locale) -> String {
-        Text::from(self.short).render(locale)
-    }
-
-    /// Authors, title, edition, publisher and year in the language.
-    pub fn full_in(&self, locale: &Locale) -> String {
-        Text::from(self.full).render(locale)
-    }
-}
 
 impl Cite {
     /// The citation in the language: `Khurmi & Gupta, cap. 22`.
